@@ -1,0 +1,37 @@
+// RadarHost: all that the network needs to know of the rest of the server.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "protocol/wire/radar.pb.h"
+#include "server/core/video_channel.hpp"
+
+namespace skerry::server {
+
+// Implemented in server/app.  Thread: every function may be called from any thread and returns at
+// once; none waits for a radar, a disk or a client.
+class RadarHost {
+ public:
+  virtual ~RadarHost() = default;
+
+  virtual wire::Hello hello() const = 0;
+  virtual std::uint32_t radar_count() const = 0;
+
+  // The spokes of a view of a radar; nullptr if there is none.  Lives as long as the host.
+  virtual VideoChannel* find_channel(std::uint32_t radar, std::uint32_t view) = 0;
+
+  // Checks all of `set` and applies all or nothing; the reply says which value was out of range.
+  virtual wire::Reply apply(const wire::Set& set) = 0;
+
+  // Require a radar and view that find_channel() knows.
+  virtual wire::Settings settings(std::uint32_t radar, std::uint32_t view) const = 0;
+  virtual wire::OwnShip own_ship(std::uint32_t radar) const = 0;
+  // One entry per radar; server/net adds the clients and its errors.
+  virtual wire::Status status() const = 0;
+
+  // Grows whenever the settings of any view change, so that consoles can be told.
+  virtual std::uint64_t settings_version() const = 0;
+};
+
+}  // namespace skerry::server
