@@ -10,7 +10,9 @@ namespace skerry {
 class Decibels {
  public:
   constexpr Decibels() = default;
-  static Decibels from_ratio(double power_ratio) { return Decibels(10.0 * std::log10(power_ratio)); }
+  static Decibels from_ratio(double power_ratio) {
+    return Decibels(10.0 * std::log10(power_ratio));
+  }
   constexpr double value() const { return db_; }
   double as_ratio() const { return std::pow(10.0, db_ / 10.0); }
 

@@ -29,6 +29,7 @@ class [[nodiscard]] Result {
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   const T* operator->() const { return &value(); }
+  T* operator->() { return &value(); }
 
   // Requires !ok().
   const E& error() const { return std::get<1>(state_); }

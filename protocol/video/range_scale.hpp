@@ -36,7 +36,9 @@ class RangeScale {
   constexpr double in_nautical_miles() const { return kNauticalMiles[index_]; }
   constexpr Length length() const { return nautical_miles(in_nautical_miles()); }
   // Number of fixed range rings customary for the scale (the last lies on the edge).
-  constexpr int ring_count() const { return in_nautical_miles() < 0.3 ? 5 : in_nautical_miles() < 3.0 ? 3 : 6; }
+  constexpr int ring_count() const {
+    return in_nautical_miles() < 0.3 ? 5 : in_nautical_miles() < 3.0 ? 3 : 6;
+  }
 
   friend constexpr bool operator==(RangeScale, RangeScale) = default;
 

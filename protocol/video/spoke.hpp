@@ -14,22 +14,24 @@
 
 namespace skerry {
 
-// What a spoke says of itself.  A scan is one turn of the antenna relative to the bow, so every scan
-// has exactly geometry.spokes_per_turn spokes; spoke 0 points over the bow.
+// What a spoke says of itself.  A scan is one turn of the antenna relative to the bow, so every
+// scan has exactly geometry.spokes_per_turn spokes; spoke 0 points over the bow.
 struct SpokeHeader {
-  std::uint32_t radar = 0;      // index of the radar in the server
-  std::uint32_t view = 0;       // 0 = the shared default view
-  std::uint64_t sequence = 0;   // +1 for every spoke of this view, never repeats
-  std::uint32_t scan = 0;       // turns since the radar started
-  std::uint32_t index = 0;      // azimuth index in the scan, 0 .. spokes_per_turn-1, clockwise
+  std::uint32_t radar = 0;     // index of the radar in the server
+  std::uint32_t view = 0;      // 0 = the shared default view
+  std::uint64_t sequence = 0;  // +1 for every spoke of this view, never repeats
+  std::uint32_t scan = 0;      // turns since the radar started
+  std::uint32_t index = 0;     // azimuth index in the scan, 0 .. spokes_per_turn-1, clockwise
   ScanGeometry geometry;
   RangeScale range_scale;
-  TrueBearing heading;          // the bow's true bearing at the spoke's time
-  GeoPoint own_ship;            // antenna position at the spoke's time
+  TrueBearing heading;  // the bow's true bearing at the spoke's time
+  GeoPoint own_ship;    // antenna position at the spoke's time
   ScenarioTime scenario_time{};
-  UtcTime utc{};                // when the antenna points there
+  UtcTime utc{};  // when the antenna points there
 
-  RelativeBearing antenna() const { return RelativeBearing::of_spoke(index, geometry.spokes_per_turn); }
+  RelativeBearing antenna() const {
+    return RelativeBearing::of_spoke(index, geometry.spokes_per_turn);
+  }
   TrueBearing bearing() const { return to_true(antenna(), heading); }
   Length cell_size() const { return geometry.cell_size(range_scale); }
 };

@@ -21,11 +21,16 @@ enum class WireErrorKind : std::uint8_t {
 
 constexpr std::string_view name_of(WireErrorKind kind) {
   switch (kind) {
-    case WireErrorKind::truncated: return "truncated";
-    case WireErrorKind::oversized: return "oversized";
-    case WireErrorKind::malformed: return "malformed";
-    case WireErrorKind::out_of_range: return "out of range";
-    case WireErrorKind::unknown_kind: return "unknown kind";
+    case WireErrorKind::truncated:
+      return "truncated";
+    case WireErrorKind::oversized:
+      return "oversized";
+    case WireErrorKind::malformed:
+      return "malformed";
+    case WireErrorKind::out_of_range:
+      return "out of range";
+    case WireErrorKind::unknown_kind:
+      return "unknown kind";
   }
   return "unknown";
 }

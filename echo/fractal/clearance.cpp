@@ -1,0 +1,148 @@
+#include "echo/fractal/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "echo/fractal/koch_edge.hpp"
+#include "echo/kernel/hash.hpp"
+
+namespace skerry::echo {
+namespace {
+
+double dot(PlanePoint a, PlanePoint b) { return a.east_m * b.east_m + a.north_m * b.north_m; }
+double cross(PlanePoint a, PlanePoint b) { return a.east_m * b.north_m - a.north_m * b.east_m; }
+
+double point_to_segment(PlanePoint p, PlanePoint a, PlanePoint b) {
+  const PlanePoint ab = b - a, ap = p - a;
+  const double length2 = dot(ab, ab);
+  const double t = length2 > 0.0 ? std::clamp(dot(ap, ab) / length2, 0.0, 1.0) : 0.0;
+  const PlanePoint d = ap - ab * t;
+  return std::sqrt(dot(d, d));
+}
+
+bool boxes_meet(const ShoreEdge& p, const ShoreEdge& q) {
+  const auto meet = [](double a, double b, double c, double d) {
+    return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
+  };
+  return meet(p.from.east_m, p.to.east_m, q.from.east_m, q.to.east_m) &&
+         meet(p.from.north_m, p.to.north_m, q.from.north_m, q.to.north_m);
+}
+
+// The boxes decide for segments on one line, where the signs are rounding noise.
+bool crosses(const ShoreEdge& p, const ShoreEdge& q) {
+  if (!boxes_meet(p, q)) return false;
+  const PlanePoint u = p.to - p.from, v = q.to - q.from;
+  return (cross(u, q.from - p.from) > 0.0) != (cross(u, q.to - p.from) > 0.0) &&
+         (cross(v, p.from - q.from) > 0.0) != (cross(v, p.to - q.from) > 0.0);
+}
+
+// tan(0.49 gamma) for the angle gamma between two edges leaving a common vertex.  With
+// half = gamma/2, tan(half) = |cross| / (|u||v| + dot); 0.98 of an angle below 45 deg has a tangent
+// of less than 0.98 times the tangent, which errs on the safe side.
+double half_angle_between(PlanePoint u, PlanePoint v) {
+  const double lengths = std::sqrt(dot(u, u) * dot(v, v));
+  const double denominator = lengths + dot(u, v);
+  if (denominator <= 1e-12 * lengths) return kMaxHalfAngleTan;  // straight on: gamma = 180 deg
+  return std::min(kMaxHalfAngleTan, 0.96 * std::fabs(cross(u, v)) / denominator);
+}
+
+constexpr std::int32_t kMaxSide = 1024;
+
+}  // namespace
+
+std::uint64_t ShoreEdge::seed() const { return mixed(from_id, to_id); }
+
+double segment_distance(const ShoreEdge& p, const ShoreEdge& q) {
+  if (crosses(p, q)) return 0.0;
+  return std::min(
+      std::min(point_to_segment(p.from, q.from, q.to), point_to_segment(p.to, q.from, q.to)),
+      std::min(point_to_segment(q.from, p.from, p.to), point_to_segment(q.to, p.from, p.to)));
+}
+
+Clearance::Clearance(std::span<const ShoreEdge> edges) : edges_(edges), known_(edges.size(), -1) {
+  PlanePoint low{1e12, 1e12}, high{-1e12, -1e12};
+  for (const ShoreEdge& e : edges) {
+    for (PlanePoint p : {e.from, e.to}) {
+      low = {std::min(low.east_m, p.east_m), std::min(low.north_m, p.north_m)};
+      high = {std::max(high.east_m, p.east_m), std::max(high.north_m, p.north_m)};
+    }
+  }
+  if (edges.empty()) low = high = {};
+  origin_ = low;
+  const double side = std::max(high.east_m - low.east_m, high.north_m - low.north_m) + 1.0;
+  // About one edge per square along the coast, at least 100 m.
+  const double across =
+      std::clamp(std::sqrt(static_cast<double>(edges.size()) * 4.0), 1.0, double{kMaxSide});
+  square_m_ = std::max(100.0, side / across);
+  columns_ = static_cast<std::int32_t>((high.east_m - low.east_m) / square_m_) + 1;
+  rows_ = static_cast<std::int32_t>((high.north_m - low.north_m) / square_m_) + 1;
+
+  const auto for_each_square = [&](const ShoreEdge& e, auto&& visit) {
+    const auto column = [&](double east) {
+      return static_cast<std::int32_t>((east - origin_.east_m) / square_m_);
+    };
+    const auto row = [&](double north) {
+      return static_cast<std::int32_t>((north - origin_.north_m) / square_m_);
+    };
+    const auto [c0, c1] = std::minmax({column(e.from.east_m), column(e.to.east_m)});
+    const auto [r0, r1] = std::minmax({row(e.from.north_m), row(e.to.north_m)});
+    for (std::int32_t r = r0; r <= r1; ++r) {
+      for (std::int32_t c = c0; c <= c1; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
+    }
+  };
+  square_start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+  for (const ShoreEdge& e : edges)
+    for_each_square(e, [&](std::size_t s) { ++square_start_[s + 1]; });
+  for (std::size_t s = 1; s < square_start_.size(); ++s) square_start_[s] += square_start_[s - 1];
+  square_edges_.resize(square_start_.back());
+  std::vector<std::uint32_t> fill(square_start_.begin(), square_start_.end() - 1);
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    for_each_square(edges[i], [&](std::size_t s) { square_edges_[fill[s]++] = i; });
+  }
+}
+
+double Clearance::half_angle_tan(std::uint32_t edge) {
+  float& known = known_[edge];
+  if (known < 0.0f) known = static_cast<float>(measure(edges_[edge], edge));
+  return known;
+}
+
+double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
+  const PlanePoint along = e.to - e.from;
+  const double length = std::sqrt(dot(along, along));
+  if (length == 0.0) return 0.0;
+  // Nothing farther away than this can bind: 0.47 d >= tan(30 deg) * length / 2.
+  const double reach = length * kMaxHalfAngleTan / (2.0 * 0.47);
+  const auto square = [&](double offset, std::int32_t count) {
+    return std::clamp(static_cast<std::int32_t>(std::floor(offset / square_m_)), 0, count - 1);
+  };
+  const auto [east0, east1] = std::minmax(e.from.east_m, e.to.east_m);
+  const auto [north0, north1] = std::minmax(e.from.north_m, e.to.north_m);
+  const std::int32_t c0 = square(east0 - reach - origin_.east_m, columns_);
+  const std::int32_t c1 = square(east1 + reach - origin_.east_m, columns_);
+  const std::int32_t r0 = square(north0 - reach - origin_.north_m, rows_);
+  const std::int32_t r1 = square(north1 + reach - origin_.north_m, rows_);
+
+  double tan = kMaxHalfAngleTan;
+  for (std::int32_t r = r0; r <= r1; ++r) {
+    for (std::int32_t c = c0; c <= c1; ++c) {
+      const auto s = static_cast<std::size_t>(r * columns_ + c);
+      for (std::uint32_t k = square_start_[s]; k < square_start_[s + 1]; ++k) {
+        if (square_edges_[k] == index) continue;
+        const ShoreEdge& f = edges_[square_edges_[k]];
+        const bool ff = f.from_id == e.from_id, ft = f.to_id == e.from_id;
+        const bool tf = f.from_id == e.to_id, tt = f.to_id == e.to_id;
+        if (ff) tan = std::min(tan, half_angle_between(e.to - e.from, f.to - f.from));
+        if (ft) tan = std::min(tan, half_angle_between(e.to - e.from, f.from - f.to));
+        if (tf) tan = std::min(tan, half_angle_between(e.from - e.to, f.to - f.from));
+        if (tt) tan = std::min(tan, half_angle_between(e.from - e.to, f.from - f.to));
+        if (!(ff || ft || tf || tt)) {
+          tan = std::min(tan, 2.0 * 0.47 * segment_distance(e, f) / length);
+        }
+      }
+    }
+  }
+  return tan;
+}
+
+}  // namespace skerry::echo

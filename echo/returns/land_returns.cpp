@@ -1,0 +1,97 @@
+#include "echo/returns/land_returns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "echo/kernel/exact_math.hpp"
+#include "echo/returns/radar_equation.hpp"
+
+namespace skerry::echo {
+namespace {
+
+constexpr double kGamma = 0.158;  // -8 dB
+constexpr double kBankHeight = 4.0;
+constexpr std::array<NoiseOctave, 2> kBroad = {{{2300.0, 0.6f}, {900.0, 0.4f}}};
+constexpr std::array<NoiseOctave, 4> kFine = {
+    {{330.0, 0.45f}, {130.0, 0.3f}, {52.0, 0.17f}, {21.0, 0.08f}}};
+constexpr double kEarthRadius = 6371000.0;
+
+// The finest octaves a cell can show: at least two cells to a wavelength.
+std::span<const NoiseOctave> visible(std::span<const NoiseOctave> octaves, double cell_m) {
+  std::size_t n = octaves.size();
+  while (n > 1 && octaves[n - 1].wavelength_m < 2.0 * cell_m) --n;
+  return octaves.first(n);
+}
+
+}  // namespace
+
+double land_height(double inland_m, double broad_noise, double fine_noise) {
+  const double rise = 95.0 * inland_m / (inland_m + 900.0) * (1.0 + 0.9 * broad_noise);
+  const double rough = std::min(0.16 * inland_m, 26.0);
+  return std::max(0.5, kBankHeight + rise + rough * fine_noise);
+}
+
+void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
+              std::vector<float>& scratch, std::span<float> power) {
+  const auto cells = power.size();
+  const double horizon = std::sqrt(2.0 * kEffectiveEarth * model.antenna_height_m);
+  // Slope (height over range, seen from the antenna) below which everything is hidden.
+  double shadow = -1e9;
+  for (const LandInterval& stretch : land) {
+    const auto first = static_cast<std::size_t>(stretch.begin_m / model.cell_m);
+    if (first >= cells) break;
+    const std::size_t last =
+        std::min(cells - 1, static_cast<std::size_t>(stretch.end_m / model.cell_m));
+    const std::size_t count = last - first + 1;
+    scratch.resize(2 * count);
+    const std::span<float> broad(scratch.data(), count), fine(scratch.data() + count, count);
+    const auto first32 = static_cast<std::uint32_t>(first);
+    relief_noise(path, visible(kBroad, model.cell_m), model.seed, first32, broad);
+    relief_noise(path, visible(kFine, model.cell_m), model.seed ^ 0x51F1Eu, first32, fine);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double middle = (static_cast<double>(first + k) + 0.5) * model.cell_m;
+      const double range = std::clamp(middle, stretch.begin_m, stretch.end_m);
+      const double inland = std::min(range - stretch.begin_m, stretch.end_m - range);
+      const double height = land_height(std::max(0.0, inland), static_cast<double>(broad[k]),
+                                        static_cast<double>(fine[k]));
+      const double drop = middle * middle / (2.0 * kEffectiveEarth);
+      const double sea_range = std::min(middle, horizon);
+      const double sea = -model.antenna_height_m / sea_range - sea_range / (2.0 * kEffectiveEarth);
+      const double hidden_below = std::max(shadow, sea);
+      const double slope = (height - model.antenna_height_m - drop) / middle;
+      if (slope <= hidden_below) continue;
+      const double shown = std::min(height, (slope - hidden_below) * middle);
+      shadow = slope;
+      const double cover = 1.0 + 0.8 * static_cast<double>(fine[k]);
+      power[first + k] +=
+          static_cast<float>(model.unit_signal_to_noise * kGamma * cover * model.ray_radians *
+                             shown / (middle * middle * middle));
+    }
+  }
+}
+
+LatticePath lattice_path(GeoPoint own_ship, std::uint32_t true_bearing_units, double cell_m) {
+  const SinCos lat = sin_cos_degrees(own_ship.latitude_deg);
+  const SinCos bearing = sin_cos_units(true_bearing_units);
+  constexpr double kMetresPerDegree = kEarthRadius * std::numbers::pi / 180.0;
+  const double cos_lat = std::max(lat.cos, 1e-6);
+  double east_scale = 1.0;
+  while (east_scale > cos_lat && east_scale > 1.0 / 1024.0) east_scale *= 0.5;
+  const double tan_lat = std::clamp(lat.sin / cos_lat, -1000.0, 1000.0);
+  // At range s: latitude + s cos - s^2 sin^2 tan / 2R, longitude (s sin + s^2 sin cos tan / R) /
+  // cos.
+  const double squeeze = east_scale / cos_lat;
+  LatticePath path;
+  path.north1 = bearing.cos * cell_m;
+  path.north2 = -0.5 * bearing.sin * bearing.sin * tan_lat / kEarthRadius * cell_m * cell_m;
+  path.east1 = bearing.sin * squeeze * cell_m;
+  path.east2 = bearing.sin * bearing.cos * tan_lat / kEarthRadius * squeeze * cell_m * cell_m;
+  // From the own ship to the middle of cell 0.
+  path.north0 = own_ship.latitude_deg * kMetresPerDegree + 0.5 * path.north1;
+  path.east0 = own_ship.longitude_deg * kMetresPerDegree * east_scale + 0.5 * path.east1;
+  return path;
+}
+
+}  // namespace skerry::echo

@@ -1,0 +1,44 @@
+// What the land behind a coast edge sends back.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "echo/kernel/relief_noise.hpp"
+#include "echo/returns/coast_crossings.hpp"
+#include "protocol/quantity/geo_point.hpp"
+
+namespace skerry::echo {
+
+// Constants of a ray's land returns.
+struct LandModel {
+  double cell_m = 1.0;
+  double antenna_height_m = 20.0;
+  double ray_radians = 0.0015;        // the arc one ray stands for
+  double unit_signal_to_noise = 1.0;  // radar_equation.hpp
+  std::uint32_t seed = 0;
+};
+
+// Height of the land above the water at `inland_m` metres behind the shore, metres, given the two
+// noises of that place in [-1, 1]: a bank at the edge, a rise over the first half kilometre, and
+// roughness that grows inland.  Synthetic: no chart of GSHHG's kind has heights.
+// Kept so that the echo's thickness and patches are like recordings.md (c): MODEL.md section 5.
+double land_height(double inland_m, double broad_noise, double fine_noise);
+
+// Adds to power[i] the mean signal-to-noise ratio of the land in cell i for one ray of the beam.
+// Constant gamma: a piece of land returns gamma times the area it shows across the line of sight,
+// that is the arc times the height that stands out above everything nearer (terrain and Earth), so
+// flats are weak, slopes that face the radar strong, and what lies in shadow silent.  R^-3 in all:
+// R^-4 of the radar equation times the arc.  Source: physics.md B2, B5 (gamma -8 dB, wooded hill).
+// The first cell of each stretch holds its bank, so the leading edge stands at the crossing.
+// `path` is the ray over the Earth-fixed lattice; `scratch` may be reused.
+void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
+              std::vector<float>& scratch, std::span<float> power);
+
+// The lattice path of a ray with that true bearing from `own_ship`: north and east in metres of an
+// Earth-fixed grid, quadratic in range.  Error: third order, 0.3 m at 12 NM and 60 deg latitude.
+// Longitudes are scaled by the power of two nearest below cos(latitude of the own ship), so the
+// land's texture (never the coast) is another one on crossing 60, 75.5 ... deg.
+LatticePath lattice_path(GeoPoint own_ship, std::uint32_t true_bearing_units, double cell_m);
+
+}  // namespace skerry::echo

@@ -1,0 +1,32 @@
+// The radar equation, normalised to the receiver's noise.
+#pragma once
+
+#include "echo/scene/radar_set.hpp"
+
+namespace skerry::echo {
+
+inline constexpr double kLightSpeed = 299792458.0;                // m/s, exact
+inline constexpr double kBoltzmann = 1.380649e-23;                // J/K, exact
+inline constexpr double kNoiseTemperature = 290.0;                // K, the usual T0
+inline constexpr double kEffectiveEarth = 6371000.0 * 4.0 / 3.0;  // m, standard atmosphere
+
+// Received power of 1 m2 at 1 m, watts, beam centre, free space:
+// Pt G^2 lambda^2 / ((4 pi)^3 L).  Source: physics.md B2.
+double received_watts_of_unit_target(const RadarSet& set);
+
+// Receiver noise k T0 B F, watts.
+double noise_watts(const RadarSet& set, const Pulse& pulse);
+
+// Signal over noise of 1 m2 at 1 m; a point at R metres has this times sigma / R^4, a surface of
+// constant sigma0 this times a cell area that grows with R, hence R^-3.
+double unit_signal_to_noise(const RadarSet& set, const Pulse& pulse);
+
+// Height the smooth Earth hides at `range_m`, metres, for an antenna that high: 0 within the
+// antenna's own horizon sqrt(2 ae h), beyond it (R - horizon)^2 / (2 ae) with ae = 4/3 Earth.
+// Source: physics.md B0, B2: 2.2256 NM per root metre.  Error: standard atmosphere only.
+double hidden_height(double range_m, double antenna_height_m);
+
+// Farthest range at which antenna and target see each other, metres.
+double radar_horizon(double antenna_height_m, double target_height_m);
+
+}  // namespace skerry::echo

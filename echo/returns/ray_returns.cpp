@@ -1,0 +1,103 @@
+#include "echo/returns/ray_returns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/hash.hpp"
+#include "echo/kernel/pulse_stretch.hpp"
+#include "echo/returns/land_returns.hpp"
+#include "echo/returns/radar_equation.hpp"
+#include "protocol/quantity/bearing.hpp"
+
+namespace skerry::echo {
+namespace {
+
+constexpr double kUnitsPerRadian = 4294967296.0 / (2.0 * std::numbers::pi);
+// The receiver is blind while the transmitter fires and the TR cell recovers (physics.md B7).
+constexpr double kRecovery = 0.1e-6;
+
+std::uint32_t units_of(double radians) {
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(radians * kUnitsPerRadian));
+}
+
+bool add_hulls(const Scene& scene, const HullsInSight& hulls, const RayModel& model,
+               std::uint32_t bearing_units, PlanePoint own_ship, double dt, double unit_snr,
+               std::vector<Scatterer>& scatterers, std::span<float> power) {
+  bool any = false;
+  const double ray_units = 4294967296.0 / model.rays_per_turn;
+  for (const HullsInSight::Entry& entry : hulls.entries) {
+    const auto off = static_cast<std::int32_t>(bearing_units - entry.middle_units);
+    if (static_cast<std::uint32_t>(std::abs(static_cast<std::int64_t>(off))) > entry.reach_units)
+      continue;
+    scatterers_of(scene.hulls[entry.hull], own_ship, dt, model.set.antenna_height_m,
+                  model.set.frequency_hz, 0.5 * model.cell_m, scatterers);
+    for (const Scatterer& s : scatterers) {
+      // A point between two rays is shared by them in proportion to nearness.
+      const auto away = static_cast<std::int32_t>(units_of(s.bearing_radians) - bearing_units);
+      const double share = 1.0 - std::fabs(static_cast<double>(away)) / ray_units;
+      const auto cell = static_cast<std::size_t>(s.range_m / model.cell_m);
+      if (share <= 0.0 || cell >= power.size()) continue;
+      const double r2 = std::max(1.0, s.range_m * s.range_m);
+      power[cell] += static_cast<float>(unit_snr * s.cross_section_m2 * share / (r2 * r2));
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+HullsInSight hulls_in_sight(const Scene& scene, double dt, const RayModel& model) {
+  HullsInSight in_sight;
+  const double reach = model.cell_m * model.cells;
+  for (std::uint32_t i = 0; i < scene.hulls.size(); ++i) {
+    const Hull& hull = scene.hulls[i];
+    const PlanePoint p =
+        hull.centre + hull.velocity * dt - scene.own_ship - scene.own_velocity * dt;
+    const double range = std::sqrt(p.east_m * p.east_m + p.north_m * p.north_m);
+    // Half the length and half the beam, and a metre or two of movement during the sector.
+    const double radius = 0.5 * (hull.length_m + hull.beam_m) + 5.0;
+    if (range - radius > reach) continue;
+    // asin(x) <= 1.0472 x for x <= 1/2; nearer than that it may lie anywhere.
+    const double half = range <= 2.0 * radius ? std::numbers::pi : 1.0472 * radius / range;
+    const double with_ray = half + 2.0 * (2.0 * std::numbers::pi) / model.rays_per_turn;
+    in_sight.entries.push_back({i, units_of(exact_atan2(p.east_m, p.north_m)),
+                                with_ray >= std::numbers::pi ? 0x80000000u : units_of(with_ray)});
+  }
+  return in_sight;
+}
+
+bool ray_returns(const Scene& scene, const HullsInSight& hulls, const RayModel& model,
+                 std::uint32_t relative_units, double dt, RayScratch& scratch,
+                 std::span<float> power) {
+  std::fill(power.begin(), power.end(), 0.0f);
+  const Angle heading = degrees(scene.heading_deg + scene.turn_rate_deg_s * dt);
+  const std::uint32_t true_units = relative_units + TrueBearing::from(heading).units();
+  const std::uint32_t plane_units =
+      true_units + TrueBearing::from(degrees(scene.true_north_deg)).units();
+  const PlanePoint own_ship = scene.own_ship + scene.own_velocity * dt;
+  const double unit_snr = unit_signal_to_noise(model.set, model.pulse);
+
+  find_crossings(*scene.coast, *scene.index, {own_ship, plane_units}, scratch.crossings);
+  land_along(scratch.crossings, scene.coast->centre_ashore, model.cell_m * model.cells,
+             scratch.land);
+  if (!scratch.land.empty()) {
+    const LandModel land{model.cell_m, model.set.antenna_height_m,
+                         2.0 * std::numbers::pi / model.rays_per_turn, unit_snr,
+                         static_cast<std::uint32_t>(mixed(scene.seed, 0x1A9D))};
+    add_land(scratch.land, land, lattice_path(scene.own_ship_geo, true_units, model.cell_m),
+             scratch.noise, power);
+  }
+  const bool any_hull = add_hulls(scene, hulls, model, plane_units, own_ship, dt, unit_snr,
+                                  scratch.scatterers, power);
+  if (scratch.land.empty() && !any_hull) return false;
+  const double blind = 0.5 * kLightSpeed * (model.pulse.length_s + kRecovery);
+  const auto blind_cells = std::min(power.size(), static_cast<std::size_t>(blind / model.cell_m));
+  stretch_pulse(power, 0.5 * kLightSpeed * model.pulse.length_s / model.cell_m, scratch.stretch);
+  std::fill_n(power.begin(), blind_cells, 0.0f);
+  return true;
+}
+
+}  // namespace skerry::echo

@@ -1,0 +1,75 @@
+// CoastPicture: the refined coast around an own ship, ready to be crossed by rays.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "echo/chart/coast_chart.hpp"
+#include "echo/chart/local_plane.hpp"
+#include "echo/fractal/clearance.hpp"
+#include "echo/fractal/koch_edge.hpp"
+
+namespace skerry::echo {
+
+// The coast in range, as runs of vertices in a plane, land on the left of each run.  Immutable.
+struct CoastPicture {
+  LocalPlane plane;
+  PlanePoint centre;           // where the own ship was when it was made
+  double slack_m = 0.0;        // good while the own ship is within this of `centre`
+  double range_m = 0.0;        // all coast within range_m + slack_m of `centre` is present
+  bool centre_ashore = false;  // the centre lies on land
+  std::vector<PlanePoint> vertices;
+  std::vector<std::uint32_t> run_starts;  // run r is vertices [run_starts[r], run_starts[r+1])
+  std::uint32_t edge_count() const {
+    return static_cast<std::uint32_t>(vertices.size() -
+                                      (run_starts.empty() ? 0 : run_starts.size() - 1));
+  }
+};
+using CoastPicturePtr = std::shared_ptr<const CoastPicture>;
+
+// What the radar can tell apart, which decides where refinement stops: an edge is split while it is
+// longer than both half a cell and half a spoke's arc at its distance.
+struct RadarResolution {
+  double range_m = 0.0;  // range scale
+  double cell_m = 1.0;
+  double spoke_degrees = 0.1;
+};
+
+// Default roughness: similarity dimension 1.15, between the coasts of South Africa (1.02) and
+// western Britain (1.25).  Held by Dimension.OfTheDefaultCoastIsAsStated.
+inline constexpr double kDefaultDimension = 1.15;
+
+// A chart window laid into a plane, from which pictures are made as the own ship moves.
+// Thread: one at a time.
+class CoastPreparer {
+ public:
+  // `dimension` in [1, 1.17]; `seed` makes another coast between the same chart vertices.
+  CoastPreparer(CoastChart chart, GeoPoint anchor, double dimension, std::uint64_t seed);
+
+  // True while pictures for that position and range are exact: the chart window holds them and the
+  // plane's anchor is near enough (kMaxAnchorDistance).
+  bool serves(GeoPoint own_ship, double range_m) const;
+
+  CoastPicturePtr prepare(GeoPoint own_ship, const RadarResolution& resolution);
+
+  // The farthest the own ship may be from the plane's anchor, metres; LocalPlane's bound holds.
+  static constexpr double kMaxAnchorDistance = 5000.0;
+  // How far the own ship may move before a picture is made anew: 2 % of the range, at least 20 m.
+  static double slack_for(double range_m);
+
+ private:
+  void refine(const CoastPiece& piece, Roughness roughness, const RadarResolution& resolution,
+              PlanePoint centre, double slack, std::vector<PlanePoint>& out) const;
+
+  CoastChart chart_;
+  LocalPlane plane_;
+  double apex_factor_;
+  std::uint64_t seed_;
+  std::vector<ShoreEdge> edges_;
+  std::optional<Clearance> clearance_;
+};
+
+}  // namespace skerry::echo

@@ -1,0 +1,45 @@
+// Scene: all that echoes around one own ship, at one instant.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "echo/scene/coast_picture.hpp"
+#include "echo/scene/polar_index.hpp"
+#include "protocol/quantity/geo_point.hpp"
+#include "protocol/quantity/time.hpp"
+
+namespace skerry::echo {
+
+// A ship's hull in the plane.  It moves on straight, turning about its middle, from the scene's
+// time.
+struct Hull {
+  PlanePoint centre;
+  PlanePoint velocity;       // m/s
+  double heading_deg = 0.0;  // clockwise from the plane's north
+  double turn_rate_deg_s = 0.0;
+  double length_m = 0.0, beam_m = 0.0, height_m = 0.0;
+  std::uint64_t identity = 0;  // which ship, for its scatterers
+};
+
+// Immutable once published.  Good for a second or so around `time`: motion is extrapolated, which
+// costs speed * turn rate * dt^2 / 2 across (0.02 m at 10 m/s, 6 deg/s, 0.2 s).
+struct Scene {
+  ScenarioTime time{};
+  std::uint64_t seed = 0;
+  CoastPicturePtr coast;                    // never null
+  std::shared_ptr<const PolarIndex> index;  // of `coast`, serving the own ship's position
+
+  GeoPoint own_ship_geo;
+  PlanePoint own_ship;
+  PlanePoint own_velocity;   // m/s in the plane
+  double heading_deg = 0.0;  // true
+  double turn_rate_deg_s = 0.0;
+  double true_north_deg = 0.0;  // of the plane, at the own ship
+
+  std::vector<Hull> hulls;
+};
+using ScenePtr = std::shared_ptr<const Scene>;
+
+}  // namespace skerry::echo

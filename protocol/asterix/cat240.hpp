@@ -1,0 +1,83 @@
+// ASTERIX category 240 (radar video), edition 1.3: what displays and recorders of other makers
+// read. Source: EUROCONTROL-SPEC-0149-240.  SPEC.md says which items are sent and how.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/quantity/result.hpp"
+#include "protocol/quantity/time.hpp"
+#include "protocol/video/spoke.hpp"
+#include "protocol/wire/wire_error.hpp"
+
+namespace skerry {
+
+inline constexpr std::uint8_t kCat240 = 240;
+inline constexpr std::size_t kCat240MaxSummary = 255;  // characters: REP of item 030 is one octet
+
+// Who sends: system area code and system identification code, assigned by the user.
+struct Cat240Source {
+  std::uint8_t sac = 0;
+  std::uint8_t sic = 0;
+  friend bool operator==(const Cat240Source&, const Cat240Source&) = default;
+};
+
+// One data block with one video record: the spoke at its true bearing.  `message_index` grows by
+// one with every video message of a stream; receivers find losses by it.  Requires a valid geometry
+// and geometry.cells cells; of a 4-bit cell only the low nibble counts. Error: azimuths half of
+// 360/65536 deg (0.003 deg); cell duration half a femtosecond, or half a nanosecond (at most 0.012
+// %) when a cell is longer than 643 m; time of day up to 1/128 s early. Thread: any.
+void append_cat240_video(Bytes& out, const Spoke& spoke, Cat240Source source,
+                         std::uint32_t message_index);
+Bytes encode_cat240_video(const Spoke& spoke, Cat240Source source, std::uint32_t message_index);
+
+// One data block with one video summary record.  Text beyond kCat240MaxSummary is cut; characters
+// outside printable ASCII become '?'.
+void append_cat240_summary(Bytes& out, std::string_view text, Cat240Source source, UtcTime utc);
+Bytes encode_cat240_summary(std::string_view text, Cat240Source source, UtcTime utc);
+
+enum class Cat240Kind : std::uint8_t { summary = 1, video = 2 };
+
+// The picture of a video record.
+struct Cat240Video {
+  std::uint32_t message_index = 0;  // item 020
+  std::uint16_t start_azimuth = 0;  // LSB 360/65536 deg from true north
+  std::uint16_t end_azimuth = 0;
+  std::uint32_t start_range = 0;    // cells before the first
+  std::uint32_t cell_duration = 0;  // femtoseconds, or nanoseconds
+  bool in_nanoseconds = false;      // item 040 instead of 041
+  bool compressed = false;
+  std::uint8_t bits_per_cell = 8;  // 1, 2, 4, 8, 16 or 32
+  std::uint32_t cell_count = 0;    // valid cells
+  // One byte per cell if there are at most 8 bits per cell and no compression; otherwise the
+  // valid octets as they stand.
+  std::vector<std::uint8_t> cells;
+
+  // From one cell to the next; the far end of cell n (from 1) lies at (start_range + n) of these.
+  Length cell_size() const;
+};
+
+// One record as read.  `video` is there exactly if kind is video, `summary` if it is summary.
+struct Cat240Record {
+  using Video = Cat240Video;
+
+  Cat240Kind kind = Cat240Kind::video;
+  Cat240Source source;
+  std::optional<std::string> summary;  // item 030
+  std::optional<Cat240Video> video;
+  std::optional<std::uint32_t> time_of_day;  // 1/128 s since midnight UTC, item 140
+};
+
+// Reads all records of one datagram: any number of data blocks, each of any number of records.
+// Blocks of other categories are skipped, and so are the RE and SP items.
+// Error: truncated, oversized (a datagram above 65,535 bytes), malformed, out_of_range or
+// unknown_kind, with the byte offset; nothing is believed of a datagram that lies about a length.
+// What comes back is at most a fixed multiple of the datagram's length.
+// Thread: any.
+Result<std::vector<Cat240Record>, WireError> decode_cat240(std::span<const std::uint8_t> datagram);
+
+}  // namespace skerry

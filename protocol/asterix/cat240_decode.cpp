@@ -1,0 +1,224 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "protocol/asterix/cat240.hpp"
+#include "protocol/asterix/cat240_items.hpp"
+#include "protocol/wire/byte_order.hpp"
+
+namespace skerry {
+namespace {
+
+using cat240::Item;
+using cat240::ItemSet;
+
+constexpr std::size_t kMaxDatagramOctets = 65535;
+
+constexpr ItemSet kVideoItems(Item::message_index, Item::header_nano, Item::header_femto,
+                              Item::resolution, Item::counters, Item::block_low, Item::block_medium,
+                              Item::block_high);
+
+// Reads one record from a data block.  Every function that can fail returns whether it did not, and
+// leaves why in error().
+class RecordReader {
+ public:
+  RecordReader(ByteReader& in, std::size_t block_offset) : in_(in), block_offset_(block_offset) {}
+
+  bool read(Cat240Record& record);
+  const WireError& error() const { return error_; }
+
+ private:
+  bool fail(WireErrorKind kind, std::string text) {
+    error_ = {kind, block_offset_ + in_.offset(), "CAT240: " + std::move(text)};
+    return false;
+  }
+  bool whole(const char* item) {
+    return !in_.truncated() ||
+           fail(WireErrorKind::truncated, fmt::format("data block ends within item {}", item));
+  }
+
+  bool read_field_specification();
+  bool read_kind(Cat240Record& record);
+  void read_video_header(Cat240Video& video, Item item);
+  bool read_resolution(Cat240Video& video);
+  bool read_blocks(Cat240Video& video);
+  bool skip_explicit_length(const char* item);
+
+  ByteReader& in_;
+  std::size_t block_offset_;
+  ItemSet items_;
+  WireError error_;
+};
+
+bool RecordReader::read_field_specification() {
+  std::uint8_t octet = cat240::kFieldExtension;
+  for (std::size_t index = 0; (octet & cat240::kFieldExtension) != 0; ++index) {
+    octet = in_.octet();
+    if (!whole("FSPEC")) return false;
+    if (index < 2) {
+      items_.set_octet(index, octet);
+    } else if ((octet & ~cat240::kFieldExtension) != 0) {
+      return fail(WireErrorKind::unknown_kind,
+                  fmt::format("FSPEC octet {} names items beyond FRN 14", index + 1));
+    }
+  }
+  return true;
+}
+
+bool RecordReader::read_kind(Cat240Record& record) {
+  if (!items_.has_all(ItemSet(Item::source, Item::message_type))) {
+    return fail(WireErrorKind::malformed, "record without item 010 or 000");
+  }
+  record.source.sac = in_.octet();
+  record.source.sic = in_.octet();
+  const std::uint8_t kind = in_.octet();
+  if (!whole("010 or 000")) return false;
+  if (kind == static_cast<std::uint8_t>(Cat240Kind::summary)) {
+    record.kind = Cat240Kind::summary;
+    return (items_.has(Item::summary) && !items_.has_any(kVideoItems)) ||
+           fail(WireErrorKind::malformed, "summary without item 030, or with an item of video");
+  }
+  if (kind != static_cast<std::uint8_t>(Cat240Kind::video)) {
+    return fail(WireErrorKind::unknown_kind,
+                fmt::format("message type {}, expected 1 (summary) or 2 (video)", kind));
+  }
+  record.kind = Cat240Kind::video;
+  if (!items_.has_all(ItemSet(Item::message_index, Item::resolution, Item::counters)) ||
+      items_.has(Item::summary)) {
+    return fail(WireErrorKind::malformed, "video without items 020, 048 and 049, or with 030");
+  }
+  const bool nano = items_.has(Item::header_nano), femto = items_.has(Item::header_femto);
+  const int blocks =
+      items_.has(Item::block_low) + items_.has(Item::block_medium) + items_.has(Item::block_high);
+  return (nano != femto && blocks == 1) ||
+         fail(WireErrorKind::malformed,
+              "video must have one of items 040 and 041 and one of items 050, 051 and 052");
+}
+
+void RecordReader::read_video_header(Cat240Video& video, Item item) {
+  video.start_azimuth = in_.big_endian<std::uint16_t>();
+  video.end_azimuth = in_.big_endian<std::uint16_t>();
+  video.start_range = in_.big_endian<std::uint32_t>();
+  video.cell_duration = in_.big_endian<std::uint32_t>();
+  video.in_nanoseconds = item == Item::header_nano;
+}
+
+bool RecordReader::read_resolution(Cat240Video& video) {
+  video.compressed = (in_.octet() & cat240::kCompressed) != 0;
+  const std::uint8_t resolution = in_.octet();
+  if (!whole("048")) return false;
+  if (resolution < 1 || resolution > 6) {
+    return fail(WireErrorKind::out_of_range,
+                fmt::format("resolution {} in item 048, expected 1 .. 6", resolution));
+  }
+  video.bits_per_cell = static_cast<std::uint8_t>(1u << (resolution - 1));
+  return true;
+}
+
+bool RecordReader::read_blocks(Cat240Video& video) {
+  const auto valid_octets = in_.big_endian<std::uint16_t>();
+  video.cell_count = in_.big_endian<std::uint32_t>(3);
+  std::span<const std::uint8_t> octets;
+  for (const cat240::BlockSize& size : cat240::kBlockSizes) {
+    if (items_.has(size.item)) octets = in_.take(in_.octet() * size.octets);
+  }
+  if (!whole("049 or the video block")) return false;
+  const bool plain = !video.compressed;
+  if (valid_octets > octets.size() ||
+      (plain && std::uint64_t{video.cell_count} * video.bits_per_cell > 8ull * valid_octets)) {
+    return fail(WireErrorKind::malformed,
+                fmt::format("item 049 says {} cells of {} bits in {} octets, the video block has "
+                            "{} octets",
+                            video.cell_count, video.bits_per_cell, valid_octets, octets.size()));
+  }
+  if (!plain || video.bits_per_cell > 8) {
+    video.cells.assign(octets.begin(), octets.begin() + valid_octets);
+    return true;
+  }
+  video.cells.resize(video.cell_count);
+  const std::uint32_t bits = video.bits_per_cell;
+  const std::uint32_t per_octet = 8 / bits;
+  for (std::uint32_t i = 0; i < video.cell_count; ++i) {
+    const std::uint32_t shift = 8 - bits * (i % per_octet + 1);
+    video.cells[i] = static_cast<std::uint8_t>(octets[i / per_octet] >> shift & ((1u << bits) - 1));
+  }
+  return true;
+}
+
+// RE and SP: the first octet is the length, itself included.
+bool RecordReader::skip_explicit_length(const char* item) {
+  const std::uint8_t length = in_.octet();
+  if (!whole(item)) return false;
+  if (length == 0) {
+    return fail(WireErrorKind::malformed, fmt::format("item {} of length 0", item));
+  }
+  in_.take(length - 1u);
+  return whole(item);
+}
+
+bool RecordReader::read(Cat240Record& record) {
+  if (!read_field_specification() || !read_kind(record)) return false;
+  if (record.kind == Cat240Kind::summary) {
+    const auto text = in_.take(in_.octet());
+    if (!whole("030")) return false;
+    record.summary.emplace(text.begin(), text.end());
+  } else {
+    Cat240Video& video = record.video.emplace();
+    video.message_index = in_.big_endian<std::uint32_t>();
+    read_video_header(video,
+                      items_.has(Item::header_nano) ? Item::header_nano : Item::header_femto);
+    if (!whole("020, 040 or 041") || !read_resolution(video) || !read_blocks(video)) return false;
+  }
+  if (items_.has(Item::time_of_day)) {
+    record.time_of_day = in_.big_endian<std::uint32_t>(3);
+    if (!whole("140")) return false;
+    if (*record.time_of_day >= cat240::kTimeOfDayPerDay) {
+      return fail(WireErrorKind::out_of_range,
+                  fmt::format("time of day {} in item 140, expected less than {}",
+                              *record.time_of_day, cat240::kTimeOfDayPerDay));
+    }
+  }
+  return (!items_.has(Item::reserved) || skip_explicit_length("RE")) &&
+         (!items_.has(Item::special) || skip_explicit_length("SP"));
+}
+
+}  // namespace
+
+Length Cat240Video::cell_size() const {
+  const double seconds = cell_duration * (in_nanoseconds ? 1e-9 : 1e-15);
+  return metres(seconds * cat240::kSpeedOfLight / 2.0);
+}
+
+Result<std::vector<Cat240Record>, WireError> decode_cat240(std::span<const std::uint8_t> datagram) {
+  if (datagram.size() > kMaxDatagramOctets) {
+    return Failure{WireError{WireErrorKind::oversized, kMaxDatagramOctets,
+                             fmt::format("CAT240: datagram of {} bytes, expected at most {}",
+                                         datagram.size(), kMaxDatagramOctets)}};
+  }
+  std::vector<Cat240Record> records;
+  ByteReader in(datagram);
+  while (in.left() > 0) {
+    const std::size_t start = in.offset();
+    const std::uint8_t category = in.octet();
+    const auto length = in.big_endian<std::uint16_t>();
+    if (in.truncated() || length > datagram.size() - start) {
+      return Failure{WireError{WireErrorKind::truncated, start,
+                               fmt::format("CAT240: data block of {} bytes, but {} are left",
+                                           length, datagram.size() - start)}};
+    }
+    if (length < cat240::kBlockHeader) {
+      return Failure{
+          WireError{WireErrorKind::malformed, start,
+                    fmt::format("CAT240: data block of {} bytes, expected 3 or more", length)}};
+    }
+    ByteReader block(in.take(length - cat240::kBlockHeader));
+    if (category != kCat240) continue;
+    while (block.left() > 0) {
+      RecordReader reader(block, start + cat240::kBlockHeader);
+      if (!reader.read(records.emplace_back())) return Failure{reader.error()};
+    }
+  }
+  return records;
+}
+
+}  // namespace skerry

@@ -1,0 +1,176 @@
+// Writes the seeds of the wire and CAT240 fuzz targets, so that they can be made anew when a format
+// grows.  Usage: fuzz_seeds <tests/fuzz/corpus>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "protocol/asterix/cat240.hpp"
+#include "protocol/wire/byte_order.hpp"
+#include "protocol/wire/datagram.hpp"
+#include "protocol/wire/frame.hpp"
+#include "protocol/wire/spoke_message.hpp"
+#include "tests/unit/wire/test_spoke.hpp"
+
+namespace {
+
+using namespace skerry;
+namespace fs = std::filesystem;
+
+class Corpus {
+ public:
+  explicit Corpus(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
+  void write(const std::string& name, const Bytes& bytes) const {
+    std::ofstream out(folder_ / name, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+  }
+
+ private:
+  fs::path folder_;
+};
+
+Bytes framed(const google::protobuf::MessageLite& message) {
+  Bytes out;
+  append_frame(out, message);
+  return out;
+}
+
+Bytes framed(const Spoke& spoke) {
+  Bytes out;
+  append_spoke_frame(out, spoke);
+  return out;
+}
+
+Spoke small_spoke(std::uint32_t bits, std::uint32_t cells = 256) {
+  return test_spoke({360, cells, bits}, 5, 359, bits);
+}
+
+void write_client_frames(const Corpus& corpus) {
+  wire::ClientMessage subscribe, set, status;
+  subscribe.set_request(1);
+  subscribe.mutable_subscribe()->set_radar(1);
+  set.set_request(2);
+  set.mutable_set()->set_course_deg(123.5);
+  set.mutable_set()->set_speed_kn(12);
+  set.mutable_set()->set_range_nm(6);
+  set.mutable_set()->set_gain(55);
+  set.mutable_set()->set_sea(20);
+  set.mutable_set()->set_rain(0);
+  status.set_request(3);
+  status.mutable_get_status();
+  corpus.write("subscribe", framed(subscribe));
+  corpus.write("set", framed(set));
+  corpus.write("get_status", framed(status));
+  Bytes all = framed(subscribe);
+  append_frame(all, set);
+  append_frame(all, status);
+  corpus.write("three_in_a_row", all);
+  all.resize(all.size() - 2);
+  corpus.write("cut_short", all);
+  corpus.write("empty_message", {0x00});
+  corpus.write("oversized", {0x81, 0x20});
+  corpus.write("length_beyond_32_bits", {0x81, 0x80, 0x80, 0x80, 0x10});
+}
+
+void write_server_frames(const Corpus& corpus) {
+  wire::ServerMessage hello, status, reply;
+  hello.mutable_hello()->set_protocol_version(1);
+  hello.mutable_hello()->set_server("skerryd 0.1.0");
+  hello.mutable_hello()->add_radars()->set_name("X-band");
+  for (const double nm : RangeScale::kNauticalMiles) {
+    hello.mutable_hello()->add_range_scales_nm(nm);
+  }
+  status.mutable_status()->add_radars()->mutable_settings()->set_range_nm(6);
+  (*status.mutable_status()->mutable_errors())["truncated"] = 3;
+  (*status.mutable_status()->mutable_errors())["oversized"] = 1;
+  reply.mutable_reply()->set_code(wire::Reply::OUT_OF_RANGE);
+  reply.mutable_reply()->set_text("gain is 101, expected 0 .. 100");
+  corpus.write("hello", framed(hello));
+  corpus.write("status", framed(status));
+  corpus.write("reply", framed(reply));
+  corpus.write("spoke_4_bit", framed(small_spoke(4)));
+  corpus.write("spoke_8_bit", framed(small_spoke(8)));
+  corpus.write("spoke_odd_cells", framed(small_spoke(4, 257)));
+  Bytes two = framed(hello);
+  append_spoke_frame(two, small_spoke(4));
+  corpus.write("hello_then_spoke", two);
+  wire::ServerMessage wrong;
+  to_message(small_spoke(4), *wrong.mutable_spoke());
+  wrong.mutable_spoke()->set_cell_count(4096);
+  corpus.write("spoke_with_too_few_bytes", framed(wrong));
+}
+
+void append_counted(Bytes& line, std::span<const std::uint8_t> datagram) {
+  append_big_endian(line, datagram.size(), 2);
+  line.insert(line.end(), datagram.begin(), datagram.end());
+}
+
+void write_datagrams(const Corpus& corpus) {
+  const Bytes frame = framed(small_spoke(8));
+  const auto body = frame_body(frame);
+  Bytes scratch, whole, pieces, twice, first_only;
+  for_each_datagram({1, 2, 3}, body, kMaxDatagram, scratch,
+                    [&](auto each) { append_counted(whole, each); });
+  for_each_datagram({1, 2, 4}, body, kMinDatagram, scratch, [&](auto each) {
+    append_counted(pieces, each);
+    append_counted(twice, each);
+    append_counted(twice, each);
+    if (first_only.empty()) append_counted(first_only, each);
+  });
+  corpus.write("one_datagram", whole);
+  corpus.write("fragments", pieces);
+  corpus.write("every_fragment_twice", twice);
+  corpus.write("first_fragment_only", first_only);
+  Bytes later_version = whole;
+  later_version[2 + 4] = 2;
+  corpus.write("another_version", later_version);
+  Bytes longer_header = whole;
+  longer_header[2 + 5] = 36;
+  longer_header.insert(longer_header.begin() + 2 + 32, {1, 2, 3, 4});
+  longer_header[1] = static_cast<std::uint8_t>(longer_header[1] + 4);
+  corpus.write("longer_header", longer_header);
+  Bytes contradiction = first_only;
+  for_each_datagram({1, 2, 4}, body, kMinDatagram + 1, scratch,
+                    [&](auto each) { append_counted(contradiction, each); });
+  corpus.write("other_fragment_size", contradiction);
+}
+
+void write_cat240(const Corpus& corpus) {
+  corpus.write("summary", encode_cat240_summary("skerryd", {25, 7}, UtcTime{}));
+  corpus.write("video_4_bit", encode_cat240_video(small_spoke(4), {25, 7}, 1));
+  corpus.write("video_8_bit", encode_cat240_video(small_spoke(8), {25, 7}, 2));
+  corpus.write("video_medium_blocks", encode_cat240_video(small_spoke(8, 1021), {25, 7}, 3));
+  Bytes nano = encode_cat240_video(test_spoke({360, 256, 4}, 11, 0), {25, 7}, 4);
+  corpus.write("video_nanoseconds", nano);
+  append_cat240_summary(nano, "two blocks", {25, 7}, UtcTime{});
+  corpus.write("two_blocks", nano);
+  corpus.write("explicit_length_items",
+               {0xF0, 0x00, 0x29, 0xE7, 0xC6, 0x01, 0x02, 0x02, 0x00, 0x00, 0x00, 0x09, 0x00, 0x00,
+                0x00, 0x10, 0x00, 0x00, 0x00, 0x05, 0x00, 0x00, 0x00, 0x64, 0x00, 0x04, 0x00, 0x02,
+                0x00, 0x00, 0x02, 0x01, 0x08, 0x09, 0x00, 0x00, 0x04, 0xAA, 0xBB, 0xCC, 0x01});
+  corpus.write("other_category", {0x30, 0x00, 0x05, 0x01, 0x02});
+  corpus.write("one_bit_cells",
+               {0xF0, 0x00, 0x24, 0xE7, 0xC0, 0x01, 0x02, 0x02, 0x00, 0x00, 0x00, 0x09,
+                0x00, 0x00, 0x00, 0x10, 0x00, 0x00, 0x00, 0x05, 0x00, 0x00, 0x00, 0x64,
+                0x00, 0x01, 0x00, 0x02, 0x00, 0x00, 0x09, 0x01, 0xB4, 0x80, 0x00, 0x00});
+  corpus.write("compressed",
+               {0xF0, 0x00, 0x24, 0xE7, 0xC0, 0x01, 0x02, 0x02, 0x00, 0x00, 0x00, 0x09,
+                0x00, 0x00, 0x00, 0x10, 0x00, 0x00, 0x00, 0x05, 0x00, 0x00, 0x00, 0x64,
+                0x80, 0x04, 0x00, 0x03, 0x00, 0x04, 0x00, 0x01, 0x78, 0x9C, 0x01, 0x00});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s <corpus folder>\n", argv[0]);
+    return 2;
+  }
+  const fs::path root = argv[1];
+  write_client_frames(Corpus(root / "client_frame"));
+  write_server_frames(Corpus(root / "server_frame"));
+  write_datagrams(Corpus(root / "datagram"));
+  write_cat240(Corpus(root / "cat240"));
+  return 0;
+}

@@ -1,0 +1,71 @@
+// Program: runs the built `skerry` and keeps what it wrote.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fcntl.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace skerry::client {
+
+inline std::string text_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A folder of its own for each test.
+inline std::string test_folder() {
+  std::string pattern = testing::TempDir() + "skerry_cli_XXXXXX";
+  return ::mkdtemp(pattern.data()) ? pattern : testing::TempDir();
+}
+
+class Program {
+ public:
+  explicit Program(std::vector<std::string> arguments) : folder_(test_folder()) {
+    arguments.insert(arguments.begin(), SKERRY_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const std::string out = folder_ + "/out", err = folder_ + "/err";
+    pid_ = ::fork();
+    if (pid_ != 0) return;
+    constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
+    ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+    ::dup2(::open(out.c_str(), kWrite, 0600), STDOUT_FILENO);
+    ::dup2(::open(err.c_str(), kWrite, 0600), STDERR_FILENO);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  ~Program() {
+    if (pid_ <= 0) return;
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void interrupt() { ::kill(pid_, SIGINT); }
+  // The exit code; 128 and the signal's number if one ended it.
+  int wait() {
+    int status = 0;
+    ::waitpid(std::exchange(pid_, 0), &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  // After wait().
+  std::string out() const { return text_of_file(folder_ + "/out"); }
+  std::string err() const { return text_of_file(folder_ + "/err"); }
+
+ private:
+  std::string folder_;
+  pid_t pid_ = 0;
+};
+
+}  // namespace skerry::client

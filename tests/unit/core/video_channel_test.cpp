@@ -1,0 +1,232 @@
+#include "server/core/video_channel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+namespace skerry::server {
+namespace {
+
+// Publishes sectors of spokes numbered from 0; the "format" is one byte per spoke.
+class Publisher {
+ public:
+  explicit Publisher(std::size_t ring_sectors) : channel(ring_sectors) {
+    ring = &channel.add_format("test", [this](const Sector& sector) {
+      ++encodes;
+      auto encoded = std::make_shared<EncodedSector>();
+      encoded->first_sequence = sector.spokes.front()->header.sequence;
+      for (const SpokePtr& spoke : sector.spokes) {
+        encoded->bytes.push_back(static_cast<std::uint8_t>(spoke->header.sequence));
+        encoded->spoke_ends.push_back(static_cast<std::uint32_t>(encoded->bytes.size()));
+      }
+      return encoded;
+    });
+  }
+
+  void publish(std::size_t spokes) {
+    Sector sector;
+    for (std::size_t i = 0; i < spokes; ++i) {
+      auto spoke = std::make_shared<Spoke>();
+      spoke->header.sequence = published++;
+      sector.spokes.push_back(std::move(spoke));
+    }
+    channel.publish(sector);
+  }
+
+  VideoChannel channel;
+  FormatRing* ring = nullptr;
+  std::uint64_t published = 0;
+  int encodes = 0;
+};
+
+TEST(FormatRing, GivesEverySectorInOrderToAReaderThatKeepsUp) {
+  Publisher publisher(4);
+  const auto registration = publisher.ring->on_publish([] {});
+  Cursor cursor = publisher.ring->cursor_at_end();
+  EXPECT_EQ(publisher.ring->take(cursor), nullptr);
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    publisher.publish(3);
+    const auto sector = publisher.ring->take(cursor);
+    ASSERT_NE(sector, nullptr);
+    EXPECT_EQ(sector->first_sequence, 3 * i);
+    EXPECT_EQ(publisher.ring->take(cursor), nullptr);
+  }
+  EXPECT_EQ(cursor.spokes_lost, 0u);
+}
+
+TEST(FormatRing, HoldsAsManySectorsAsItsCapacity) {
+  Publisher publisher(4);
+  const auto registration = publisher.ring->on_publish([] {});
+  Cursor cursor = publisher.ring->cursor_at_end();
+  for (int i = 0; i < 4; ++i) publisher.publish(2);
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(publisher.ring->take(cursor)->first_sequence, 2 * i);
+  }
+  EXPECT_EQ(cursor.spokes_lost, 0u);
+}
+
+TEST(FormatRing, AnOvertakenReaderJumpsToTheNewestSector) {
+  Publisher publisher(4);
+  const auto registration = publisher.ring->on_publish([] {});
+  Cursor cursor = publisher.ring->cursor_at_end();
+  for (int i = 0; i < 5; ++i) publisher.publish(2);
+  EXPECT_EQ(publisher.ring->take(cursor)->first_sequence, 8u);
+  EXPECT_EQ(cursor.spokes_lost, 8u);
+  EXPECT_EQ(publisher.ring->take(cursor), nullptr);
+}
+
+// Sectors of any size, a reader of any rhythm: after it has caught up, what it received and what it
+// was told it lost add up to what was published.
+TEST(FormatRing, CountsExactlyWhatASlowReaderLost) {
+  std::mt19937 random(20261121);
+  for (std::size_t capacity : {1u, 2u, 3u, 7u, 64u}) {
+    Publisher publisher(capacity);
+    const auto registration = publisher.ring->on_publish([] {});
+    for (int i = 0; i < 10; ++i) publisher.publish(1 + random() % 64);
+    const std::uint64_t before = publisher.published;
+    Cursor cursor = publisher.ring->cursor_at_end();
+    std::uint64_t received = 0;
+    std::uint64_t expected_next = before;
+    std::uint64_t lost_by_gaps = 0;
+    const auto take_one = [&] {
+      const auto sector = publisher.ring->take(cursor);
+      if (sector == nullptr) return false;
+      lost_by_gaps += sector->first_sequence - expected_next;
+      expected_next = sector->first_sequence + sector->spoke_count();
+      received += sector->spoke_count();
+      EXPECT_EQ(cursor.spokes_lost, lost_by_gaps);
+      return true;
+    };
+    for (int step = 0; step < 2000; ++step) {
+      publisher.publish(1 + random() % 64);
+      for (auto takes = random() % 3; takes > 0; --takes) take_one();
+    }
+    while (take_one()) continue;
+    EXPECT_EQ(received + cursor.spokes_lost, publisher.published - before);
+    if (capacity < 64) {
+      EXPECT_GT(cursor.spokes_lost, 0u);
+    }
+  }
+}
+
+TEST(FormatRing, EncodesOnceWhateverTheNumberOfReaders) {
+  Publisher publisher(8);
+  std::vector<FormatRing::Registration> registrations;
+  std::vector<Cursor> cursors;
+  for (int i = 0; i < 16; ++i) {
+    registrations.push_back(publisher.ring->on_publish([] {}));
+    cursors.push_back(publisher.ring->cursor_at_end());
+  }
+  publisher.publish(16);
+  const EncodedSector* only = nullptr;
+  for (Cursor& cursor : cursors) {
+    const auto sector = publisher.ring->take(cursor);
+    if (only == nullptr) only = sector.get();
+    EXPECT_EQ(sector.get(), only);
+  }
+  EXPECT_EQ(publisher.encodes, 1);
+  EXPECT_EQ(publisher.channel.spokes_encoded().at("test"), 16u);
+}
+
+TEST(FormatRing, IsNotEncodedWhileNobodyReads) {
+  Publisher publisher(8);
+  publisher.publish(16);
+  EXPECT_EQ(publisher.encodes, 0);
+  Cursor early = publisher.ring->cursor_at_end();
+  publisher.publish(16);
+  {
+    const auto registration = publisher.ring->on_publish([] {});
+    publisher.publish(16);
+    EXPECT_EQ(publisher.encodes, 1);
+    EXPECT_EQ(publisher.ring->take(early)->first_sequence, 32u);
+    EXPECT_EQ(early.spokes_lost, 16u) << "published before anybody was registered";
+  }
+  publisher.publish(16);
+  EXPECT_EQ(publisher.encodes, 1);
+  EXPECT_EQ(publisher.ring->take(early), nullptr);
+  EXPECT_EQ(early.spokes_lost, 32u);
+}
+
+TEST(FormatRing, WakesOnlyWhileRegistered) {
+  Publisher publisher(8);
+  int wakes = 0;
+  auto registration = publisher.ring->on_publish([&wakes] { ++wakes; });
+  publisher.publish(1);
+  publisher.publish(1);
+  EXPECT_EQ(wakes, 2);
+  registration.reset();
+  publisher.publish(1);
+  EXPECT_EQ(wakes, 2);
+}
+
+// The sanitizers see the use of `target` after its end if a call could still come.
+TEST(FormatRing, AReleasedRegistrationIsNotCalledAgain) {
+  Publisher publisher(8);
+  std::atomic<bool> stop{false};
+  std::thread radar([&] {
+    while (!stop) publisher.publish(1);
+  });
+  for (int i = 0; i < 2000; ++i) {
+    auto target = std::make_unique<int>(0);
+    auto registration = publisher.ring->on_publish([&t = *target] { ++t; });
+    registration.reset();
+    *target = -1;
+    target.reset();
+  }
+  stop = true;
+  radar.join();
+}
+
+TEST(FormatRing, ConcurrentReadersAccountForEverySpoke) {
+  constexpr int kSectors = 5000;
+  Publisher publisher(4);
+  struct Reader {
+    FormatRing::Registration registration;
+    Cursor cursor;
+    std::uint64_t received = 0;
+  };
+  std::vector<Reader> readers(3);
+  for (Reader& reader : readers) {
+    reader.registration = publisher.ring->on_publish([] {});
+    reader.cursor = publisher.ring->cursor_at_end();
+  }
+  std::atomic<bool> done{false};
+  const auto drain = [&](Reader& reader) {
+    while (const auto sector = publisher.ring->take(reader.cursor)) {
+      reader.received += sector->spoke_count();
+    }
+  };
+  std::vector<std::thread> threads;
+  for (Reader& reader : readers) {
+    threads.emplace_back([&] {
+      while (!done) drain(reader);
+      drain(reader);
+    });
+  }
+  for (int i = 0; i < kSectors; ++i) publisher.publish(1 + static_cast<std::size_t>(i) % 5);
+  done = true;
+  for (std::thread& thread : threads) thread.join();
+  for (const Reader& reader : readers) {
+    EXPECT_EQ(reader.received + reader.cursor.spokes_lost, publisher.published);
+  }
+}
+
+TEST(VideoChannel, FormatsOfOneNameAndUnknownFormatsAreErrors) {
+  VideoChannel channel;
+  channel.add_format("native", [](const Sector&) { return nullptr; });
+  EXPECT_THROW(channel.add_format("native", [](const Sector&) { return nullptr; }),
+               std::logic_error);
+  EXPECT_THROW(channel.format("other"), std::out_of_range);
+}
+
+TEST(VideoChannel, ASectorWithoutSpokesIsIgnored) {
+  Publisher publisher(4);
+  const auto registration = publisher.ring->on_publish([] {});
+  publisher.publish(0);
+  EXPECT_EQ(publisher.encodes, 0);
+}
+
+}  // namespace
+}  // namespace skerry::server

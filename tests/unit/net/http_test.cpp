@@ -1,0 +1,188 @@
+// HTTP as seen by a client: answers, limits, and who may open a WebSocket.
+#include <google/protobuf/util/json_util.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/unit/net/fake_host.hpp"
+#include "tests/unit/net/test_client.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr std::array<WebFile, 1> kFiles = {
+    {{"/index.html", "text/html; charset=utf-8", "<p>console</p>"}}};
+
+class Http : public testing::Test {
+ protected:
+  Http() : server_(host_, test_config(), kFiles) { server_.start(); }
+
+  std::string exchange(const std::string& request) {
+    return http_exchange(server_.http_port(), request);
+  }
+  std::string upgrade(const std::string& headers) {
+    return exchange(
+        "GET /ws HTTP/1.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n" +
+        headers + "\r\n");
+  }
+  std::string here() const { return "localhost:" + std::to_string(server_.http_port()); }
+  static std::string body_of(const std::string& answer) {
+    return answer.substr(answer.find("\r\n\r\n") + 4);
+  }
+
+  FakeHost host_;
+  NetServer server_;
+};
+
+TEST_F(Http, TheConsoleIsAtTheRoot) {
+  const std::string answer = http_get(server_.http_port(), "/");
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 OK\r\n")) << answer;
+  EXPECT_NE(answer.find("Content-Type: text/html; charset=utf-8\r\n"), std::string::npos);
+  EXPECT_NE(answer.find("Cache-Control: no-cache\r\n"), std::string::npos);
+  EXPECT_EQ(body_of(answer), "<p>console</p>");
+}
+
+TEST_F(Http, HeadHasTheLengthButNoBody) {
+  const std::string answer =
+      exchange("HEAD / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 OK\r\n")) << answer;
+  EXPECT_NE(answer.find("Content-Length: 14\r\n"), std::string::npos) << answer;
+  EXPECT_EQ(body_of(answer), "");
+}
+
+TEST_F(Http, StatusIsTheStatusMessageAsJson) {
+  TestClient client(server_.tcp_port());
+  client.receive_hello();
+  const std::string answer = http_get(server_.http_port(), "/status");
+  EXPECT_NE(answer.find("Content-Type: application/json\r\n"), std::string::npos);
+  wire::Status status;
+  ASSERT_TRUE(google::protobuf::util::JsonStringToMessage(body_of(answer), &status).ok()) << answer;
+  EXPECT_EQ(status.server(), "fake");
+  ASSERT_EQ(status.clients_size(), 1);
+  EXPECT_EQ(status.clients(0).transport(), "tcp");
+  EXPECT_GT(status.resident_mib(), 1);
+  EXPECT_NE(answer.find("\"resident_mib\""), std::string::npos) << "names as in radar.proto";
+}
+
+TEST_F(Http, AConnectionServesOneRequestAfterAnother) {
+  TestSocket socket(server_.http_port());
+  socket.send(
+      "GET / HTTP/1.1\r\nHost: localhost\r\n\r\nGET /none HTTP/1.1\r\nHost: localhost\r\n"
+      "Connection: close\r\n\r\n");
+  const std::string answers = socket.receive_all();
+  EXPECT_TRUE(answers.starts_with("HTTP/1.1 200 OK\r\n"));
+  EXPECT_NE(answers.find("HTTP/1.1 404 Not Found\r\n"), std::string::npos) << answers;
+}
+
+TEST_F(Http, WhatIsNotServedIsSaid) {
+  EXPECT_TRUE(http_get(server_.http_port(), "/nothing").starts_with("HTTP/1.1 404 "));
+  EXPECT_TRUE(http_get(server_.http_port(), "/../etc/passwd").starts_with("HTTP/1.1 400 "));
+  EXPECT_TRUE(http_get(server_.http_port(), "/%2e%2e/etc/passwd").starts_with("HTTP/1.1 400 "));
+  EXPECT_TRUE(http_get(server_.http_port(), "/ws").starts_with("HTTP/1.1 426 "));
+  const std::string post = exchange(
+      "POST /status HTTP/1.1\r\nHost: localhost\r\nContent-Length: 2\r\nConnection: "
+      "close\r\n\r\nhi");
+  EXPECT_TRUE(post.starts_with("HTTP/1.1 405 ")) << post;
+  EXPECT_NE(post.find("Allow: GET, HEAD\r\n"), std::string::npos);
+}
+
+TEST_F(Http, WhatIsNoHttpIsRefused) {
+  for (const char* request :
+       {"nonsense\r\n\r\n", "GET /\r\n\r\n", "GET / HTTP/9.9\r\n\r\n",
+        "GET / HTTP/1.1\r\nHo st: x\r\n\r\n", "\x16\x03\x01\x02", "GET / HTTP/1.1\r\n\r\n",
+        "GET / HTTP/1.1\r\nHost: localhost\r\nHost: localhost\r\n\r\n"}) {
+    EXPECT_TRUE(exchange(request).starts_with("HTTP/1.1 400 ")) << request;
+  }
+  EXPECT_TRUE(http_get(server_.http_port(), "/").starts_with("HTTP/1.1 200 ")) << "goes on";
+}
+
+TEST_F(Http, RequestsThatAreTooLongAreRefused) {
+  const std::string filler(10'000, 'x');
+  EXPECT_TRUE(exchange("GET / HTTP/1.1\r\nHost: localhost\r\nX: " + filler + "\r\n\r\n")
+                  .starts_with("HTTP/1.1 431 "));
+  EXPECT_TRUE(exchange("GET /" + filler + " HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                  .starts_with("HTTP/1.1 431 "));
+  EXPECT_TRUE(
+      exchange("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 999999999\r\n\r\n" + filler)
+          .starts_with("HTTP/1.1 413 "));
+}
+
+TEST(HttpTimeLimit, AConnectionThatDoesNotFinishItsRequestIsClosed) {
+  FakeHost host;
+  NetConfig config = test_config();
+  config.http_timeout = std::chrono::milliseconds(200);
+  NetServer server(host, config, kFiles);
+  server.start();
+  TestSocket silent(server.http_port());
+  TestSocket half(server.http_port());
+  half.send("GET / HTTP/1.1\r\nHos");
+  EXPECT_TRUE(silent.receive().empty());
+  EXPECT_TRUE(half.receive().empty());
+}
+
+TEST_F(Http, PagesOfOtherSitesGetNoWebSocket) {
+  const std::string port = std::to_string(server_.http_port());
+  for (const std::string& headers : std::vector<std::string>{
+           "Host: localhost:" + port + "\r\nOrigin: http://evil.example\r\n",
+           "Host: localhost:" + port + "\r\nOrigin: null\r\n",
+           "Host: localhost:" + port + "\r\nOrigin: http://localhost:1\r\n",
+           "Host: evil.example\r\nOrigin: http://evil.example\r\n",
+           "Host: evil.example\r\n",
+       }) {
+    EXPECT_TRUE(upgrade(headers).starts_with("HTTP/1.1 403 ")) << headers;
+  }
+  EXPECT_EQ(server_.status().clients_size(), 0);
+}
+
+TEST_F(Http, ThisServersOwnPageGetsAWebSocket) {
+  TestSocket socket(server_.http_port());
+  socket.send(
+      "GET /ws HTTP/1.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\nHost: " +
+      here() + "\r\nOrigin: http://" + here() + "\r\n\r\n");
+  const Bytes answer = socket.receive();
+  EXPECT_TRUE(std::string(answer.begin(), answer.end()).starts_with("HTTP/1.1 101 "));
+}
+
+TEST_F(Http, ReboundNamesAreNotServed) {
+  EXPECT_TRUE(
+      exchange("GET /status HTTP/1.1\r\nHost: evil.example\r\n\r\n").starts_with("HTTP/1.1 403 "));
+}
+
+TEST(NetServer, APortInUseIsNamedWithWhatToDo) {
+  FakeHost host;
+  const NetServer first(host, test_config(), {});
+  const auto message_of = [](const NetConfig& config) -> std::string {
+    FakeHost other;
+    try {
+      const NetServer second(other, config, {});
+      return "no error";
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  };
+  const auto expect_named = [&](const NetConfig& config, std::initializer_list<std::string> parts) {
+    const std::string message = message_of(config);
+    for (const std::string& part : parts) {
+      EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+    }
+  };
+  NetConfig config = test_config();
+  config.tcp_port = first.tcp_port();
+  expect_named(config, {"native TCP", "127.0.0.1", std::to_string(first.tcp_port()), "--tcp-port"});
+  config = test_config();
+  config.http_port = first.http_port();
+  expect_named(config, {"HTTP", "127.0.0.1", std::to_string(first.http_port()), "--http-port"});
+  config = test_config();
+  config.bind = "no address";
+  expect_named(config, {"no address", "--bind"});
+  config.bind = "203.0.113.1";  // an address this machine does not have
+  expect_named(config, {"203.0.113.1", "--bind"});
+}
+
+}  // namespace
+}  // namespace skerry::server

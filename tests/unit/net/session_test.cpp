@@ -1,0 +1,184 @@
+// NativeSession on a transport made for tests: who may control, and failure at every operation.
+#include "server/net/native_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "server/net/encoders.hpp"
+#include "tests/unit/net/fake_host.hpp"
+#include "tests/unit/net/test_client.hpp"
+
+namespace skerry::server {
+namespace {
+
+// What the test sees and steers; outlives the transport.
+struct Line {
+  bool peer_is_loopback = true;
+  std::deque<Bytes> incoming;  // one read each; when empty, a read waits
+  Bytes outgoing;
+  int operations = 0;
+  std::optional<int> fail_at;  // this operation, counted from 0, ends with an error
+  bool finished = false;
+  bool closed = false;
+  int transports = 0;  // alive
+};
+
+class FakeTransport final : public ByteTransport {
+ public:
+  FakeTransport(asio::io_context& io, Line& line) : io_(io), line_(line) { ++line_.transports; }
+  ~FakeTransport() override { --line_.transports; }
+
+  void read_some(std::span<std::uint8_t> into, Done done) override {
+    if (fails()) return answer(std::move(done), asio::error::connection_reset, 0);
+    if (line_.incoming.empty()) {
+      waiting_read_ = std::move(done);
+      return;
+    }
+    const Bytes bytes = line_.incoming.front();
+    line_.incoming.pop_front();
+    std::copy(bytes.begin(), bytes.end(), into.begin());
+    answer(std::move(done), {}, bytes.size());
+  }
+  void write(const std::vector<asio::const_buffer>& buffers, Done done) override {
+    if (fails()) return answer(std::move(done), asio::error::broken_pipe, 0);
+    std::size_t size = 0;
+    for (const auto& buffer : buffers) {
+      const auto* data = static_cast<const std::uint8_t*>(buffer.data());
+      line_.outgoing.insert(line_.outgoing.end(), data, data + buffer.size());
+      size += buffer.size();
+    }
+    answer(std::move(done), {}, size);
+  }
+  void finish() override { line_.finished = true; }
+  void close() override {
+    line_.closed = true;
+    if (waiting_read_)
+      answer(std::exchange(waiting_read_, nullptr), asio::error::operation_aborted, 0);
+  }
+  void limit_send_buffer(std::size_t) override {}
+  std::string name() const override { return "fake"; }
+  std::string peer() const override { return "far away"; }
+  bool peer_is_loopback() const override { return line_.peer_is_loopback; }
+
+ private:
+  bool fails() { return line_.operations++ == line_.fail_at; }
+  void answer(Done done, error_code error, std::size_t size) {
+    asio::post(io_, [done = std::move(done), error, size] { done(error, size); });
+  }
+
+  asio::io_context& io_;
+  Line& line_;
+  Done waiting_read_;
+};
+
+std::vector<wire::Reply> replies_in(const Bytes& outgoing) {
+  std::vector<wire::Reply> replies;
+  FrameReader reader(kMaxServerFrame);
+  reader.feed(outgoing);
+  for (auto frame = reader.next(); frame.ok() && frame->has_value(); frame = reader.next()) {
+    wire::ServerMessage message;
+    EXPECT_TRUE(message.ParseFromArray((*frame)->data(), static_cast<int>((*frame)->size())));
+    if (message.has_reply()) replies.push_back(message.reply());
+  }
+  return replies;
+}
+
+class Session : public testing::Test {
+ protected:
+  void begin(NetConfig config = test_config()) {
+    add_network_formats(*host_.find_channel(0, 0), {});
+    context_ = std::make_unique<NetContext>(host_, std::move(config));
+    NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, line_),
+                         context_->connections.try_enter());
+    run();
+  }
+  void run() {
+    context_->io.restart();
+    context_->io.poll();
+  }
+
+  FakeHost host_;
+  Line line_;
+  std::unique_ptr<NetContext> context_;
+};
+
+wire::ClientMessage set_with_token(const std::string& token) {
+  wire::ClientMessage message = set_gain_message(1, 0, 77);
+  message.mutable_set()->set_token(token);
+  return message;
+}
+
+TEST_F(Session, ControlFromAnotherHostIsRefusedWithoutAConfiguredToken) {
+  line_.peer_is_loopback = false;
+  line_.incoming = {frame_of(set_with_token("guess"))};
+  begin();
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 1u);
+  EXPECT_EQ(replies[0].code(), wire::Reply::REFUSED);
+  EXPECT_EQ(host_.settings(0, 0).gain(), 50);
+  EXPECT_FALSE(line_.closed) << "it may still look";
+}
+
+TEST_F(Session, ControlFromAnotherHostNeedsTheToken) {
+  NetConfig config = test_config();
+  config.control_token = "secret";
+  line_.peer_is_loopback = false;
+  line_.incoming = {frame_of(set_with_token("guess")), frame_of(set_with_token("secret"))};
+  begin(config);
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 2u);
+  EXPECT_EQ(replies[0].code(), wire::Reply::REFUSED);
+  EXPECT_EQ(replies[1].code(), wire::Reply::OK);
+  EXPECT_EQ(host_.settings(0, 0).gain(), 77);
+  EXPECT_EQ(host_.last_set().token(), "") << "the token goes no further";
+}
+
+TEST_F(Session, ControlFromTheServersOwnHostNeedsNone) {
+  line_.incoming = {frame_of(set_with_token(""))};
+  begin();
+  ASSERT_EQ(replies_in(line_.outgoing).size(), 1u);
+  EXPECT_EQ(host_.settings(0, 0).gain(), 77);
+}
+
+// Runs a whole conversation, failing its first operation, then its second, and so on until it gets
+// through: each time the session is gone afterwards and holds no registration.
+TEST(SessionFaults, AFailureAtAnyOperationEndsTheSessionAndNothingElse) {
+  bool got_through = false;
+  int operations = 0;
+  for (int fail_at = 0; !got_through; ++fail_at) {
+    FakeHost host;
+    Line line;
+    line.fail_at = fail_at;
+    line.incoming = {frame_of(subscribe_message(1, 0)), frame_of(get_status_message(2)),
+                     frame_of(set_gain_message(3, 0, 9))};
+    add_network_formats(*host.find_channel(0, 0), {});
+    NetContext context(host, test_config());
+    NativeSession::begin(context, std::make_unique<FakeTransport>(context.io, line),
+                         context.connections.try_enter());
+    context.io.poll();
+    for (int i = 0; i < 3; ++i) {
+      host.publish();
+      context.io.restart();
+      context.io.poll();
+    }
+    operations = line.operations;
+    got_through = operations <= fail_at;
+    EXPECT_EQ(line.closed, !got_through);
+    EXPECT_EQ(line.transports, got_through ? 1 : 0) << "operation " << fail_at;
+    const std::uint64_t encoded = host.encoded(kNativeFormat);
+    host.publish();
+    EXPECT_EQ(host.encoded(kNativeFormat) - encoded, got_through ? 16u : 0u);
+    context.connections.close_all();
+    context.io.restart();
+    context.io.poll();
+    EXPECT_EQ(line.transports, 0);
+    ASSERT_LT(fail_at, 100);
+  }
+  EXPECT_GT(operations, 8) << "three requests with their answers, and three sectors";
+}
+
+}  // namespace
+}  // namespace skerry::server

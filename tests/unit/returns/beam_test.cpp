@@ -1,0 +1,71 @@
+#include "echo/returns/beam.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace skerry::echo {
+namespace {
+
+double two_way(double angle, double width) {
+  return std::pow(cosine_taper_voltage(angle, width), 4);
+}
+
+TEST(Beam, HasItsWidthItsNullAndItsSideLobe) {
+  for (double width : {0.75, 1.2, 1.9, 5.0}) {
+    EXPECT_NEAR(cosine_taper_voltage(0.0, width), 1.0, 1e-12);
+    // Half power one way at half the width, within 1 %.
+    EXPECT_NEAR(std::pow(cosine_taper_voltage(width / 2, width), 2), 0.5, 0.012) << width;
+    double least = 1.0, side_lobe = 0.0;
+    for (double a = 0.0; a < 3.0 * width; a += width / 500) {
+      const double g = cosine_taper_voltage(a, width);
+      if (a < 1.5 * width) least = std::min(least, std::fabs(g));
+      if (a > 1.3 * width) side_lobe = std::max(side_lobe, std::fabs(g));
+    }
+    EXPECT_LT(least, 0.002) << width;
+    EXPECT_NEAR(20.0 * std::log10(side_lobe), -23.0, 0.3) << width;
+  }
+}
+
+TEST(Beam, VoltageIsContinuousWhereTheFormulaIsNot) {
+  const double at = std::asin(0.5 * 1.2 / 68.8) * 57.29577951308232;  // mu = pi/2
+  EXPECT_NEAR(cosine_taper_voltage(at, 1.2), 0.7853981634, 1e-6);
+  EXPECT_NEAR(cosine_taper_voltage(at * 1.0001, 1.2), cosine_taper_voltage(at * 0.9999, 1.2), 1e-3);
+}
+
+TEST(Beam, LeavesOutLessThanItsBound) {
+  for (double width : {0.4, 0.95, 1.2, 1.9, 6.0}) {
+    for (std::uint32_t spokes : {256u, 1000u, 2048u, 4096u, 8192u}) {
+      const Beam beam = beam_over_rays(width, spokes);
+      ASSERT_EQ(beam.weights.size(), 2 * beam.half + 1);
+      EXPECT_EQ(beam.weights[beam.half], 1.0f);
+      const double step = 360.0 / (1.0 * spokes * beam.per_spoke);
+      EXPECT_GE(width / step, Beam::kRaysPerBeam * 0.999);
+      double kept = 0.0, all = 0.0;
+      for (float w : beam.weights) kept += static_cast<double>(w) * step;
+      for (double a = -1.25 * width; a < 1.25 * width; a += width / 2000)
+        all += two_way(a, width) * width / 2000;
+      EXPECT_NEAR(kept / all, 1.0, 0.01) << width << " deg, " << spokes << " spokes";
+      const double next = two_way((beam.half + 1) * step, width);
+      EXPECT_LT(10.0 * std::log10(next + 1e-30), -40.0) << width;
+      double left_out = 0.0;
+      for (double a = (beam.half + 0.5) * step; a < 1.25 * width; a += width / 2000)
+        left_out += 2 * two_way(a, width) * width / 2000;
+      EXPECT_LT(left_out / all, 3e-4);
+    }
+  }
+}
+
+// Two-way Gaussian beams have an effective clutter width of 0.7527 beam widths (physics.md B1); the
+// cosine taper's main lobe comes within 2 % of it.
+TEST(Beam, EffectiveWidthIsThatOfTheLiterature) {
+  const Beam beam = beam_over_rays(1.2, 8192);
+  double sum = 0.0;
+  for (float w : beam.weights) sum += static_cast<double>(w) * 360.0 / 8192;
+  std::printf("effective two-way width %.4f beam widths\n", sum / 1.2);
+  EXPECT_NEAR(sum / 1.2, 0.7527, 0.015);
+}
+
+}  // namespace
+}  // namespace skerry::echo

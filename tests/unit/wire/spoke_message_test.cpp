@@ -1,0 +1,114 @@
+#include "protocol/wire/spoke_message.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "tests/unit/wire/test_spoke.hpp"
+
+namespace skerry {
+namespace {
+
+wire::Spoke message_of(const Spoke& spoke) {
+  wire::Spoke message;
+  to_message(spoke, message);
+  return message;
+}
+
+TEST(SpokeMessage, ComesBackWithEveryFieldAtEveryGeometry) {
+  for (const std::uint32_t bits : {4u, 8u}) {
+    for (const std::uint32_t cells : {256u, 257u, 512u, 1023u, 1024u, 4095u, 4096u}) {
+      for (const std::uint32_t spokes : {256u, 360u, 4096u, 8192u}) {
+        for (std::size_t scale = 0; scale < RangeScale::kCount; ++scale) {
+          const Spoke spoke = test_spoke({spokes, cells, bits}, scale, spokes - 1, cells + bits);
+          const auto back = from_message(message_of(spoke));
+          ASSERT_TRUE(back.ok()) << back.error().text;
+          ASSERT_EQ(difference(spoke, *back), "");
+        }
+      }
+    }
+  }
+}
+
+TEST(SpokeMessage, FourBitCellsHaveTheNearerInTheLowNibble) {
+  Spoke spoke = test_spoke({256, 257, 4}, 0, 0);
+  spoke.cells[0] = 0x1;
+  spoke.cells[1] = 0xE;
+  spoke.cells[256] = 0x7;
+  const wire::Spoke message = message_of(spoke);
+  ASSERT_EQ(message.cells().size(), 129u);
+  EXPECT_EQ(static_cast<std::uint8_t>(message.cells()[0]), 0xE1);
+  EXPECT_EQ(static_cast<std::uint8_t>(message.cells()[128]), 0x07);
+}
+
+TEST(SpokeMessage, MessageUsedAgainHoldsOnlyTheLastSpoke) {
+  wire::Spoke used;
+  to_message(test_spoke({8192, 4096, 8}, 11, 8191), used);
+  const Spoke small = test_spoke({256, 256, 4}, 0, 3);
+  to_message(small, used);
+  EXPECT_EQ(used.SerializeAsString(), message_of(small).SerializeAsString());
+}
+
+TEST(SpokeMessage, LongitudeOf180BecomesMinus180) {
+  wire::Spoke message = message_of(test_spoke({256, 256, 8}, 0, 0));
+  message.set_longitude_deg(180);
+  const auto spoke = from_message(message);
+  ASSERT_TRUE(spoke.ok());
+  EXPECT_EQ(spoke->header.own_ship.longitude_deg, -180);
+}
+
+struct Wrong {
+  const char* what;
+  std::function<void(wire::Spoke&)> change;
+  WireErrorKind kind;
+  const char* named;  // in the text
+};
+
+class WrongSpokeMessage : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongSpokeMessage, IsRefusedByName) {
+  wire::Spoke message = message_of(test_spoke({360, 257, 4}, 7, 359));
+  ASSERT_TRUE(from_message(message).ok());
+  GetParam().change(message);
+  const auto spoke = from_message(message);
+  ASSERT_FALSE(spoke.ok());
+  EXPECT_EQ(name_of(spoke.error().kind), name_of(GetParam().kind));
+  EXPECT_NE(spoke.error().text.find(GetParam().named), std::string::npos) << spoke.error().text;
+}
+
+constexpr auto kRange = WireErrorKind::out_of_range;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+INSTANTIATE_TEST_SUITE_P(
+    EachField, WrongSpokeMessage,
+    testing::Values(
+        Wrong{"Radar", [](auto& m) { m.set_radar(65536); }, kRange, "radar"},
+        Wrong{"View", [](auto& m) { m.set_view(65536); }, kRange, "view"},
+        Wrong{"Index", [](auto& m) { m.set_index(360); }, kRange, "index"},
+        Wrong{"FewSpokes", [](auto& m) { m.set_spokes_per_turn(255); }, kRange, "spokes"},
+        Wrong{"ManySpokes", [](auto& m) { m.set_spokes_per_turn(8193); }, kRange, "spokes"},
+        Wrong{"FewCells", [](auto& m) { m.set_cell_count(255); }, kRange, "cells"},
+        Wrong{"ManyCells", [](auto& m) { m.set_cell_count(0xFFFFFFFF); }, kRange, "cells"},
+        Wrong{"Bits", [](auto& m) { m.set_bits(5); }, kRange, "bits"},
+        Wrong{"Scale", [](auto& m) { m.set_range_scale(12); }, kRange, "range_scale"},
+        Wrong{"OtherScale", [](auto& m) { m.set_range_scale(6); }, kRange, "cell_size_m"},
+        Wrong{"CellSize", [](auto& m) { m.set_cell_size_m(kNan); }, kRange, "cell_size_m"},
+        Wrong{"Pole", [](auto& m) { m.set_latitude_deg(90.001); }, kRange, "latitude_deg"},
+        Wrong{"NanLatitude", [](auto& m) { m.set_latitude_deg(kNan); }, kRange, "latitude_deg"},
+        Wrong{"East", [](auto& m) { m.set_longitude_deg(180.001); }, kRange, "longitude_deg"},
+        Wrong{"Infinity", [](auto& m) { m.set_longitude_deg(kInfinity); }, kRange, "longitude_deg"},
+        Wrong{"Utc", [](auto& m) { m.set_utc_ns(1ull << 63); }, kRange, "utc_ns"},
+        Wrong{"Scenario", [](auto& m) { m.set_scenario_ns(~0ull); }, kRange, "scenario_ns"},
+        Wrong{"ShortCells", [](auto& m) { m.mutable_cells()->pop_back(); },
+              WireErrorKind::truncated, "bytes of cells"},
+        Wrong{"NoCells", [](auto& m) { m.clear_cells(); }, WireErrorKind::truncated, "bytes"},
+        Wrong{"LongCells", [](auto& m) { m.mutable_cells()->push_back(0); },
+              WireErrorKind::oversized, "bytes of cells"},
+        Wrong{"HalfByte", [](auto& m) { m.mutable_cells()->back() = 0x10; },
+              WireErrorKind::malformed, "nibble"}),
+    [](const auto& each) { return std::string(each.param.what); });
+
+}  // namespace
+}  // namespace skerry
