@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,8 +19,8 @@ namespace skerry::server {
 // A sector in one wire format.
 struct EncodedSector {
   std::uint64_t first_sequence = 0;
-  std::uint32_t scan = 0;                  // of the first spoke
-  std::vector<std::uint32_t> spoke_ends;   // spoke k is bytes [ends[k-1], ends[k])
+  std::uint32_t scan = 0;                 // of the first spoke
+  std::vector<std::uint32_t> spoke_ends;  // spoke k is bytes [ends[k-1], ends[k])
   Bytes bytes;
   std::uint32_t spoke_count() const { return static_cast<std::uint32_t>(spoke_ends.size()); }
 };
@@ -30,8 +31,9 @@ using SectorEncoder = std::function<EncodedSectorPtr(const Sector&)>;
 
 // What a reader remembers between two takes.
 struct Cursor {
-  std::uint64_t next = 0;          // number of the sector wanted next
-  std::uint64_t spokes_lost = 0;   // overwritten before they were taken
+  std::uint64_t next = 0;           // number of the sector wanted next
+  std::uint64_t spokes_before = 0;  // published before that sector: makes the loss exact
+  std::uint64_t spokes_lost = 0;    // overwritten before they were taken
 };
 
 // The last sectors of one format, overwritten without waiting for anybody.
@@ -44,11 +46,13 @@ class FormatRing {
   // The sector at the cursor, which moves on; nullptr if none is there yet.  A cursor that was
   // overtaken jumps to the newest sector (live beats complete) and counts what it missed, exactly.
   EncodedSectorPtr take(Cursor& cursor);
-  // A cursor that will first see the next sector published.
+  // A cursor that will first see the next sector published.  Register before taking it: sectors
+  // published while nobody is registered are not encoded, and count as lost for such a cursor.
   Cursor cursor_at_end() const;
 
   // `wake` is called on the radar thread after each publish while the registration lives; it must
-  // only post.
+  // only post.  Once the registration has been released, no call is running or will come.  The
+  // ring must outlive it, and `wake` must not release it.
   using Registration = std::shared_ptr<void>;
   Registration on_publish(std::function<void()> wake);
 
@@ -56,15 +60,23 @@ class FormatRing {
 
  private:
   friend class VideoChannel;
+  struct Slot {
+    EncodedSectorPtr sector;          // nullptr if nobody was registered
+    std::uint64_t spokes_before = 0;  // published before this sector
+  };
+  using Wakes = std::list<std::function<void()>>;
+
   void publish(const Sector& sector);
 
-  SectorEncoder encoder_;
+  SectorEncoder encoder_;  // radar thread only
   mutable std::mutex mutex_;
-  std::vector<EncodedSectorPtr> slots_;
+  std::vector<Slot> slots_;
   std::uint64_t published_ = 0;         // sectors
   std::uint64_t published_spokes_ = 0;  // spokes in them
-  std::vector<std::uint64_t> spokes_before_;  // spokes published before slot's sector
-  std::vector<std::weak_ptr<std::function<void()>>> wakes_;
+  // Held for a whole publish, so that a sector is encoded for exactly those who were registered
+  // before it, and releasing a registration waits for its last call.
+  std::mutex wakes_mutex_;
+  Wakes wakes_;
   std::atomic<std::uint64_t> spokes_encoded_{0};
 };
 
@@ -74,11 +86,12 @@ class VideoChannel {
  public:
   explicit VideoChannel(std::size_t ring_sectors = 64) : ring_sectors_(ring_sectors) {}
 
+  // Error: std::logic_error if the channel has a format of that name.
   FormatRing& add_format(const std::string& name, SectorEncoder encoder);
-  // Requires an added format.
+  // Error: std::out_of_range unless the format was added.
   FormatRing& format(const std::string& name) { return *formats_.at(name); }
 
-  // Thread: the radar thread only.  Never waits for a reader.
+  // Thread: the radar thread only.  Never waits for a reader; a sector without spokes is ignored.
   void publish(const Sector& sector);
 
   std::map<std::string, std::uint64_t> spokes_encoded() const;

@@ -14,15 +14,15 @@ namespace skerry::server {
 struct ShipState {
   std::string name;
   GeoPoint position;
-  double heading_deg = 0.0;              // true, [0, 360)
-  double course_over_ground_deg = 0.0;   // true, [0, 360)
-  double speed_mps = 0.0;                // over ground, along the course; astern negative
-  double rate_of_turn_deg_s = 0.0;       // starboard positive
+  double heading_deg = 0.0;             // true, [0, 360)
+  double course_over_ground_deg = 0.0;  // true, [0, 360)
+  double speed_mps = 0.0;               // over ground, along the course; astern negative
+  double rate_of_turn_deg_s = 0.0;      // starboard positive
   double ordered_course_deg = 0.0;
   double ordered_speed_mps = 0.0;
   double length_m = 0.0;
   double beam_m = 0.0;
-  double height_m = 0.0;                 // of the echoing hull and superstructure above the water
+  double height_m = 0.0;  // of the echoing hull and superstructure above the water
 };
 
 struct WorldState {

@@ -1,0 +1,52 @@
+// What the commands of `skerry` share: how they are made, where the server is, how they end.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "clients/common/client_error.hpp"
+#include "clients/common/spoke_client.hpp"
+#include "protocol/quantity/time.hpp"
+
+namespace skerry::client {
+
+inline constexpr int kExitOk = 0;
+inline constexpr int kExitFailure = 1;  // it could not be done
+inline constexpr int kExitUsage = 2;    // the command line cannot be understood
+
+// A subcommand and what it does once it has been parsed; run() returns the exit code.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+Command make_status_command(CLI::App& app);
+Command make_snapshot_command(CLI::App& app);
+Command make_dump_command(CLI::App& app);
+Command make_set_command(CLI::App& app);
+
+// Where the server is and how long it may be silent.
+struct ServerPlace {
+  std::string host = kDefaultHost;
+  std::uint16_t port = kDefaultTcpPort;
+  double timeout_s = 5.0;
+
+  Duration timeout() const { return seconds_as_duration(timeout_s); }
+  void add_options(CLI::App& command);
+  ClientResult<SpokeClient> connect() const { return SpokeClient::connect(host, port, timeout()); }
+};
+
+// Which video is wanted.
+struct ViewChoice {
+  std::uint32_t radar = 0;
+  std::uint32_t view = 0;
+};
+
+// Writes the error and what to try to stderr; gives kExitFailure.
+int report(const ClientError& error);
+int report(const std::string& text, const std::string& advice = {});
+
+}  // namespace skerry::client

@@ -1,0 +1,56 @@
+// skerry: looks at and controls a running skerryd from the command line.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+
+#include "clients/cli/command.hpp"
+#include "clients/cli/console.hpp"
+
+namespace {
+
+using namespace skerry::client;
+
+int run(int argc, char** argv) {
+  CLI::App app{"Looks at and controls a running skerryd, the marine-radar video server.", "skerry"};
+  app.set_version_flag("--version", "skerry " SKERRY_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  app.footer(
+      "Examples:\n"
+      "  skerry status\n"
+      "  skerry snapshot -o radar.png\n"
+      "  skerry dump --count 5\n"
+      "  skerry set --range 6 --gain 60\n"
+      "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
+      "command line cannot be understood.\n");
+  const std::array<Command, 4> commands = {make_status_command(app), make_snapshot_command(app),
+                                           make_dump_command(app), make_set_command(app)};
+  if (argc == 1) {
+    fmt::print(stderr, "{}", app.help());
+    return kExitUsage;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return kExitUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  watch_signals();
+  try {
+    return run(argc, argv);
+  } catch (const ReaderGone&) {
+    return kExitOk;
+  } catch (const std::exception& error) {
+    return report(error.what());
+  }
+}

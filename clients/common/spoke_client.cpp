@@ -1,0 +1,249 @@
+#include "clients/common/spoke_client.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+#include "clients/common/message_stream.hpp"
+#include "clients/common/printable_text.hpp"
+#include "protocol/wire/spoke_message.hpp"
+
+namespace skerry::client {
+namespace {
+
+constexpr std::uint32_t kProtocolVersion = 1;
+
+}  // namespace
+
+class SpokeClient::Connection {
+ public:
+  Connection(const std::string& host, std::uint16_t port) : stream_(host, port) {}
+
+  ClientResult<Done> open(const std::string& host, std::uint16_t port, Duration timeout);
+  ClientResult<Done> subscribe(std::uint32_t radar, std::uint32_t view, Duration timeout);
+  ClientResult<std::optional<ClientEvent>> receive(Duration timeout);
+  ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
+  ClientResult<wire::Status> get_status(Duration timeout);
+
+  const wire::Hello& hello() const { return hello_; }
+  const std::string& name() const { return stream_.name(); }
+  const LossCounter& losses() const { return losses_; }
+
+ private:
+  ClientResult<Done> send(wire::ClientMessage& message, Deadline deadline);
+  // The OK reply to `request`, which was of that kind.
+  ClientResult<wire::Reply> await_reply(std::uint32_t request, const char* kind, Deadline deadline);
+  ClientResult<std::optional<ClientEvent>> as_event(wire::ServerMessage& message);
+  ClientResult<Done> keep(wire::ServerMessage& message);
+  Failure<ClientError> no_answer(const char* kind) const;
+  Failure<ClientError> rejected(const wire::Reply& reply) const;
+
+  MessageStream stream_;
+  std::deque<ClientEvent> waiting_;
+  std::uint32_t request_ = 0;
+  std::uint32_t status_request_ = 0;  // the Status says all that its OK reply could
+  wire::Hello hello_;
+  LossCounter losses_;
+};
+
+Failure<ClientError> SpokeClient::Connection::no_answer(const char* kind) const {
+  return failure(ClientErrorKind::timed_out,
+                 fmt::format("{} did not answer the {} request in time", name(), kind));
+}
+
+Failure<ClientError> SpokeClient::Connection::rejected(const wire::Reply& reply) const {
+  return failure(ClientErrorKind::rejected,
+                 fmt::format("{} rejected the request: {}", name(), printable(reply.text())));
+}
+
+ClientResult<Done> SpokeClient::Connection::open(const std::string& host, std::uint16_t port,
+                                                 Duration timeout) {
+  const Deadline deadline = deadline_after(timeout);
+  if (auto connected = stream_.connect(host, port, deadline); !connected) return connected;
+  auto first = stream_.next(deadline);
+  if (!first) return Failure{first.error()};
+  if (!*first) {
+    return failure(ClientErrorKind::timed_out,
+                   fmt::format("{} accepted the connection but sent no Hello within {:.1f} s; is "
+                               "that the native port (usually {})?",
+                               name(), in_seconds(timeout), kDefaultTcpPort));
+  }
+  if ((*first)->has_reply()) return rejected((*first)->reply());
+  if (!(*first)->has_hello()) {
+    return failure(ClientErrorKind::malformed,
+                   fmt::format("{} did not begin with a Hello: not a Skerry server", name()));
+  }
+  hello_ = (*first)->hello();
+  if (hello_.protocol_version() != kProtocolVersion) {
+    return failure(ClientErrorKind::malformed,
+                   fmt::format("{} speaks version {} of the native protocol, expected {}", name(),
+                               hello_.protocol_version(), kProtocolVersion));
+  }
+  return Done{};
+}
+
+// Nothing for a message without an event: a later kind that this library does not know, a Hello, or
+// the end of a status request.
+ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
+    wire::ServerMessage& message) {
+  using Event = std::optional<ClientEvent>;
+  switch (message.kind_case()) {
+    case wire::ServerMessage::kSpoke: {
+      auto spoke = from_message(message.spoke());
+      if (!spoke) {
+        return stream_.end(ClientErrorKind::malformed,
+                           fmt::format("{} sent a bad spoke: {}, {}", name(),
+                                       name_of(spoke.error().kind), printable(spoke.error().text)));
+      }
+      return Event(std::move(spoke).value());
+    }
+    case wire::ServerMessage::kSettings:
+      return Event(std::move(*message.mutable_settings()));
+    case wire::ServerMessage::kOwnShip:
+      return Event(std::move(*message.mutable_own_ship()));
+    case wire::ServerMessage::kStatus:
+      return Event(std::move(*message.mutable_status()));
+    case wire::ServerMessage::kReply: {
+      const wire::Reply& reply = message.reply();
+      if (reply.code() == wire::Reply::OK && reply.request() == status_request_) return Event{};
+      return Event(std::move(*message.mutable_reply()));
+    }
+    case wire::ServerMessage::kHello:
+      hello_ = message.hello();
+      return Event{};
+    case wire::ServerMessage::KIND_NOT_SET:
+      return Event{};
+  }
+  return Event{};
+}
+
+ClientResult<Done> SpokeClient::Connection::keep(wire::ServerMessage& message) {
+  auto event = as_event(message);
+  if (!event) return Failure{event.error()};
+  if (*event) {
+    if (waiting_.size() == kMaxWaiting) waiting_.pop_front();
+    waiting_.push_back(std::move(**event));
+  }
+  return Done{};
+}
+
+ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::receive(Duration timeout) {
+  std::optional<ClientEvent> event;
+  if (!waiting_.empty()) {
+    event = std::move(waiting_.front());
+    waiting_.pop_front();
+  }
+  const Deadline deadline = deadline_after(timeout);
+  while (!event) {
+    auto message = stream_.next(deadline);
+    if (!message) return Failure{message.error()};
+    if (!*message) return event;
+    auto converted = as_event(**message);
+    if (!converted) return converted;
+    event = std::move(converted).value();
+    if (!event && is_past(deadline)) return event;
+  }
+  if (const auto* spoke = std::get_if<Spoke>(&*event)) losses_.take(spoke->header.sequence);
+  return event;
+}
+
+ClientResult<Done> SpokeClient::Connection::send(wire::ClientMessage& message, Deadline deadline) {
+  message.set_request(++request_);
+  return stream_.send(message, deadline);
+}
+
+ClientResult<wire::Reply> SpokeClient::Connection::await_reply(std::uint32_t request,
+                                                               const char* kind,
+                                                               Deadline deadline) {
+  for (;;) {
+    auto message = stream_.next(deadline);
+    if (!message) return Failure{message.error()};
+    if (!*message) return no_answer(kind);
+    if ((*message)->has_reply() && (*message)->reply().request() == request) {
+      const wire::Reply& reply = (*message)->reply();
+      if (reply.code() == wire::Reply::OK) return reply;
+      return rejected(reply);
+    }
+    if (auto kept = keep(**message); !kept) return Failure{kept.error()};
+    if (is_past(deadline)) return no_answer(kind);
+  }
+}
+
+ClientResult<Done> SpokeClient::Connection::subscribe(std::uint32_t radar, std::uint32_t view,
+                                                      Duration timeout) {
+  const Deadline deadline = deadline_after(timeout);
+  wire::ClientMessage message;
+  message.mutable_subscribe()->set_radar(radar);
+  message.mutable_subscribe()->set_view(view);
+  if (auto sent = send(message, deadline); !sent) return sent;
+  auto reply = await_reply(message.request(), "subscribe", deadline);
+  if (!reply) return Failure{reply.error()};
+  std::erase_if(waiting_, [](const ClientEvent& event) {
+    return !std::holds_alternative<wire::Reply>(event);  // came before: of the old subscription
+  });
+  losses_ = LossCounter();
+  return Done{};
+}
+
+ClientResult<wire::Reply> SpokeClient::Connection::set(const wire::Set& request, Duration timeout) {
+  const Deadline deadline = deadline_after(timeout);
+  wire::ClientMessage message;
+  *message.mutable_set() = request;
+  if (auto sent = send(message, deadline); !sent) return Failure{sent.error()};
+  return await_reply(message.request(), "set", deadline);
+}
+
+ClientResult<wire::Status> SpokeClient::Connection::get_status(Duration timeout) {
+  const Deadline deadline = deadline_after(timeout);
+  wire::ClientMessage request;
+  request.mutable_get_status();
+  if (auto sent = send(request, deadline); !sent) return Failure{sent.error()};
+  status_request_ = request.request();
+  for (;;) {
+    auto message = stream_.next(deadline);
+    if (!message) return Failure{message.error()};
+    if (!*message) return no_answer("status");
+    if ((*message)->has_status()) return std::move(*(*message)->mutable_status());
+    if ((*message)->has_reply() && (*message)->reply().request() == status_request_ &&
+        (*message)->reply().code() != wire::Reply::OK) {
+      return rejected((*message)->reply());
+    }
+    if (auto kept = keep(**message); !kept) return Failure{kept.error()};
+    if (is_past(deadline)) return no_answer("status");
+  }
+}
+
+ClientResult<SpokeClient> SpokeClient::connect(const std::string& host, std::uint16_t port,
+                                               Duration timeout) {
+  auto connection = std::make_unique<Connection>(host, port);
+  if (auto opened = connection->open(host, port, timeout); !opened) return Failure{opened.error()};
+  return SpokeClient(std::move(connection));
+}
+
+SpokeClient::SpokeClient(std::unique_ptr<Connection> connection)
+    : connection_(std::move(connection)) {}
+SpokeClient::SpokeClient(SpokeClient&&) noexcept = default;
+SpokeClient& SpokeClient::operator=(SpokeClient&&) noexcept = default;
+SpokeClient::~SpokeClient() = default;
+
+const wire::Hello& SpokeClient::hello() const { return connection_->hello(); }
+const std::string& SpokeClient::name() const { return connection_->name(); }
+const LossCounter& SpokeClient::losses() const { return connection_->losses(); }
+
+ClientResult<Done> SpokeClient::subscribe(std::uint32_t radar, std::uint32_t view,
+                                          Duration timeout) {
+  return connection_->subscribe(radar, view, timeout);
+}
+ClientResult<std::optional<ClientEvent>> SpokeClient::receive(Duration timeout) {
+  return connection_->receive(timeout);
+}
+ClientResult<wire::Reply> SpokeClient::set(const wire::Set& request, Duration timeout) {
+  return connection_->set(request, timeout);
+}
+ClientResult<wire::Status> SpokeClient::get_status(Duration timeout) {
+  return connection_->get_status(timeout);
+}
+
+}  // namespace skerry::client

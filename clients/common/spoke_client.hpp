@@ -1,0 +1,66 @@
+// SpokeClient: the native protocol over TCP, as a console or any other program uses it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "clients/common/client_error.hpp"
+#include "protocol/quantity/time.hpp"
+#include "protocol/video/spoke.hpp"
+#include "protocol/wire/radar.pb.h"
+#include "protocol/wire/sequence_gap.hpp"
+
+namespace skerry::client {
+
+// Whatever a subscribed connection brings.
+using ClientEvent = std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status>;
+
+// One connection to a server.  Nothing that comes from the network throws or is believed unchecked.
+// An error ends the connection: every later call answers with the same error, and whether to
+// connect again is the caller's business.  Exception: a request that the server rejects or does not
+// answer in time leaves the connection as it was. Memory: at most kMaxWaiting events, which wait
+// while a request is under way; then the oldest give way, and spokes among them count as lost.
+// Thread: one at a time.  No call waits longer than its timeout (but for the system's name lookup).
+class SpokeClient {
+ public:
+  static constexpr std::size_t kMaxWaiting = 8192;
+
+  // Connects and waits for the server's Hello.
+  // Error: unreachable, refused, timed_out, closed, malformed (not a Skerry server, or a protocol
+  // version this library does not know).
+  static ClientResult<SpokeClient> connect(const std::string& host, std::uint16_t port,
+                                           Duration timeout);
+  SpokeClient(SpokeClient&&) noexcept;
+  SpokeClient& operator=(SpokeClient&&) noexcept;
+  ~SpokeClient();
+
+  const wire::Hello& hello() const;
+  const std::string& name() const;  // "host:port", for messages
+
+  // From now on receive() brings the spokes, settings and own ship of that radar and view; what was
+  // waiting of an earlier subscription is dropped and the loss counter begins anew.
+  // Error: rejected if there is no such radar or view, and the errors of receive().
+  ClientResult<Done> subscribe(std::uint32_t radar, std::uint32_t view, Duration timeout);
+
+  // The next event; nothing if none came within `timeout` (zero: what is there already).
+  // Error: closed (with the server's last complaint, if it had one), malformed.
+  ClientResult<std::optional<ClientEvent>> receive(Duration timeout);
+
+  // Changes the fields present in `request`; all or nothing.
+  // Error: rejected with the server's text, timed_out, and the errors of receive().
+  ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
+  ClientResult<wire::Status> get_status(Duration timeout);
+
+  // Of the spokes that receive() gave out since subscribe().
+  const LossCounter& losses() const;
+
+ private:
+  class Connection;
+  explicit SpokeClient(std::unique_ptr<Connection> connection);
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace skerry::client

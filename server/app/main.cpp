@@ -1,0 +1,90 @@
+// skerryd: the marine-radar video server.
+#include <google/protobuf/stubs/logging.h>
+#include <signal.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "server/app/options.hpp"
+#include "server/app/radar_server.hpp"
+#include "server/app/version.hpp"
+#include "server/app/web_files.hpp"
+#include "server/net/net_server.hpp"
+#include "server/world/scenario.hpp"
+
+namespace {
+
+using namespace skerry::server;
+
+void greet(const Options& options, const NetServer& net, const RadarServer& radars) {
+  const std::string& host = options.net.bind;
+  std::fprintf(stderr,
+               "%s: %u radars on the air\n"
+               "  web console      http://%s:%u/\n"
+               "  native protocol  tcp %s:%u\n",
+               kServerName, radars.radar_count(), host.c_str(), net.http_port(), host.c_str(),
+               net.tcp_port());
+  for (const UdpDestination& d : options.net.udp) {
+    std::fprintf(stderr, "  native datagrams udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
+                 d.radar);
+  }
+  for (const UdpDestination& d : options.net.cat240) {
+    std::fprintf(stderr, "  ASTERIX CAT240   udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
+                 d.radar);
+  }
+  std::fprintf(stderr, "  stop with Ctrl-C\n");
+  if (options.print_ports) {
+    std::printf("tcp %u http %u\n", net.tcp_port(), net.http_port());
+    std::fflush(stdout);
+  }
+}
+
+int run(const Options& options, const sigset_t& signals) {
+  const auto scenario =
+      options.scenario.empty() ? default_scenario() : load_scenario(options.scenario);
+  auto chart = skerry::echo::GshhgReader::open(
+      options.chart.empty() ? skerry::echo::GshhgReader::find_finest()
+                            : std::filesystem::path(options.chart));
+  if (options.check_only) {
+    std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
+    return 0;
+  }
+  RadarServer radars(scenario, std::move(chart), options.workers);
+  NetServer net(radars, options.net, web_files());
+  net.start();
+  radars.start();
+  greet(options, net, radars);
+  int signal = 0;
+  sigwait(&signals, &signal);
+  spdlog::info("stopping on signal {}", signal);
+  radars.stop();
+  net.stop();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Waited for by the main thread alone; every other thread inherits the block.
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+  // What protobuf has to say of bytes from outside is in the replies and counters.
+  google::protobuf::SetLogHandler(nullptr);
+  spdlog::set_default_logger(spdlog::stderr_color_mt("skerryd"));
+  try {
+    const auto options = read_options(argc, argv);
+    if (!options) return 0;
+    spdlog::set_level(spdlog::level::from_str(options->log_level));
+    return run(*options, signals);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "skerryd: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,153 @@
+#include "server/app/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <stdexcept>
+
+#include "server/app/config.pb.h"
+#include "server/app/version.hpp"
+#include "server/config/yaml_message.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  skerryd                                   the built-in scenario off Bergen, on loopback
+  skerryd --scenario dover.yaml             another scenario
+  skerryd --scenario dover.yaml --check     only read it and say what is wrong
+  skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1 too
+  skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
+  skerryd --config server.yaml              everything from a file; the command line wins
+
+Every stream goes to loopback until told otherwise.  Then look at http://127.0.0.1:7480/ or run
+`skerry status`, `skerry snapshot`.)";
+
+UdpDestination destination_of(const app::Destination& d) {
+  UdpDestination out;
+  out.radar = d.radar();
+  out.address = d.address();
+  out.port = static_cast<std::uint16_t>(d.port());
+  out.max_datagram = d.max_datagram();
+  out.multicast_ttl = static_cast<int>(d.multicast_ttl());
+  out.interface_address = d.interface_address();
+  return out;
+}
+
+void apply_file(const app::ServerConfig& file, Options& options) {
+  NetConfig& net = options.net;
+  if (file.has_scenario()) options.scenario = file.scenario();
+  if (file.has_chart()) options.chart = file.chart();
+  if (file.has_bind()) net.bind = file.bind();
+  if (file.has_tcp_port()) net.tcp_port = static_cast<std::uint16_t>(file.tcp_port());
+  if (file.has_http_port()) net.http_port = static_cast<std::uint16_t>(file.http_port());
+  if (file.udp_size() > 0) net.udp.clear();
+  for (const app::Destination& d : file.udp()) net.udp.push_back(destination_of(d));
+  if (file.cat240_size() > 0) net.cat240.clear();
+  for (const app::Destination& d : file.cat240()) net.cat240.push_back(destination_of(d));
+  if (file.has_control_token()) net.control_token = file.control_token();
+  for (const std::string& host : file.allowed_hosts()) net.allowed_hosts.push_back(host);
+  if (file.has_web_root()) net.web_root = file.web_root();
+  if (file.has_max_connections()) net.max_connections = file.max_connections();
+  if (file.has_workers()) options.workers = file.workers();
+}
+
+}  // namespace
+
+UdpDestination parse_destination(const std::string& text) {
+  const auto fail = [&](const std::string& why) -> std::runtime_error {
+    return std::runtime_error("destination '" + text + "': " + why +
+                              "; expected [RADAR@]ADDRESS:PORT, e.g. 127.0.0.1:7411, "
+                              "1@239.192.7.1:7411 or [::1]:7411");
+  };
+  UdpDestination out;
+  std::string rest = text;
+  const auto number = [&](const std::string& digits, unsigned long most, const char* what) {
+    unsigned long value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size() || value > most) {
+      throw fail(std::string(what) + " '" + digits + "' is not a number up to " +
+                 std::to_string(most));
+    }
+    return value;
+  };
+  if (const auto at = rest.find('@'); at != std::string::npos) {
+    out.radar = static_cast<std::uint32_t>(number(rest.substr(0, at), 4095, "radar"));
+    rest = rest.substr(at + 1);
+  }
+  const auto colon = rest.rfind(':');
+  if (colon == std::string::npos) throw fail("no port");
+  out.port = static_cast<std::uint16_t>(number(rest.substr(colon + 1), 65535, "port"));
+  if (out.port == 0) throw fail("port 0 cannot be sent to");
+  out.address = rest.substr(0, colon);
+  if (out.address.size() > 2 && out.address.front() == '[' && out.address.back() == ']') {
+    out.address = out.address.substr(1, out.address.size() - 2);
+  }
+  if (out.address.empty()) throw fail("no address");
+  return out;
+}
+
+std::optional<Options> read_options(int argc, const char* const* argv) {
+  CLI::App cli{"Skerry: a networked marine-radar video server"};
+  cli.footer(kExamples);
+  cli.set_version_flag("--version", std::string(kServerName));
+  std::string config, bind, web_root, token, scenario, chart, log_level = "info";
+  std::vector<std::string> udp, cat240;
+  std::uint16_t tcp_port = 0, http_port = 0;
+  std::size_t workers = 0;
+  bool no_udp = false, no_cat240 = false, print_ports = false, check = false;
+  cli.add_option("--config", config, "configuration file (YAML)");
+  cli.add_option("--scenario", scenario, "scenario file (YAML); the built-in Bergen without");
+  cli.add_option("--chart", chart, "binned GSHHG file; the finest one installed without");
+  cli.add_option("--bind", bind, "address for TCP and HTTP (127.0.0.1)");
+  auto* tcp = cli.add_option("--tcp-port", tcp_port, "native protocol (7410); 0: any free port");
+  auto* http = cli.add_option("--http-port", http_port, "web console (7480); 0: any free port");
+  cli.add_option("--udp", udp, "native datagrams to [RADAR@]ADDRESS:PORT (127.0.0.1:7411)");
+  cli.add_option("--cat240", cat240, "CAT240 to [RADAR@]ADDRESS:PORT (127.0.0.1:8600)");
+  cli.add_flag("--no-udp", no_udp, "no native datagrams");
+  cli.add_flag("--no-cat240", no_cat240, "no CAT240");
+  cli.add_option("--control-token", token,
+                 "what a change of settings from another host must carry");
+  cli.add_option("--web-root", web_root,
+                 "serve the console from this folder, for those who work on it");
+  auto* help = cli.add_option("--workers", workers, "helping threads per radar (0)")
+                   ->check(CLI::Range(0, 64));
+  cli.add_option("--log-level", log_level, "trace, debug, info, warn or error")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
+  cli.add_flag("--print-ports", print_ports, "print 'tcp PORT http PORT' once listening");
+  cli.add_flag("--check", check, "read configuration and scenario, start nothing");
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    cli.exit(done);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error(std::string(error.what()) + "; see skerryd --help");
+  }
+
+  Options options;
+  options.net.udp = {{.radar = 0, .address = "127.0.0.1", .port = 7411}};
+  if (!config.empty()) {
+    app::ServerConfig file;
+    load_yaml_file(config, file);
+    apply_file(file, options);
+  }
+  if (!scenario.empty()) options.scenario = scenario;
+  if (!chart.empty()) options.chart = chart;
+  if (!bind.empty()) options.net.bind = bind;
+  if (tcp->count() > 0) options.net.tcp_port = tcp_port;
+  if (http->count() > 0) options.net.http_port = http_port;
+  if (no_udp || !udp.empty()) options.net.udp.clear();
+  if (no_cat240 || !cat240.empty()) options.net.cat240.clear();
+  for (const std::string& text : udp) options.net.udp.push_back(parse_destination(text));
+  for (const std::string& text : cat240) options.net.cat240.push_back(parse_destination(text));
+  if (!token.empty()) options.net.control_token = token;
+  if (!web_root.empty()) options.net.web_root = web_root;
+  if (help->count() > 0) options.workers = workers;
+  options.log_level = log_level;
+  options.print_ports = print_ports;
+  options.check_only = check;
+  return options;
+}
+
+}  // namespace skerry::server

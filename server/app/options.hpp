@@ -1,0 +1,31 @@
+// What skerryd was asked to do: command line over configuration file over defaults.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "server/net/net_config.hpp"
+
+namespace skerry::server {
+
+struct Options {
+  std::string scenario;  // file; empty: the built-in one
+  std::string chart;     // file; empty: the finest one installed
+  NetConfig net;
+  std::size_t workers = 0;  // helping threads per radar
+  std::string log_level = "info";
+  bool print_ports = false;  // one line "tcp PORT http PORT" on standard output once listening
+  bool check_only = false;   // read everything, start nothing
+};
+
+// Reads the command line and the files it names.  Nothing is returned when --help or --version was
+// asked for and printed.
+// Error: ConfigError or std::runtime_error for what is wrong in them; exit code 2.
+std::optional<Options> read_options(int argc, const char* const* argv);
+
+// "[RADAR@]ADDRESS:PORT", an IPv6 address in brackets.
+// Error: std::runtime_error naming the text and what was expected.
+UdpDestination parse_destination(const std::string& text);
+
+}  // namespace skerry::server

@@ -1,0 +1,49 @@
+// RadarServer: one scenario with all its own ships and radars, running.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "echo/chart/gshhg_reader.hpp"
+#include "server/core/radar_host.hpp"
+#include "server/radar/radar_unit.hpp"
+#include "server/world/scenario.pb.h"
+#include "server/world/timeline.hpp"
+
+namespace skerry::server {
+
+// Construct; hand the host to a NetServer, which adds its formats to the channels; start().
+class RadarServer : public RadarHost {
+ public:
+  // Loads the coast around every radar, so that the first spoke shows it.
+  // Error: std::runtime_error if the chart cannot be read.
+  RadarServer(const scenario::Scenario& scenario, echo::GshhgReader chart, std::size_t workers);
+  ~RadarServer() override;
+
+  // Scenario time 0 is now.
+  void start();
+  void stop();
+
+  wire::Hello hello() const override;
+  std::uint32_t radar_count() const override { return static_cast<std::uint32_t>(radars_.size()); }
+  VideoChannel* find_channel(std::uint32_t radar, std::uint32_t view) override;
+  wire::Reply apply(const wire::Set& set) override;
+  wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
+  wire::OwnShip own_ship(std::uint32_t radar) const override;
+  wire::Status status() const override;
+  std::uint64_t settings_version() const override { return settings_version_.load(); }
+
+ private:
+  struct Mount;  // a radar on her ship: unit, channel
+  std::string scenario_name_;
+  Timeline timeline_;
+  std::unique_ptr<CoastService> coast_;
+  std::vector<std::unique_ptr<Mount>> radars_;
+  std::atomic<std::uint64_t> settings_version_{1};
+  std::mutex apply_mutex_;  // one Set at a time, so that two do not lose each other's values
+  Epoch epoch_{};
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,12 @@
+// The web console as built into the server.
+#pragma once
+
+#include <span>
+
+#include "server/net/net_config.hpp"
+
+namespace skerry::server {
+
+std::span<const WebFile> web_files();
+
+}  // namespace skerry::server

@@ -1,0 +1,153 @@
+#include "server/config/yaml_message.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "server/config/field_value.hpp"
+#include "server/config/nearest_key.hpp"
+#include "server/config/yaml_tree.hpp"
+
+namespace skerry::server {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+std::string joined(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + "." + key;
+}
+
+class MessageReader {
+ public:
+  MessageReader(const std::string& file_name, YamlSource& source)
+      : file_name_(file_name), source_(source) {}
+
+  void read(const YamlNode& node, const std::string& path, Message& out) {
+    source_.add(path, node.place);
+    if (node.kind != YamlNode::Kind::map) {
+      throw source_.error(path, "expected keys and values, given " + given_by(node));
+    }
+    std::map<const FieldDescriptor*, TextPlace> seen;
+    for (const auto& [key, value] : node.pairs) {
+      const FieldDescriptor& field = field_of(key, path, *out.GetDescriptor());
+      const auto [earlier, first] = seen.emplace(&field, key.place);
+      if (!first) {
+        fail(key, joined(path, field.name()),
+             fmt::format("given twice; first in line {}", earlier->second.line));
+      }
+      read_field(value, field, joined(path, field.name()), out);
+    }
+    const Descriptor& schema = *out.GetDescriptor();
+    for (int i = 0; i < schema.field_count(); ++i) {
+      const FieldDescriptor& field = *schema.field(i);
+      if (seen.count(&field) != 0) continue;
+      if (rule_of(field).required()) refuse_missing(node, field, path);
+      set_default(field, out);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const YamlNode& node, const std::string& path,
+                         const std::string& text) const {
+    throw ConfigError(file_name_, node.place, path, text);
+  }
+
+  [[noreturn]] void refuse_missing(const YamlNode& node, const FieldDescriptor& field,
+                                   const std::string& path) const {
+    const std::string allowed = allowed_by(rule_of(field));
+    fail(
+        node, joined(path, field.name()),
+        fmt::format("missing; expected {}{}{}", field.is_repeated() ? "a list" : expected_by(field),
+                    allowed.empty() ? "" : ", ", allowed));
+  }
+
+  const FieldDescriptor& field_of(const YamlNode& key, const std::string& path,
+                                  const Descriptor& schema) const {
+    if (key.kind != YamlNode::Kind::plain && key.kind != YamlNode::Kind::quoted) {
+      fail(key, path, fmt::format("expected a key, given {}", given_by(key)));
+    }
+    const FieldDescriptor* field = schema.FindFieldByName(key.text);
+    if (field != nullptr) return *field;
+    std::vector<std::string> known;
+    for (int i = 0; i < schema.field_count(); ++i) known.push_back(schema.field(i)->name());
+    const std::string nearest = nearest_key(key.text, known);
+    fail(key, joined(path, printable(key.text)),
+         fmt::format("unknown key{}; known keys: {}",
+                     nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest),
+                     fmt::join(known, ", ")));
+  }
+
+  void read_field(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
+                  Message& out) {
+    source_.add(path, node.place);
+    if (!field.is_repeated()) {
+      read_value(node, field, path, out);
+      return;
+    }
+    if (node.kind != YamlNode::Kind::list) {
+      throw source_.error(path, "expected a list, given " + given_by(node));
+    }
+    if (node.items.empty() && rule_of(field).required()) {
+      throw source_.error(path, "is empty; expected at least one entry");
+    }
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const std::string entry = fmt::format("{}[{}]", path, i);
+      source_.add(entry, node.items[i].place);
+      read_value(node.items[i], field, entry, out);
+    }
+  }
+
+  void read_value(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
+                  Message& out) {
+    if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
+      set_value(node, field, path, source_, out);
+    } else if (field.is_repeated()) {
+      read(node, path, *out.GetReflection()->AddMessage(&out, &field));
+    } else {
+      read(node, path, *out.GetReflection()->MutableMessage(&out, &field));
+    }
+  }
+
+  const std::string& file_name_;
+  YamlSource& source_;
+};
+
+}  // namespace
+
+YamlSource load_yaml(const std::string& text, const std::string& file_name, Message& out) {
+  const YamlNode root = parse_yaml(text, file_name);
+  YamlSource source(file_name);
+  const std::unique_ptr<Message> fresh(out.New());
+  MessageReader(file_name, source).read(root, "", *fresh);
+  out.GetReflection()->Swap(&out, fresh.get());
+  return source;
+}
+
+YamlSource load_yaml_file(const std::string& path, Message& out) {
+  const auto refuse = [&](const std::string& why) {
+    throw ConfigError(fmt::format("{}: cannot be read: {}", printable(path, 4096), why));
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) refuse("it is a directory");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse(std::strerror(errno));
+  std::string text(kMaxYamlBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) refuse("input error");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kMaxYamlBytes) {
+    refuse(fmt::format("it is too long; allowed: at most {} bytes", kMaxYamlBytes));
+  }
+  return load_yaml(text, path, out);
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,196 @@
+#include "server/config/yaml_tree.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+namespace skerry::server {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+// Where yaml-cpp's marks, which count bytes from 0, lie in the text.
+class Places {
+ public:
+  explicit Places(std::string_view text) : text_(text) {
+    for (std::size_t at = 0; at < text.size(); ++at) {
+      if (text[at] == '\n') starts_.push_back(at + 1);
+    }
+  }
+
+  TextPlace of(const YAML::Mark& mark) const {
+    const auto line =
+        std::min(static_cast<std::size_t>(std::max(mark.line, 0)), starts_.size() - 1);
+    return of_byte(starts_[line] + static_cast<std::size_t>(std::max(mark.column, 0)));
+  }
+
+  TextPlace of_byte(std::size_t byte) const {
+    byte = std::min(byte, text_.size());
+    const auto after = std::upper_bound(starts_.begin(), starts_.end(), byte);
+    const std::string_view before = text_.substr(*(after - 1), byte - *(after - 1));
+    const auto characters = std::count_if(before.begin(), before.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    });
+    return {static_cast<int>(after - starts_.begin()), static_cast<int>(characters) + 1};
+  }
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> starts_{0};
+};
+
+// Builds the tree from yaml-cpp's events, so that a bound ends the parsing where it is passed.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(const std::string& file_name, const Places& places)
+      : file_name_(file_name), places_(places) {}
+
+  YamlNode take() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ > 0) fail(mark, "a second document; allowed: one document a file");
+  }
+  void OnDocumentEnd() override {}
+  void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
+    fail(mark, fmt::format("anchor &{}: anchors and aliases are not supported; write the value out",
+                           printable(name)));
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    fail(mark, "anchors and aliases are not supported; write the value out");
+  }
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
+    add(node(mark, YamlNode::Kind::null));
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                const std::string& value) override {
+    refuse_tag(mark, tag);
+    YamlNode scalar = node(mark, tag == "!" ? YamlNode::Kind::quoted : YamlNode::Kind::plain);
+    scalar.text = value;
+    add(std::move(scalar));
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    open(mark, tag, YamlNode::Kind::list);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    open(mark, tag, YamlNode::Kind::map);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    YamlNode node;
+    std::optional<YamlNode> key;  // of a map: read, its value not yet
+  };
+
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& text) const {
+    throw ConfigError(file_name_, places_.of(mark), "", text);
+  }
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (tag.empty() || tag == "?" || tag == "!") return;
+    fail(mark, fmt::format("tag {}: tags are not supported", printable(tag)));
+  }
+
+  YamlNode node(const YAML::Mark& mark, YamlNode::Kind kind) {
+    if (++nodes_ > kMaxYamlNodes) {
+      fail(mark, fmt::format("too much: more than {} keys and values", kMaxYamlNodes));
+    }
+    YamlNode made;
+    made.kind = kind;
+    made.place = places_.of(mark);
+    return made;
+  }
+
+  void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
+    refuse_tag(mark, tag);
+    if (open_.size() == kMaxYamlDepth) {
+      fail(mark,
+           fmt::format("too deep: more than {} lists and maps within each other", kMaxYamlDepth));
+    }
+    open_.push_back({node(mark, kind), std::nullopt});
+  }
+
+  void close() {
+    YamlNode done = std::move(open_.back().node);
+    open_.pop_back();
+    add(std::move(done));
+  }
+
+  void add(YamlNode value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+      return;
+    }
+    Open& parent = open_.back();
+    if (parent.node.kind == YamlNode::Kind::list) {
+      parent.node.items.push_back(std::move(value));
+    } else if (!parent.key) {
+      parent.key = std::move(value);
+    } else {
+      parent.node.pairs.emplace_back(std::move(*parent.key), std::move(value));
+      parent.key.reset();
+    }
+  }
+
+  const std::string& file_name_;
+  const Places& places_;
+  std::vector<Open> open_;
+  YamlNode root_;
+  std::size_t nodes_ = 0;
+  int documents_ = 0;
+};
+
+void require_text(std::string_view text, const std::string& file_name, const Places& places) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_length(text, at);
+    const auto byte = static_cast<unsigned char>(text[at]);
+    if (length == 0) {
+      throw ConfigError(file_name, places.of_byte(at), "",
+                        fmt::format("byte 0x{:02x} is not UTF-8; save the file as UTF-8", byte));
+    }
+    if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F) {
+      throw ConfigError(file_name, places.of_byte(at), "",
+                        fmt::format("control character 0x{:02x}; allowed: text", byte));
+    }
+    at += length;
+  }
+}
+
+}  // namespace
+
+YamlNode parse_yaml(const std::string& text, const std::string& file_name) {
+  if (text.size() > kMaxYamlBytes) {
+    throw ConfigError(
+        file_name, {}, "",
+        fmt::format("too long: {} bytes; allowed: at most {}", text.size(), kMaxYamlBytes));
+  }
+  std::string_view body = text;
+  if (body.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    body.remove_prefix(kByteOrderMark.size());
+  }
+  const Places places(body);
+  require_text(body, file_name, places);
+  TreeBuilder builder(file_name, places);
+  try {
+    std::istringstream in{std::string(body)};
+    YAML::Parser parser(in);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::Exception& error) {
+    throw ConfigError(file_name, places.of(error.mark), "",
+                      "not YAML: " + printable(error.msg, 200));
+  }
+  return builder.take();
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,34 @@
+// YamlNode: a YAML text as a tree whose every node knows its place.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/config/config_error.hpp"
+
+namespace skerry::server {
+
+struct YamlNode {
+  enum class Kind { null, plain, quoted, list, map };
+
+  Kind kind = Kind::null;
+  TextPlace place;
+  std::string text;                                  // of plain and quoted
+  std::vector<YamlNode> items;                       // of a list
+  std::vector<std::pair<YamlNode, YamlNode>> pairs;  // of a map, in order, as written
+};
+
+// What a text may hold.  Far above any sensible scenario (1000 targets of 1000 waypoints do not
+// fit, 1000 of 20 do) and small enough that the worst text costs some tens of megabytes.
+inline constexpr std::size_t kMaxYamlBytes = 1 << 20;
+inline constexpr std::size_t kMaxYamlNodes = 100'000;  // values and keys
+inline constexpr std::size_t kMaxYamlDepth = 32;       // lists and maps within each other
+
+// The one document of `text`; an empty text is a null node.  Reads the part of YAML that a
+// configuration needs: no anchors and aliases, which can make a small text a huge one; no tags; no
+// second document.  A map may hold a key twice here.
+// Error: ConfigError, also for text that is not UTF-8 or holds control characters.
+YamlNode parse_yaml(const std::string& text, const std::string& file_name);
+
+}  // namespace skerry::server

@@ -1,0 +1,163 @@
+#include "server/radar/radar_unit.hpp"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+
+#include "server/world/dead_reckoning.hpp"
+
+namespace skerry::server {
+namespace {
+
+// Sleeps until `deadline` or a stop, whichever comes first.
+class Sleeper {
+ public:
+  bool until(std::chrono::steady_clock::time_point deadline, const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    condition_.wait_until(lock, stop, deadline, [] { return false; });
+    return !stop.stop_requested();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any condition_;
+};
+
+}  // namespace
+
+RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast,
+                     VideoChannel& channel, std::size_t workers)
+    : config_(config),
+      timeline_(timeline),
+      coast_(coast),
+      channel_(channel),
+      workers_(workers),
+      clock_(config.rpm, config.geometry.spokes_per_turn),
+      renderer_(config.set, config.geometry, clock_, config.radar,
+                [this](std::size_t count, const std::function<void(std::size_t)>& body) {
+                  workers_.run(count, body);
+                }),
+      scenes_(config.own_ship, config.seed),
+      controls_(config.controls),
+      video_(std::size_t{kSectorSpokes} * config.geometry.cells) {
+  renderer_.set_controls(config.controls);
+}
+
+void RadarUnit::start(const Epoch& epoch) {
+  thread_ = std::jthread([this, epoch](const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), fmt::format("radar-{}", config_.radar).c_str());
+    run(stop, epoch);
+  });
+}
+
+void RadarUnit::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+CoastWish RadarUnit::wish(const GeoPoint& own_ship, const echo::ViewControls& controls) const {
+  return {own_ship,
+          {controls.range_scale.length().in_metres(),
+           config_.geometry.cell_size(controls.range_scale).in_metres(),
+           360.0 / config_.geometry.spokes_per_turn}};
+}
+
+// Asks for another picture when the own ship has used up half of the slack of this one, or when the
+// range scale has changed; once per picture.
+void RadarUnit::look_after_coast(const WorldState& state, const echo::ViewControls& controls) {
+  const echo::CoastPicturePtr picture = coast_.latest(config_.radar);
+  if (picture == asked_after_ && controls.range_scale == asked_scale_) return;
+  const GeoPoint own_ship = state.own_ships[config_.own_ship].position;
+  const PlanePoint off = picture->plane.to_plane(own_ship) - picture->centre;
+  const bool moved = std::hypot(off.east_m, off.north_m) > 0.5 * picture->slack_m;
+  if (!moved && controls.range_scale == asked_scale_) return;
+  asked_after_ = picture;
+  asked_scale_ = controls.range_scale;
+  coast_.ask(config_.radar, wish(own_ship, controls));
+}
+
+SectorPtr RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
+  const echo::ViewControls controls = *controls_.get();
+  renderer_.set_controls(controls);
+  const WorldStatePtr state = timeline_.at(clock_.time_of(first));
+  look_after_coast(*state, controls);
+  const echo::CoastPicturePtr coast = coast_.latest(config_.radar);
+  coast_edges_.store(coast->edge_count(), std::memory_order_relaxed);
+  renderer_.render(*scenes_.build(state, coast), first, kSectorSpokes, video_);
+
+  const std::uint32_t cells = config_.geometry.cells;
+  const ShipState& own = state->own_ships[config_.own_ship];
+  auto sector = std::make_shared<Sector>();
+  sector->spokes.reserve(kSectorSpokes);
+  for (std::uint32_t k = 0; k < kSectorSpokes; ++k) {
+    const std::uint64_t n = first + k;
+    auto spoke = std::make_shared<Spoke>();
+    SpokeHeader& header = spoke->header;
+    header.radar = config_.radar;
+    header.sequence = sequence_++;
+    header.scan = static_cast<std::uint32_t>(n / config_.geometry.spokes_per_turn);
+    header.index = static_cast<std::uint32_t>(n % config_.geometry.spokes_per_turn);
+    header.geometry = config_.geometry;
+    header.range_scale = controls.range_scale;
+    header.scenario_time = clock_.time_of(n);
+    header.utc = epoch.utc + header.scenario_time.time_since_epoch();
+    const Duration dt = header.scenario_time - state->time;
+    header.heading =
+        TrueBearing::from(degrees(own.heading_deg + own.rate_of_turn_deg_s * in_seconds(dt)));
+    header.own_ship = position_at(own, dt).position;
+    spoke->cells.assign(video_.begin() + k * cells, video_.begin() + (k + 1) * cells);
+    sector->spokes.push_back(std::move(spoke));
+  }
+  scan_.store(sector->spokes.back()->header.scan, std::memory_order_relaxed);
+  return sector;
+}
+
+void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
+  asked_after_ = nullptr;
+  asked_scale_ = config_.controls.range_scale;
+  Sleeper sleeper;
+  double mean_ns = 0.0;
+  const Duration sector_length = clock_.time_of(kSectorSpokes) - clock_.time_of(0);
+  const auto end_of = [&](std::uint64_t first) {
+    return epoch.steady + clock_.time_of(first + kSectorSpokes).time_since_epoch();
+  };
+  for (std::uint64_t first = 0; sleeper.until(end_of(first), stop); first += kSectorSpokes) {
+    const auto begun = std::chrono::steady_clock::now();
+    if (begun > end_of(first) + kGiveUp) {
+      sectors_skipped_.fetch_add(1, std::memory_order_relaxed);
+      continue;
+    }
+    const SectorPtr sector = make_sector(first, epoch);
+    const auto made = std::chrono::steady_clock::now();
+    channel_.publish(*sector);
+
+    const Duration late = std::chrono::steady_clock::now() - end_of(first);
+    if (late.count() > lateness_max_ns_.load(std::memory_order_relaxed)) {
+      lateness_max_ns_.store(late.count(), std::memory_order_relaxed);
+    }
+    if (late > sector_length) {
+      spokes_late_.fetch_add(kSectorSpokes, std::memory_order_relaxed);
+    }
+    spokes_.fetch_add(kSectorSpokes, std::memory_order_relaxed);
+    const double ns = static_cast<double>(Duration(made - begun).count()) /
+                      (double{kSectorSpokes} * config_.geometry.cells);
+    mean_ns += (ns - mean_ns) / 64.0;
+    render_ns_per_cell_.store(mean_ns, std::memory_order_relaxed);
+  }
+}
+
+RadarCounters RadarUnit::counters() const {
+  return {spokes_.load(),
+          spokes_late_.load(),
+          sectors_skipped_.load(),
+          static_cast<double>(lateness_max_ns_.load()) * 1e-6,
+          render_ns_per_cell_.load(),
+          scan_.load(),
+          coast_edges_.load()};
+}
+
+}  // namespace skerry::server

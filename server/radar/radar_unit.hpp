@@ -1,0 +1,98 @@
+// RadarUnit: one antenna, its thread and its default view.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <thread>
+
+#include "echo/spoke_renderer.hpp"
+#include "server/core/latest.hpp"
+#include "server/core/video_channel.hpp"
+#include "server/core/worker_pool.hpp"
+#include "server/radar/coast_service.hpp"
+#include "server/radar/scene_builder.hpp"
+#include "server/world/timeline.hpp"
+
+namespace skerry::server {
+
+struct RadarConfig {
+  std::uint32_t radar = 0;   // index in the server
+  std::size_t own_ship = 0;  // index in the world
+  std::string name;
+  echo::RadarSet set;
+  ScanGeometry geometry;
+  double rpm = 24.0;
+  echo::ViewControls controls;
+  std::uint64_t seed = 0;
+};
+
+// When scenario time 0 was, on the clocks outside.
+struct Epoch {
+  std::chrono::steady_clock::time_point steady;
+  UtcTime utc;
+};
+
+struct RadarCounters {
+  std::uint64_t spokes = 0;           // published
+  std::uint64_t spokes_late = 0;      // in sectors published more than a sector after their end
+  std::uint64_t sectors_skipped = 0;  // never made: the radar was more than kGiveUp late
+  double lateness_max_ms = 0.0;       // of a sector, after its end
+  double render_ns_per_cell = 0.0;    // mean of the last 64 sectors
+  std::uint32_t scan = 0;
+  std::uint32_t coast_edges = 0;
+};
+
+// Turns the antenna by absolute deadlines: the sector of spokes n .. n+15 is made when the antenna
+// has passed it and is published at once.  A radar that falls behind by kGiveUp leaves sectors out
+// and counts them; it never hurries and never drifts.
+class RadarUnit {
+ public:
+  static constexpr std::uint32_t kSectorSpokes = 16;
+  static constexpr std::chrono::milliseconds kGiveUp{250};
+
+  // The references must outlive the unit.  `workers` threads help with each sector (0: none).
+  RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast,
+            VideoChannel& channel, std::size_t workers);
+  ~RadarUnit() { stop(); }
+
+  void start(const Epoch& epoch);
+  void stop();
+
+  const RadarConfig& config() const { return config_; }
+  // Thread: any.
+  echo::ViewControls controls() const { return *controls_.get(); }
+  void set_controls(const echo::ViewControls& controls) { controls_.set(controls); }
+  RadarCounters counters() const;
+
+  // What the unit asks of the coast for those controls at that place.
+  CoastWish wish(const GeoPoint& own_ship, const echo::ViewControls& controls) const;
+
+ private:
+  void run(const std::stop_token& stop, const Epoch& epoch);
+  SectorPtr make_sector(std::uint64_t first, const Epoch& epoch);
+  void look_after_coast(const WorldState& state, const echo::ViewControls& controls);
+
+  RadarConfig config_;
+  Timeline& timeline_;
+  CoastService& coast_;
+  VideoChannel& channel_;
+  WorkerPool workers_;
+  echo::SpokeClock clock_;
+  echo::SpokeRenderer renderer_;
+  SceneBuilder scenes_;
+  Latest<echo::ViewControls> controls_;
+  std::vector<std::uint8_t> video_;
+  std::uint64_t sequence_ = 0;
+  echo::CoastPicturePtr asked_after_;  // the picture in force at the last wish
+  RangeScale asked_scale_;
+
+  std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
+  std::atomic<std::int64_t> lateness_max_ns_{0};
+  std::atomic<double> render_ns_per_cell_{0.0};
+  std::atomic<std::uint32_t> scan_{0}, coast_edges_{0};
+  std::jthread thread_;
+};
+
+}  // namespace skerry::server
