@@ -36,6 +36,7 @@ struct RadarResolution {
   double range_m = 0.0;  // range scale
   double cell_m = 1.0;
   double spoke_degrees = 0.1;
+  friend bool operator==(const RadarResolution&, const RadarResolution&) = default;
 };
 
 // Default roughness: similarity dimension 1.15, between the coasts of South Africa (1.02) and

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace skerry::server {
 namespace {
@@ -15,7 +16,13 @@ Length window_radius(double range_m) {
                          nautical_miles(12.0).in_metres()));
 }
 
+double distance(PlanePoint a, PlanePoint b) {
+  return std::hypot(a.east_m - b.east_m, a.north_m - b.north_m);
+}
+
 }  // namespace
+
+double index_slack_for(double range_m) { return std::max(10.0, range_m / 400.0); }
 
 CoastService::CoastService(echo::GshhgReader reader, std::size_t radars, std::uint64_t seed)
     : reader_(std::move(reader)), seed_(seed) {
@@ -27,12 +34,26 @@ CoastService::~CoastService() {
 }
 
 void CoastService::serve(Slot& slot, const CoastWish& wish) {
-  if (!slot.preparer || !slot.preparer->serves(wish.own_ship, wish.resolution.range_m)) {
+  const bool laid_anew =
+      !slot.preparer || !slot.preparer->serves(wish.own_ship, wish.resolution.range_m);
+  if (laid_anew) {
     slot.preparer = std::make_unique<echo::CoastPreparer>(
         reader_.load(wish.own_ship, window_radius(wish.resolution.range_m)), wish.own_ship,
         echo::kDefaultDimension, seed_);
   }
-  slot.picture.set(slot.preparer->prepare(wish.own_ship, wish.resolution));
+  // Half of the picture's slack is left for the way sailed until the next wish is served.
+  CoastInSightPtr before = slot.in_sight.get();
+  echo::CoastPicturePtr picture = before ? before->picture : nullptr;
+  const bool fresh =
+      picture && !laid_anew && wish.resolution == slot.made_for &&
+      distance(picture->plane.to_plane(wish.own_ship), picture->centre) <= 0.5 * picture->slack_m;
+  if (!fresh) picture = slot.preparer->prepare(wish.own_ship, wish.resolution);
+  slot.made_for = wish.resolution;
+  const PlanePoint own_ship = picture->plane.to_plane(wish.own_ship);
+  const double slack = index_slack_for(wish.resolution.range_m);
+  slot.in_sight.set(
+      CoastInSight{picture, std::make_shared<const echo::PolarIndex>(*picture, own_ship, slack),
+                   own_ship, slack});
 }
 
 void CoastService::prepare_now(std::size_t radar, const CoastWish& wish) {

@@ -10,6 +10,7 @@
 
 #include "echo/chart/gshhg_reader.hpp"
 #include "echo/scene/coast_picture.hpp"
+#include "echo/scene/polar_index.hpp"
 #include "server/core/latest.hpp"
 
 namespace skerry::server {
@@ -20,8 +21,22 @@ struct CoastWish {
   echo::RadarResolution resolution;
 };
 
-// Loads chart windows and refines the coast on a thread of its own ("coast"), one wish per radar
-// outstanding: a newer wish replaces one not yet begun.  The radar goes on with the picture it has.
+// The coast around an own ship and the index by which rays find it.  The picture is good for as far
+// as its slack says, the index for a shorter way; neither changes what the other shows.
+struct CoastInSight {
+  echo::CoastPicturePtr picture;
+  std::shared_ptr<const echo::PolarIndex> index;
+  PlanePoint index_centre;
+  double index_slack_m = 0.0;
+};
+using CoastInSightPtr = std::shared_ptr<const CoastInSight>;
+
+// How far an own ship may sail before the index is made anew: a longer way costs each ray more.
+double index_slack_for(double range_m);
+
+// Loads chart windows, refines the coast and indexes it on a thread of its own ("coast"), one wish
+// per radar outstanding: a newer wish replaces one not yet begun.  The radar goes on with what it
+// has.
 class CoastService {
  public:
   // `radars` slots.  `seed` is the scenario's.
@@ -37,13 +52,14 @@ class CoastService {
 
   // Thread: the radar's.  Never waits for the work.
   void ask(std::size_t radar, const CoastWish& wish);
-  echo::CoastPicturePtr latest(std::size_t radar) const { return slots_[radar]->picture.get(); }
+  CoastInSightPtr latest(std::size_t radar) const { return slots_[radar]->in_sight.get(); }
 
  private:
   struct Slot {
     std::optional<CoastWish> wish;                  // guarded by mutex_
     std::unique_ptr<echo::CoastPreparer> preparer;  // the service's thread
-    Latest<echo::CoastPicture> picture;
+    echo::RadarResolution made_for;                 // the service's thread
+    Latest<CoastInSight> in_sight;
   };
   void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);

@@ -66,16 +66,22 @@ CoastWish RadarUnit::wish(const GeoPoint& own_ship, const echo::ViewControls& co
            360.0 / config_.geometry.spokes_per_turn}};
 }
 
-// Asks for another picture when the own ship has used up half of the slack of this one, or when the
-// range scale has changed; once per picture.
+// Asks for coast when the own ship has used up half of what it has, or when the range scale has
+// changed; once for each that it gets.
 void RadarUnit::look_after_coast(const WorldState& state, const echo::ViewControls& controls) {
-  const echo::CoastPicturePtr picture = coast_.latest(config_.radar);
-  if (picture == asked_after_ && controls.range_scale == asked_scale_) return;
+  const CoastInSightPtr coast = coast_.latest(config_.radar);
+  const bool rescaled = !(controls.range_scale == asked_scale_);
+  if (coast == asked_after_ && !rescaled) return;
   const GeoPoint own_ship = state.own_ships[config_.own_ship].position;
-  const PlanePoint off = picture->plane.to_plane(own_ship) - picture->centre;
-  const bool moved = std::hypot(off.east_m, off.north_m) > 0.5 * picture->slack_m;
-  if (!moved && controls.range_scale == asked_scale_) return;
-  asked_after_ = picture;
+  const PlanePoint at = coast->picture->plane.to_plane(own_ship);
+  const auto away = [&](PlanePoint from) {
+    return std::hypot(at.east_m - from.east_m, at.north_m - from.north_m);
+  };
+  if (!rescaled && away(coast->index_centre) <= 0.5 * coast->index_slack_m &&
+      away(coast->picture->centre) <= 0.5 * coast->picture->slack_m) {
+    return;
+  }
+  asked_after_ = coast;
   asked_scale_ = controls.range_scale;
   coast_.ask(config_.radar, wish(own_ship, controls));
 }
@@ -85,8 +91,8 @@ SectorPtr RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
   renderer_.set_controls(controls);
   const WorldStatePtr state = timeline_.at(clock_.time_of(first));
   look_after_coast(*state, controls);
-  const echo::CoastPicturePtr coast = coast_.latest(config_.radar);
-  coast_edges_.store(coast->edge_count(), std::memory_order_relaxed);
+  const CoastInSightPtr coast = coast_.latest(config_.radar);
+  coast_edges_.store(coast->picture->edge_count(), std::memory_order_relaxed);
   renderer_.render(*scenes_.build(state, coast), first, kSectorSpokes, video_);
 
   const std::uint32_t cells = config_.geometry.cells;

@@ -85,7 +85,7 @@ class RadarUnit {
   Latest<echo::ViewControls> controls_;
   std::vector<std::uint8_t> video_;
   std::uint64_t sequence_ = 0;
-  echo::CoastPicturePtr asked_after_;  // the picture in force at the last wish
+  CoastInSightPtr asked_after_;  // what was there at the last wish
   RangeScale asked_scale_;
 
   std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};

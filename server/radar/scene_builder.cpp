@@ -33,27 +33,33 @@ echo::Hull hull_of(const ShipState& ship, std::uint64_t identity, const echo::Lo
 
 }  // namespace
 
-echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const echo::CoastPicturePtr& coast) {
+echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSightPtr& coast) {
   if (scene_ && state == state_ && coast == coast_) return scene_;
   const ShipState& own = state->own_ships[own_ship_];
   auto scene = std::make_shared<echo::Scene>();
   scene->time = state->time;
   scene->seed = seed_;
-  scene->coast = coast;
+  const echo::CoastPicture& picture = *coast->picture;
+  scene->coast = coast->picture;
   scene->own_ship_geo = own.position;
-  scene->own_ship = coast->plane.to_plane(own.position);
-  scene->true_north_deg = coast->plane.true_north_degrees(own.position);
+  scene->own_ship = picture.plane.to_plane(own.position);
+  scene->true_north_deg = picture.plane.true_north_degrees(own.position);
   scene->own_velocity = velocity_of(own, scene->true_north_deg);
   scene->heading_deg = own.heading_deg;
   scene->turn_rate_deg_s = own.rate_of_turn_deg_s;
 
   const PlanePoint later = scene->own_ship + scene->own_velocity * kSceneLife;
-  if (!index_ || coast != coast_ || !index_->serves(scene->own_ship) || !index_->serves(later)) {
-    const double slack =
-        std::max({10.0, coast->range_m / 400.0, 4.0 * kSceneLife * length_of(scene->own_velocity)});
-    index_ = std::make_shared<const echo::PolarIndex>(*coast, scene->own_ship, slack);
+  const auto serves = [&](const echo::PolarIndex& index) {
+    return index.serves(scene->own_ship) && index.serves(later);
+  };
+  if (coast != coast_) own_index_ = nullptr;
+  scene->index = own_index_ ? own_index_ : coast->index;
+  if (!serves(*scene->index)) {
+    const double slack = std::max(index_slack_for(picture.range_m),
+                                  4.0 * kSceneLife * length_of(scene->own_velocity));
+    own_index_ = std::make_shared<const echo::PolarIndex>(picture, scene->own_ship, slack);
+    scene->index = own_index_;
   }
-  scene->index = index_;
 
   // Identities count targets first, so that a ship keeps hers whoever looks.
   std::uint64_t identity = echo::mixed(seed_, 0x5817);
@@ -62,8 +68,8 @@ echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const echo::Coast
     const double apart_deg = std::fabs(ship.position.latitude_deg - own.position.latitude_deg);
     const std::uint64_t mine = identity++;
     if (apart_deg > 3.0) return;
-    const echo::Hull hull = hull_of(ship, mine, coast->plane);
-    if (length_of(hull.centre - scene->own_ship) < 2.0 * coast->range_m + 1000.0) {
+    const echo::Hull hull = hull_of(ship, mine, picture.plane);
+    if (length_of(hull.centre - scene->own_ship) < 2.0 * picture.range_m + 1000.0) {
       scene->hulls.push_back(hull);
     }
   };
