@@ -160,8 +160,7 @@ wire::Reply RadarServer::apply(const wire::Set& set) {
   if (set.has_course_deg() || set.has_speed_kn()) {
     timeline_.order(unit.config().own_ship,
                     set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt,
-                    set.has_speed_kn() ? std::optional(set.speed_kn() * kMetresPerSecondPerKnot)
-                                       : std::nullopt);
+                    set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt);
   }
   {
     const std::lock_guard lock(apply_mutex_);

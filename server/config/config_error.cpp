@@ -38,8 +38,9 @@ std::string printable(std::string_view text, std::size_t longest) {
     const std::size_t length = utf8_length(text, at);
     const auto byte = static_cast<std::uint8_t>(text[at]);
     // C1 controls are U+0080 to U+009F: C2 80 to C2 9F.
-    const bool control = byte < 0x20 || byte == 0x7F ||
-                         (byte == 0xC2 && static_cast<std::uint8_t>(text[at + 1]) < 0xA0);
+    const bool control =
+        byte < 0x20 || byte == 0x7F ||
+        (length == 2 && byte == 0xC2 && static_cast<std::uint8_t>(text[at + 1]) < 0xA0);
     if (length == 0 || control) {
       out += fmt::format("\\x{:02x}", byte);
       ++at;

@@ -11,8 +11,8 @@ namespace skerry::server {
 // string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The first of the `known` keys nearest to `key`, if no more than a third of its letters, and at
-// least one, differ; otherwise empty.
+// The first of the `known` keys nearest to `key`, if no more than a third of its letters (one, of a
+// key of less than six) have to change; otherwise empty.
 std::string nearest_key(std::string_view key, const std::vector<std::string>& known);
 
 }  // namespace skerry::server

@@ -21,6 +21,8 @@ class Places {
  public:
   explicit Places(std::string_view text) : text_(text) {
     for (std::size_t at = 0; at < text.size(); ++at) {
+      if (at % kStride == 0) characters_before_.push_back(characters_);
+      characters_ += begins_character(text[at]);
       if (text[at] == '\n') starts_.push_back(at + 1);
     }
   }
@@ -34,16 +36,29 @@ class Places {
   TextPlace of_byte(std::size_t byte) const {
     byte = std::min(byte, text_.size());
     const auto after = std::upper_bound(starts_.begin(), starts_.end(), byte);
-    const std::string_view before = text_.substr(*(after - 1), byte - *(after - 1));
-    const auto characters = std::count_if(before.begin(), before.end(), [](char c) {
-      return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    });
-    return {static_cast<int>(after - starts_.begin()), static_cast<int>(characters) + 1};
+    return {static_cast<int>(after - starts_.begin()),
+            characters_before(byte) - characters_before(*(after - 1)) + 1};
   }
 
  private:
+  // Characters are counted up to every kStride-th byte, so that a place on a long line costs no
+  // more than one on a short line.
+  static constexpr std::size_t kStride = 64;
+
+  static bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
+  int characters_before(std::size_t byte) const {
+    const std::size_t stride = byte / kStride;
+    if (stride == characters_before_.size()) return characters_;
+    const std::string_view rest = text_.substr(stride * kStride, byte % kStride);
+    return characters_before_[stride] +
+           static_cast<int>(std::count_if(rest.begin(), rest.end(), begins_character));
+  }
+
   std::string_view text_;
   std::vector<std::size_t> starts_{0};
+  std::vector<int> characters_before_;
+  int characters_ = 0;  // of the whole text
 };
 
 // Builds the tree from yaml-cpp's events, so that a bound ends the parsing where it is passed.
@@ -54,8 +69,19 @@ class TreeBuilder : public YAML::EventHandler {
 
   YamlNode take() { return std::move(root_); }
 
+  // "; it begins at 3:8" of the innermost list or map that has not ended, if there is one.
+  std::string where_open_began() const {
+    if (open_.empty()) return {};
+    const TextPlace place = open_.back().node.place;
+    return fmt::format("; it begins at {}:{}", place.line, place.column);
+  }
+
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (documents_++ > 0) fail(mark, "a second document; allowed: one document a file");
+    if (documents_++ > 0) {
+      fail(mark,
+           "the document has ended before this; allowed: one document a file, and entries "
+           "of one indentation");
+    }
   }
   void OnDocumentEnd() override {}
   void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
@@ -66,7 +92,10 @@ class TreeBuilder : public YAML::EventHandler {
     fail(mark, "anchors and aliases are not supported; write the value out");
   }
   void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
-    add(node(mark, YamlNode::Kind::null));
+    YamlNode null = node(mark, YamlNode::Kind::null);
+    // yaml-cpp puts the value that is not there where the next thing is.
+    if (!open_.empty() && open_.back().key) null.place = open_.back().key->place;
+    add(std::move(null));
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
                 const std::string& value) override {
@@ -187,8 +216,10 @@ YamlNode parse_yaml(const std::string& text, const std::string& file_name) {
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    throw ConfigError(file_name, places.of(error.mark), "",
-                      "not YAML: " + printable(error.msg, 200));
+    const bool no_end = error.msg.rfind("end of ", 0) == 0;
+    throw ConfigError(
+        file_name, places.of(error.mark), "",
+        "not YAML: " + printable(error.msg, 200) + (no_end ? builder.where_open_began() : ""));
   }
   return builder.take();
 }

@@ -1,8 +1,5 @@
-// OwnShip: how an own ship answers her orders.
+// OwnShip: an own ship's motion, tick by tick.
 #pragma once
-
-#include <cstdint>
-#include <optional>
 
 #include "protocol/quantity/time.hpp"
 #include "server/world/scenario.pb.h"
@@ -10,52 +7,58 @@
 
 namespace skerry::server {
 
-// First-order response in equal ticks.  Speed u nears the ordered speed with its time constant,
-// exactly: du/dt = (ordered - u) / T_u.  Rate of turn r nears a commanded rate with its own:
-// dr/dt = (command - r) / T_r, exactly within a tick, where the command is the course still to turn
-// (the shorter way round; to starboard if both are equal) over 4.5 max(T_r, 1 s), at most the
-// largest rate of turn, and is set anew each tick.  A loop of gain 1 / 4 T_r is critically damped
-// (Nomoto's first-order model under proportional control); 4.5 leaves room for the tick, so she
-// does not overshoot an order given on a steady course.
+// First-order response to orders.
+//   speed v:         dv/dt = (ordered speed - v) / T_v
+//   rate of turn r:  dr/dt = (commanded rate - r) / T_r, commanded rate = K * course left to turn,
+//                    at most the ship's largest rate; T_v, T_r and that rate from the scenario.
+// K = 1 / 4 (T_r + tick) makes the turn critically damped, so that it does not overshoot; it turns
+// the shorter way (starboard if exactly opposite).  An order that comes amid a turn may be overshot
+// by what the ship cannot help: up to r T_r.
 //
-// Within a tick she moves as her state says, in a steady turn at steady speed: the means of u and r
-// over that tick, so that no spoke sees her jump.  Her position is carried along the rhumb line of
-// each tick's chord (GeographicLib); on a steady course that is one rhumb line, to 1 mm in an hour
-// at 31 m/s.  Held by OwnShip.ASteadyCourseIsARhumbLine.
-// Source: Nomoto et al., "On the steering qualities of ships", ISP 4 (1957).
-// Thread: one.
+// A ship without way turns as well: bow thrusters.  Heading and course over ground are one: there
+// is no set nor drift yet.  Over a pole the ship goes straight on, and her ordered course is
+// reversed with her heading.
+//
+// The commanded rate is held over a tick; within that, speed and rate of turn are integrated
+// exactly: state() gives their means over the coming tick, and the ship moves by position_at() of
+// that very state.  So the way made since an order is the closed form's to rounding, and neither
+// position nor heading ever jumps between ticks.
+// Error: a turn of 120 deg at 24 kn ends 0.14 m from the same turn in ticks of 1 ms, for the
+// commanded rate is held over a tick; on a steady course see rhumb_step.hpp.
+// Held by OwnShip.TurnsAsInFineTicks and OwnShip.ApproachesTheOrderedSpeedExponentially.
+//
+// Nothing is ever NaN: a time constant of 0 is an immediate response.  Thread: one at a time.
 class OwnShip {
  public:
-  // Requires what load_scenario() checks.  Under way on her course at her speed, as ordered.
-  // Error: std::invalid_argument for a time constant or rate that is not positive.
+  // Under way on her course and speed, both ordered.
   OwnShip(const scenario::OwnShip& ship, Duration tick);
 
-  // At the beginning of the tick to come.
-  const ShipState& state() const { return state_; }
+  // Take effect with the tick after the present one.  `course_deg` is any finite number of degrees.
+  void order_course(double course_deg);
+  void order_speed(double speed_mps) { ordered_speed_mps_ = speed_mps; }
 
-  // Heeded from the end of the tick to come on.  Absent: as before.  Course in degrees, any turn.
-  // Error: std::invalid_argument if not finite.
-  void order(std::optional<double> course_deg, std::optional<double> speed_mps);
-
-  // One tick on.
+  // The present tick: motion means from its begin to its end, orders as they took effect.
+  ShipState state() const { return state_; }
   void step();
 
-  // `ticks` on, at the cost of at most kFineTicks and one stride: tick by tick until she holds her
-  // course or kFineTicks have passed, then at once.  Speed and distance are exact; a turn that is
-  // still going on after kFineTicks is taken as finished.
-  void leap(std::int64_t ticks);
-  static constexpr std::int64_t kFineTicks = 600;
-
  private:
-  double course_error_deg() const;  // (-180, 180]
-  void plan();                      // the tick to come
+  // Relaxation towards a goal over a tick.
+  struct Lag {
+    Lag(double time_constant_s, double tick_s);
+    double end(double value, double goal) const { return goal + (value - goal) * kept; }
+    double mean(double value, double goal) const { return goal + (value - goal) * mean_kept; }
+    double kept;       // of the difference at the end of the tick
+    double mean_kept;  // of the difference on the average of the tick
+  };
+  void begin_tick();
 
-  double tick_s_;
-  double speed_time_constant_s_, turn_time_constant_s_, max_rate_deg_s_;
-  double speed_decay_, turn_decay_;  // exp(-tick / T)
-  double speed_mean_, turn_mean_;    // mean of exp(-t / T) over a tick
-  double speed_now_mps_, rate_now_deg_s_ = 0.0;
-  double speed_next_mps_ = 0.0, rate_next_deg_s_ = 0.0;  // at the end of the tick to come
+  Duration tick_;
+  Lag speed_lag_, turn_lag_;
+  double turn_gain_;  // 1/s
+  double max_rate_deg_s_;
+  double ordered_course_deg_, ordered_speed_mps_;
+  double speed_mps_, rate_deg_s_ = 0.0;  // at the begin of the tick
+  double end_speed_mps_, end_rate_deg_s_ = 0.0;
   ShipState state_;
 };
 

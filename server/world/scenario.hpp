@@ -8,22 +8,25 @@
 namespace skerry::server {
 
 inline constexpr int kMaxOwnShips = 64;
-inline constexpr int kMaxRadarsPerOwnShip = 8;
+inline constexpr int kMaxRadars = 64;  // of all own ships together
 inline constexpr int kMaxTargets = 1000;
 inline constexpr int kMaxWaypoints = 1000;  // of a target
-inline constexpr std::size_t kMaxNameBytes = 64;
 
-// The scenario of a YAML file.  Beyond the schema: own ships have different names, so have the
-// radars of an own ship (nameless ones become "radar 1", "radar 2" ... by their place in the list);
-// no ship is wider than long; a target has either a course or waypoints; the limits above hold.
+// The scenario of a YAML file, defaults filled in.  Beyond the schema it must hold that
+// - there are no more ships, radars and waypoints than the limits above, and at least one radar;
+// - own ships differ in name, and so do all radars; a radar without a name is called after its ship
+//   and its number aboard: "Frida 1";
+// - no ship is broader than long;
+// - a target with waypoints has a speed, no course, and legs of 1 m to 5000 NM.
 // Whether anything lies ashore is not looked at.
 // Error: ConfigError naming file, line, column, key, value and what is allowed.
 scenario::Scenario load_scenario(const std::string& path);
 
-// The same from a text; messages call it `name`.
-scenario::Scenario parse_scenario(const std::string& text, const std::string& name);
+// The same from a text; messages call it `file_name`.
+scenario::Scenario parse_scenario(const std::string& text, const std::string& file_name);
 
-// scenarios/bergen.yaml as built into the program.
+// scenarios/bergen.yaml as built into the program, and what it says.
+const std::string& default_scenario_yaml();
 scenario::Scenario default_scenario();
 
 }  // namespace skerry::server

@@ -3,48 +3,58 @@
 #include <GeographicLib/Geodesic.hpp>
 #include <algorithm>
 
-#include "server/world/motion.hpp"
+#include "server/world/rhumb_step.hpp"
+#include "server/world/ship_units.hpp"
 
 namespace skerry::server {
 
-TargetTrack::TargetTrack(const scenario::TargetShip& target)
-    : start_{target.position().lat(), wrapped_longitude(target.position().lon())},
-      course_deg_(wrapped_course(target.course_deg())),
-      speed_mps_(target.speed_kn() * kMetresPerSecondPerKnot) {
-  if (target.waypoints_size() == 0) {
-    length_m_ = rhumb_length_m(start_, course_deg_);
-    return;
-  }
-  GeoPoint from = start_;
+TargetTrack::TargetTrack(const scenario::TargetShip& target) {
+  start_.name = target.name();
+  start_.position = geo_point(target.position());
+  start_.heading_deg = wrapped_course(target.course_deg());
+  start_.speed_mps = knots_in_mps(target.speed_kn());
+  start_.ordered_speed_mps = start_.speed_mps;
+  start_.length_m = target.length_m();
+  start_.beam_m = target.beam_m();
+  start_.height_m = target.height_m();
+
+  GeoPoint from = start_.position;
+  double way_m = 0.0;
   for (const scenario::Position& waypoint : target.waypoints()) {
-    const GeographicLib::GeodesicLine line = GeographicLib::Geodesic::WGS84().InverseLine(
-        from.latitude_deg, from.longitude_deg, waypoint.lat(), waypoint.lon());
-    from = {waypoint.lat(), waypoint.lon()};
-    if (line.Distance() <= 0.0) continue;  // already there
-    legs_.push_back({line, length_m_, length_m_ + line.Distance()});
-    length_m_ = legs_.back().end_m;
+    const GeoPoint to = geo_point(waypoint);
+    const auto line = GeographicLib::Geodesic::WGS84().InverseLine(
+        from.latitude_deg, from.longitude_deg, to.latitude_deg, to.longitude_deg);
+    legs_.push_back({way_m, line.Distance(), line});
+    way_m += line.Distance();
+    from = to;
   }
 }
 
-double TargetTrack::run_m(ScenarioTime t) const {
-  return speed_mps_ * in_seconds(std::max(t.time_since_epoch(), Duration::zero()));
+ShipState TargetTrack::at(Duration since_start) const {
+  ShipState ship = start_;
+  const double way_m = start_.speed_mps * std::max(in_seconds(since_start), 0.0);
+  if (!legs_.empty()) {
+    sail_legs(way_m, ship);
+  } else {
+    const RhumbEnd end = advanced(start_.position, start_.heading_deg, way_m);
+    ship.position = end.position;
+    if (end.over_pole) ship.heading_deg = wrapped_course(start_.heading_deg + 180.0);
+  }
+  ship.course_over_ground_deg = ship.heading_deg;
+  ship.ordered_course_deg = ship.heading_deg;
+  return ship;
 }
 
-TargetTrack::Point TargetTrack::at(ScenarioTime t) const {
-  const double run = std::min(run_m(t), length_m_);
-  if (legs_.empty()) return {rhumb_destination(start_, course_deg_, run), course_deg_};
-  // The first leg that ends beyond, so that at a waypoint the ship heads for the next one.
-  auto leg = std::upper_bound(legs_.begin(), legs_.end(), run,
-                              [](double sailed, const Leg& each) { return sailed < each.end_m; });
-  if (leg == legs_.end()) --leg;
+void TargetTrack::sail_legs(double way_m, ShipState& ship) const {
+  const auto next = std::upper_bound(legs_.begin() + 1, legs_.end(), way_m,
+                                     [](double way, const Leg& leg) { return way < leg.start_m; });
+  const Leg& leg = *(next - 1);
   double latitude = 0.0, longitude = 0.0, azimuth = 0.0;
-  leg->line.Position(run - leg->start_m, latitude, longitude, azimuth);
-  return {{latitude, wrapped_longitude(longitude)}, wrapped_course(azimuth)};
-}
-
-double TargetTrack::mean_speed_mps(ScenarioTime t, Duration dt) const {
-  if (run_m(t + dt) <= length_m_) return speed_mps_;
-  return std::max(length_m_ - run_m(t), 0.0) / in_seconds(dt);
+  leg.line.Position(std::min(way_m - leg.start_m, leg.length_m), latitude, longitude, azimuth);
+  ship.position = {latitude, wrapped_longitude(longitude)};
+  ship.heading_deg = wrapped_course(azimuth);
+  const Leg& last = legs_.back();
+  if (way_m >= last.start_m + last.length_m) ship.speed_mps = ship.ordered_speed_mps = 0.0;
 }
 
 }  // namespace skerry::server

@@ -1,47 +1,37 @@
-// TargetTrack: where a target ship is, as an exact function of time.
+// TargetTrack: a target's way, as a function of time.
 #pragma once
 
 #include <GeographicLib/GeodesicLine.hpp>
 #include <vector>
 
-#include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
 #include "server/world/scenario.pb.h"
+#include "server/world/world_state.hpp"
 
 namespace skerry::server {
 
-// Sails at constant speed, without waypoints along the rhumb line of its course for ever (or to the
-// pole, where it stops), with waypoints along the geodesics from its position to each of them in
-// turn, to stop at the last with the heading it came with.  It turns at a waypoint in no time.
-// Error: a few nanometres (GeographicLib), whatever the time.
-// Thread: any; at() costs about 1 us.
+// Without waypoints: a rhumb line at constant course and speed for ever; over a pole it goes on
+// straight (rhumb_step.hpp).  With waypoints: geodesic legs in order at constant speed, turning at
+// once at each, then stopped at the last with the last heading.
+// Each position follows from the start alone, nothing adds up.
+// Error: GeographicLib's, 1e-7 m, whatever the time.  Immutable.  Thread: any.
 class TargetTrack {
  public:
   // Requires what load_scenario() checks.
   explicit TargetTrack(const scenario::TargetShip& target);
 
-  struct Point {
-    GeoPoint position;
-    double heading_deg = 0.0;  // [0, 360)
-  };
-  Point at(ScenarioTime t) const;
-
-  // Over the time from t to t + dt: less than the speed where the track ends within.  Requires
-  // dt > 0.
-  double mean_speed_mps(ScenarioTime t, Duration dt) const;
+  // The target `since_start` after scenario time 0; before it, she lies at her start.
+  ShipState at(Duration since_start) const;
 
  private:
   struct Leg {
+    double start_m;  // along the whole way
+    double length_m;
     GeographicLib::GeodesicLine line;
-    double start_m = 0.0;  // along the track
-    double end_m = 0.0;
   };
-  double run_m(ScenarioTime t) const;  // sailed since the start, the end of the track not minded
+  void sail_legs(double way_m, ShipState& ship) const;
 
-  GeoPoint start_;
-  double course_deg_ = 0.0;
-  double speed_mps_ = 0.0;
-  double length_m_ = 0.0;  // of the track; may be infinite
+  ShipState start_;
   std::vector<Leg> legs_;
 };
 

@@ -1,46 +1,48 @@
 #include "server/world/timeline.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 namespace skerry::server {
 
 Timeline::Timeline(World world) : world_(std::move(world)) {
-  kept_.push_back(std::make_shared<const WorldState>(world_.state()));
+  kept_[world_.tick() % kKept] = std::make_shared<const WorldState>(world_.state());
 }
 
 WorldStatePtr Timeline::at(ScenarioTime t) {
-  // Two ticks short of the end of time, so that the tick to come has an end too.
-  const Duration since_start =
-      std::clamp(t.time_since_epoch(), Duration::zero(), Duration::max() - 2 * World::kTick);
-  const std::int64_t tick = since_start / World::kTick;
+  const auto since_start = std::max(t.time_since_epoch(), Duration::zero());
+  const auto wanted = static_cast<std::uint64_t>(since_start / World::kTick);
   const std::lock_guard lock(mutex_);
-  advance_to(tick);
-  const std::int64_t oldest = world_.ticks() - static_cast<std::int64_t>(kept_.size()) + 1;
-  return kept_[static_cast<std::size_t>(std::max(tick - oldest, std::int64_t{0}))];
+  if (wanted > world_.tick()) make_up_to(wanted);
+  std::uint64_t tick = std::min(wanted, world_.tick());
+  if (world_.tick() - tick >= kKept) tick = world_.tick() - kKept + 1;
+  while (!kept_[tick % kKept]) ++tick;  // before the world's first tick here
+  return kept_[tick % kKept];
 }
 
-void Timeline::advance_to(std::int64_t tick) {
-  constexpr auto kKeptTicks = static_cast<std::int64_t>(kKept);
-  if (tick - world_.ticks() > kMaxFineTicks) world_.leap(tick - world_.ticks() - kKeptTicks);
-  while (world_.ticks() < tick) {
+void Timeline::make_up_to(std::uint64_t tick) {
+  const std::uint64_t most =
+      std::max<std::uint64_t>(1, kMaxShipSteps / std::max<std::size_t>(1, world_.own_ship_count()));
+  const std::uint64_t last = std::min(tick, world_.tick() + most);
+  while (world_.tick() < last) {
     world_.step();
-    if (tick - world_.ticks() >= kKeptTicks) continue;
-    kept_.push_back(std::make_shared<const WorldState>(world_.state()));
-    if (kept_.size() > kKept) kept_.pop_front();
+    // Of a long jump, only the end is ever looked at.
+    if (last - world_.tick() < kKept) {
+      kept_[world_.tick() % kKept] = std::make_shared<const WorldState>(world_.state());
+    }
   }
-}
-
-void Timeline::order(std::size_t own_ship, std::optional<double> course_deg,
-                     std::optional<double> speed_mps) {
-  const std::lock_guard lock(mutex_);
-  world_.order(own_ship, course_deg, speed_mps);
 }
 
 WorldStatePtr Timeline::latest() const {
   const std::lock_guard lock(mutex_);
-  return kept_.back();
+  return kept_[world_.tick() % kKept];
+}
+
+std::uint64_t Timeline::order(std::size_t own_ship, std::optional<double> course_deg,
+                              std::optional<double> speed_kn) {
+  const std::lock_guard lock(mutex_);
+  world_.order(own_ship, course_deg, speed_kn);
+  return world_.tick() + 1;
 }
 
 }  // namespace skerry::server

@@ -1,8 +1,8 @@
-// Timeline: the world's states, made as they are asked for, shared by all radars.
+// Timeline: the world's states in time, shared by all threads.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <deque>
 #include <mutex>
 #include <optional>
 
@@ -12,37 +12,38 @@
 
 namespace skerry::server {
 
-// Holds the newest kKept states, ticks without a gap.  The world advances when a time is asked for
-// that lies beyond them.  An asker far behind the others gets an older state than it would like but
-// never makes anybody wait.
+// Makes each tick once, when someone first asks for it, and keeps the last kKept (3.2 s).
 //
-// A jump forward of more than kMaxFineTicks, as after the machine slept, is leapt over
-// (World::leap()): its cost does not grow with its length and stays below 1 ms per own ship.  Any
-// other call costs what its ticks do, 1 us per own ship, and 1 us per target for each state kept.
-// A leap does not give the bits that single ticks would have given; all else does.
-// Thread: any.
+// Thread: any.  One mutex, held for a pointer copy when the tick exists, and for the making of
+// ticks when not: some tens of microseconds per tick of one own ship and a dozen targets.  A call
+// makes at most kMaxShipSteps steps of own ships, so that after hours of suspension nobody waits
+// for more than some 10 ms: at() then returns the newest state made, and the calls that follow
+// catch up, an hour of two own ships in 15 of them.
 class Timeline {
  public:
   static constexpr std::size_t kKept = 32;
-  static constexpr std::int64_t kMaxFineTicks = 600;
+  static constexpr std::uint64_t kMaxShipSteps = 5000;
 
   explicit Timeline(World world);
 
-  // Of the tick that holds `t`; the oldest kept if that is gone.
+  // The state of the tick that contains `t`: state->time <= t < state->time + World::kTick.  For an
+  // older t than is kept, the oldest kept.  Never nullptr.
   WorldStatePtr at(ScenarioTime t);
 
-  // As World::order(): shows in the first state not yet made.
-  void order(std::size_t own_ship, std::optional<double> course_deg,
-             std::optional<double> speed_mps);
-
+  // The newest state made; at first that of time 0.
   WorldStatePtr latest() const;
 
+  // Takes effect with the next tick not yet made; returns its number, so that a run can be
+  // repeated. Error: as World::order().
+  std::uint64_t order(std::size_t own_ship, std::optional<double> course_deg,
+                      std::optional<double> speed_kn);
+
  private:
-  void advance_to(std::int64_t tick);
+  void make_up_to(std::uint64_t tick);
 
   mutable std::mutex mutex_;
   World world_;
-  std::deque<WorldStatePtr> kept_;  // never empty; the last is of world_
+  std::array<WorldStatePtr, kKept> kept_;  // tick k at k % kKept
 };
 
 }  // namespace skerry::server

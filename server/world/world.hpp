@@ -1,9 +1,9 @@
-// World: every ship of a scenario, in ticks.
+// World: all ships of a scenario, tick by tick.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "protocol/quantity/time.hpp"
@@ -14,45 +14,34 @@
 
 namespace skerry::server {
 
-// Begins at ScenarioTime{}.  The same scenario, steps and orders give the same bits.
-// Thread: one; Timeline shares it.
+// Tick k is at scenario time k * kTick, and a pure function of the scenario, of the orders and of
+// the ticks at which they were given: two runs on one machine agree bit for bit.
+// Thread: one at a time; Timeline shares it.
 class World {
  public:
   static constexpr Duration kTick = std::chrono::milliseconds(100);
+  // What may be ordered, as in scenario.proto.
+  static constexpr double kMinSpeedKn = -10.0, kMaxSpeedKn = 60.0;
 
-  // Requires what load_scenario() checks.
-  // Error: std::invalid_argument as OwnShip.
+  // Requires a scenario that load_scenario() would accept.
   explicit World(const scenario::Scenario& scenario);
 
-  std::int64_t ticks() const { return ticks_; }  // since the start
-  ScenarioTime time() const { return ScenarioTime(ticks_ * kTick); }
-
-  // At the beginning of the tick to come.  Speeds and rates of turn are means over that tick: each
-  // ship moves through it as dead_reckoning.hpp has it, to where the next state finds her; only a
-  // target that passes a waypoint in it is up to a tick's way off.  Ordered course and speed of a
-  // target are her own.
+  std::uint64_t tick() const { return tick_; }
+  std::size_t own_ship_count() const { return own_ships_.size(); }
   WorldState state() const;
-
-  // One tick on.  Cost: 1 us per own ship.
+  // Cost: about 1 us per own ship; targets cost nothing before state().
   void step();
 
-  // `ticks` on at once, whatever their number: OwnShip::leap() says how.
-  void leap(std::int64_t ticks);
-
-  // As OwnShip::order().
-  // Error: std::out_of_range if there is no such own ship.
+  // Takes effect with the next tick; what is not given stays as ordered.
+  // Error: std::invalid_argument, nothing ordered, if there is no such own ship, the course is not
+  // finite or the speed not within kMinSpeedKn..kMaxSpeedKn.
   void order(std::size_t own_ship, std::optional<double> course_deg,
-             std::optional<double> speed_mps);
+             std::optional<double> speed_kn);
 
  private:
-  struct Target {
-    TargetTrack track;
-    ShipState state;  // its name and size
-  };
-
-  std::int64_t ticks_ = 0;
+  std::uint64_t tick_ = 0;
   std::vector<OwnShip> own_ships_;
-  std::vector<Target> targets_;
+  std::vector<TargetTrack> targets_;
 };
 
 }  // namespace skerry::server

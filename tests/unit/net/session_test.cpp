@@ -88,6 +88,11 @@ std::vector<wire::Reply> replies_in(const Bytes& outgoing) {
 
 class Session : public testing::Test {
  protected:
+  ~Session() override {  // a waiting read of FakeTransport owns the session, which owns it
+    context_->connections.close_all();
+    run();
+    EXPECT_EQ(line_.transports, 0);
+  }
   void begin(NetConfig config = test_config()) {
     add_network_formats(*host_.find_channel(0, 0), {});
     context_ = std::make_unique<NetContext>(host_, std::move(config));

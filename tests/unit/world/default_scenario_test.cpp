@@ -33,7 +33,7 @@ TEST(DefaultScenario, HasTwoOwnShipsWithARadarEachAndADozenTargets) {
     EXPECT_EQ(radar.rpm(), 24.0);
     EXPECT_GT(ship.speed_kn(), 5.0);
     EXPECT_GT(ship.position().lat(), 60.2);
-    EXPECT_LT(ship.position().lat(), 60.5);
+    EXPECT_LT(ship.position().lat(), 60.6);
     EXPECT_GT(ship.position().lon(), 4.8);
     EXPECT_LT(ship.position().lon(), 5.3);
   }

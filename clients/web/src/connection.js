@@ -1,0 +1,99 @@
+// Connection: one WebSocket to the server, made again for as long as the page lives.
+//
+// States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
+// it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
+import { decodeFrames, encodeSet, encodeSubscribe } from './messages.js';
+
+const SILENCE_MS = 6000;
+const FIRST_RETRY_MS = 400, LAST_RETRY_MS = 8000;
+// Not sent, but dropped, when so much lies unsent: settings are small, so the server has stopped reading.
+const MAX_UNSENT = 65536;
+
+export class Connection {
+  // handlers: state(state), messages(list of server messages), garbage(WireError).
+  constructor(url, handlers) {
+    this.url = url;
+    this.handlers = handlers;
+    this.state = 'waiting';
+    this.attempts = 0;
+    this.retryAt = 0;
+    this.nextRequest = 1;
+    this.bytes = 0;
+    this.garbage = 0;
+    this.#open();
+  }
+
+  #become(state) {
+    this.state = state;
+    this.handlers.state(state);
+  }
+
+  #open() {
+    const socket = new WebSocket(this.url);
+    socket.binaryType = 'arraybuffer';
+    this.socket = socket;
+    this.#become('connecting');
+    this.#listen();
+    socket.onopen = () => { if (this.socket === socket) { this.#become('greeting'); this.#listen(); } };
+    socket.onmessage = (event) => { if (this.socket === socket) this.#take(event.data); };
+    socket.onclose = () => this.#closed(socket);
+  }
+
+  #listen() {
+    clearTimeout(this.silence);
+    const socket = this.socket;
+    this.silence = setTimeout(() => { socket.close(); this.#closed(socket); }, SILENCE_MS);
+  }
+
+  #closed(socket) {
+    if (this.socket !== socket) return;
+    this.socket = null;
+    clearTimeout(this.silence);
+    // Spread, so that a room full of consoles does not call all at once.
+    const wait = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** this.attempts) * (0.75 + 0.5 * Math.random());
+    this.attempts += 1;
+    this.retryAt = performance.now() + wait;
+    setTimeout(() => this.#open(), wait);
+    this.#become('waiting');
+  }
+
+  #take(data) {
+    this.#listen();
+    if (!(data instanceof ArrayBuffer)) { this.#refuse(new Error('a text message')); return; }
+    this.bytes += data.byteLength;
+    const messages = [];
+    try {
+      decodeFrames(new Uint8Array(data), (message) => messages.push(message));
+    } catch (error) {
+      this.#refuse(error);
+    }
+    if (this.state === 'greeting' && messages.some((m) => m.hello)) {
+      this.attempts = 0;
+      this.#become('live');
+    }
+    if (this.state === 'live' && messages.length > 0) this.handlers.messages(messages);
+  }
+
+  // Each WebSocket message stands for itself, so after a bad one the next may be read again.
+  #refuse(error) {
+    this.garbage += 1;
+    this.handlers.garbage(error);
+  }
+
+  #send(make) {
+    if (this.socket?.readyState !== WebSocket.OPEN || this.socket.bufferedAmount > MAX_UNSENT) return null;
+    const request = this.nextRequest;
+    this.nextRequest = (this.nextRequest % 0xffffffff) + 1;
+    this.socket.send(make(request));
+    return request;
+  }
+
+  // The request number that the reply will carry, or null if it could not be sent.
+  subscribe(radar, view) {
+    return this.#send((request) => encodeSubscribe(request, radar, view));
+  }
+
+  set(radar, view, values, token) {
+    return this.#send((request) => encodeSet(request, radar, view, values, token));
+  }
+}

@@ -1,0 +1,102 @@
+// RadarConsole: what this screen knows of one radar, and what it does with each message. No drawing.
+import { REFUSED, REPLY_CODES } from './messages.js';
+import { ScanStore, ScanTracker } from './scan_store.js';
+import { LossCounter, Rate, TurnRate } from './stream_stats.js';
+import { NAUTICAL_MILE_M } from './view_geometry.js';
+
+const DEFAULT_TURN_S = 2.5;
+
+export class RadarConsole {
+  // events: hello(hello), settings(settings), reply(reply, text, refused).
+  constructor(maxRows, events) {
+    this.store = new ScanStore(maxRows);
+    this.events = events;
+    this.hello = null;
+    this.radar = 0;
+    this.view = 0;
+    this.loss = new LossCounter();
+    this.scans = new ScanTracker();
+    this.spokeRate = new Rate(2);
+    this.turnRate = new TurnRate();
+    this.heldAfter = null;
+    this.forget();
+  }
+
+  // Another radar, or the same one after a break: its picture, numbers and settings are not ours.
+  forget() {
+    this.store.clear();
+    this.scans.reset();
+    this.spokeRate.clear();
+    this.turnRate.clear();
+    this.loss.restart();
+    this.spoke = null;        // newest
+    this.lastSpokeS = -Infinity;
+    this.ownShip = null;
+    this.settings = null;
+  }
+
+  takeAll(messages, nowS) {
+    for (const message of messages) {
+      if (message.spoke) this.#takeSpoke(message.spoke, nowS);
+      else if (message.hello) this.#takeHello(message.hello);
+      else if (message.settings) this.#takeSettings(message.settings);
+      else if (message.ownShip && message.ownShip.radar === this.radar) this.ownShip = message.ownShip;
+      else if (message.reply) this.#takeReply(message.reply);
+    }
+  }
+
+  #takeSpoke(spoke, nowS) {
+    if (spoke.radar !== this.radar || spoke.view !== this.view) return;
+    const follows = this.loss.take(spoke.sequence);
+    this.spokeRate.add(nowS, this.loss.received);
+    this.turnRate.take(spoke);
+    if (this.heldAfter !== null && spoke.scan > this.heldAfter) return;
+    this.scans.take(spoke);
+    this.store.put(spoke, nowS, follows);
+    // Not the message itself: its cells lie in the whole WebSocket message's memory.
+    this.spoke = { ...spoke, cells: null };
+    this.lastSpokeS = nowS;
+  }
+
+  #takeHello(hello) {
+    this.hello = hello;
+    if (!hello.radars.some((r) => r.radar === this.radar) && hello.radars.length > 0) {
+      this.radar = hello.radars[0].radar;
+    }
+    this.events.hello(hello);
+  }
+
+  #takeSettings(settings) {
+    if (settings.radar !== this.radar || settings.view !== this.view) return;
+    this.settings = settings;
+    this.events.settings(settings);
+  }
+
+  #takeReply(reply) {
+    const name = REPLY_CODES[reply.code] ?? `code ${reply.code}`;
+    this.events.reply(reply, reply.text || name, reply.code === REFUSED);
+  }
+
+  // Range of the picture's edge. The settings name it before the first spoke of a new range comes.
+  rangeM() {
+    if (this.settings?.rangeNm > 0) return this.settings.rangeNm * NAUTICAL_MILE_M;
+    return this.spoke ? this.spoke.cellSizeM * this.spoke.cellCount : 0;
+  }
+
+  // True, degrees; null when not known. Spokes carry it many times a second.
+  headingDeg() {
+    if (this.spoke) return (this.spoke.heading * 360) / 4294967296;
+    return this.ownShip ? this.ownShip.headingDeg : null;
+  }
+
+  // Seconds of one turn of the antenna: as measured, else as announced.
+  turnS() {
+    const rpm = this.turnRate.rpm() ?? this.hello?.radars.find((r) => r.radar === this.radar)?.rpm;
+    return rpm > 0 ? Math.min(20, Math.max(0.5, 60 / rpm)) : DEFAULT_TURN_S;
+  }
+
+  // Whether spokes come.
+  isTurning(nowS) {
+    return nowS - this.lastSpokeS < Math.max(0.5, this.turnS() / 4);
+  }
+}

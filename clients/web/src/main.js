@@ -1,0 +1,203 @@
+// The console: joins the stream, the picture and the panel.
+import { Connection } from './connection.js';
+import { RadarConsole } from './console.js';
+import { $, bindKeys, bindPicture, PictureSettings, ReceiverControls } from './controls.js';
+import { rangeNm as formatRange } from './format.js';
+import { Markers } from './markers.js';
+import { Notices } from './notices.js';
+import { Overlay } from './overlay.js';
+import { echoColours, PALETTES } from './palette.js';
+import { PpiRenderer } from './ppi_renderer.js';
+import * as readouts from './readouts.js';
+import { Rate } from './stream_stats.js';
+import { openTestAccess } from './test_access.js';
+import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
+
+const READOUTS_MS = 100;
+const seconds = () => performance.now() / 1000;
+
+let renderer;
+try {
+  renderer = new PpiRenderer($('echoes'));
+} catch (error) {
+  $('alarm').hidden = false;
+  $('alarm').textContent = `This browser cannot draw the radar picture: ${error.message}. ` +
+    'Turn on hardware acceleration, or use a browser with WebGL2.';
+  throw error;
+}
+
+const notices = new Notices($('notices'));
+const picture = new PictureSettings();
+const markers = new Markers($('ppi'));
+const overlay = new Overlay($('graticule'), $('marks'));
+const frames = { drawn: 0, rate: new Rate(2) };
+const radarChoice = new URLSearchParams(location.search).get('radar');
+
+let token = sessionStorage.getItem('skerry.token') ?? '';
+let connection;
+const set = (values) => {
+  const request = connection.set(radar.radar, radar.view, values, token);
+  if (request === null) notices.show('Not connected: the change was not sent');
+  return request;
+};
+const receiver = new ReceiverControls(set);
+
+const radar = new RadarConsole(renderer.maxRows, {
+  hello: (hello) => {
+    receiver.setScales(hello.rangeScalesNm);
+    const named = (r) => [r.ownShip, r.name].filter(Boolean).join(' · ');
+    $('radar').replaceChildren(...hello.radars.map((r) => new Option(named(r), r.radar)));
+    $('radar').value = String(radar.radar);
+    $('server').textContent = [hello.server, hello.scenario].filter(Boolean).join(' · ');
+    subscribe();
+  },
+  settings: (settings) => receiver.takeSettings(settings),
+  reply: (reply, text, refused) => {
+    receiver.takeReply(reply);
+    if (reply.code !== 0) notices.show(text);
+    if (refused) $('access').hidden = false;
+  },
+});
+if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
+
+function subscribe() {
+  radar.forget();
+  connection.subscribe(radar.radar, radar.view);
+}
+
+const url = new URL('ws', location.href);
+url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+url.search = url.hash = '';
+connection = new Connection(url, {
+  state: () => {},
+  messages: (messages) => radar.takeAll(messages, seconds()),
+  garbage: (error) => notices.show(`The server sent what is no radar message (${error.kind ?? 'text'})`),
+});
+
+// The picture.
+let view = new ViewGeometry(100, 10, 1);
+
+function layOut() {
+  const area = $('display').getBoundingClientRect();
+  const side = Math.max(200, Math.floor(Math.min(area.width, area.height)));
+  const margin = Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
+  view = new ViewGeometry(side, margin, window.devicePixelRatio || 1);
+  Object.assign($('ppi').style, {
+    width: `${side}px`, height: `${side}px`,
+    left: `${Math.floor((area.width - side) / 2)}px`, top: `${Math.floor((area.height - side) / 2)}px`,
+  });
+}
+
+// A change of the pixel ratio alone (zoom, another screen) resizes nothing but is told here.
+function watchPixelRatio() {
+  matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`)
+    .addEventListener('change', () => { layOut(); watchPixelRatio(); }, { once: true });
+}
+
+function draw() {
+  const nowS = seconds();
+  const headingDeg = radar.headingDeg();
+  const palette = PALETTES[picture.palette];
+  view.upDeg = picture.headUp && headingDeg !== null ? headingDeg : 0;
+  view.rangeM = radar.rangeM();
+  markers.view = view;
+  const turnS = radar.turnS();
+  const held = radar.heldAfter !== null;
+  renderer.draw(radar.store, view, {
+    palette, turnS,
+    nowS: held ? Math.min(nowS, radar.lastSpokeS) : nowS,
+    afterglow: picture.afterglow / 100,
+    sweepRow: radar.isTurning(nowS) && !held ? radar.store.lastRow : -1,
+  });
+  overlay.draw(view, {
+    paletteName: picture.palette, palette, rangeNm: view.rangeM / NAUTICAL_MILE_M, rings: picture.rings,
+    headingLine: picture.headingLine, headingDeg, headUp: picture.headUp, ebl: markers.ebl, vrm: markers.vrm,
+    cursor: markers.at() ? markers.pointer : null,
+  });
+  frames.drawn += 1;
+  frames.rate.add(nowS, frames.drawn);
+}
+
+let readoutsAt = 0;
+function frame() {
+  draw();
+  if (performance.now() - readoutsAt >= READOUTS_MS) {
+    readoutsAt = performance.now();
+    showReadouts();
+  }
+  requestAnimationFrame(frame);
+}
+
+function alarmText() {
+  if (connection.state === 'waiting' || connection.state === 'connecting') {
+    return radar.hello ? 'Connection lost' : 'No connection to the server';
+  }
+  const turns = (seconds() - radar.lastSpokeS) / radar.turnS();
+  if (connection.state === 'live' && radar.spoke && turns > 0.75) return 'No video';
+  if (radar.heldAfter !== null && radar.spoke && turns > 0.1) return 'Picture held';
+  return '';
+}
+
+function showReadouts() {
+  const headingDeg = radar.headingDeg();
+  const rangeNm = view.rangeM / NAUTICAL_MILE_M;
+  readouts.showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
+  readouts.showOwnShip(radar.ownShip, headingDeg);
+  readouts.showRange(rangeNm > 0 ? Number(rangeNm.toFixed(4)) : NaN);
+  readouts.showMarkers(markers, headingDeg);
+  readouts.showStream({
+    scan: radar.spoke?.scan ?? null, rpm: radar.isTurning(seconds()) ? radar.turnRate.rpm() : null,
+    spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
+  });
+  const alarm = alarmText();
+  $('alarm').hidden = alarm === '';
+  if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
+  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${picture.headUp ? 'head up' : 'north up'}.`;
+  if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
+}
+
+// The panel and the keys.
+function applyPicture() {
+  radar.store.trailS = picture.trailS;
+  renderer.setEchoColours(echoColours(picture.echo));
+}
+bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
+applyPicture();
+
+$('radar').addEventListener('change', () => {
+  radar.radar = Number($('radar').value);
+  subscribe();
+});
+$('orders').addEventListener('submit', (event) => {
+  event.preventDefault();
+  const course = $('order-course'), speed = $('order-speed');
+  const values = {};
+  if (course.value !== '') values.courseDeg = course.valueAsNumber;
+  if (speed.value !== '') values.speedKn = speed.valueAsNumber;
+  if (Object.keys(values).length > 0 && set(values) !== null) course.value = speed.value = '';
+});
+$('token').addEventListener('change', () => {
+  token = $('token').value;
+  sessionStorage.setItem('skerry.token', token);
+});
+$('token').value = token;
+$('help-open').addEventListener('click', () => $('help').showModal());
+
+const step = (event, coarse) => (event.shiftKey ? coarse / 10 : coarse);
+bindKeys({
+  '+': () => receiver.stepRange(1), '=': () => receiver.stepRange(1), '-': () => receiver.stepRange(-1),
+  n: () => document.querySelector('input[name=orientation][value=north]').click(),
+  h: () => document.querySelector('input[name=orientation][value=head]').click(),
+  g: (event) => receiver.stepGain(event.shiftKey ? -1 : 1),
+  e: () => markers.toggle('ebl'), v: () => markers.toggle('vrm'),
+  r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),
+  '?': () => $('help').showModal(),
+  ArrowLeft: (event) => markers.turnEbl(-step(event, 1)), ArrowRight: (event) => markers.turnEbl(step(event, 1)),
+  ArrowUp: (event) => markers.moveVrm(step(event, 0.01)), ArrowDown: (event) => markers.moveVrm(-step(event, 0.01)),
+});
+
+new ResizeObserver(layOut).observe($('display'));
+watchPixelRatio();
+layOut();
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames });
+requestAnimationFrame(frame);

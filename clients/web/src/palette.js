@@ -1,0 +1,41 @@
+// Colours of the picture. The colours of the controls around it stand in style.css, by the same names.
+// Colour stops of an echo: [strength 0..255, r, g, b, opacity 0..1].
+const YELLOW = [
+  [0, 70, 66, 10, 0], [20, 70, 66, 10, 0.04], [48, 104, 96, 10, 0.42], [96, 166, 148, 14, 0.9],
+  [150, 222, 194, 28, 1], [210, 250, 224, 60, 1], [255, 255, 244, 150, 1],
+];
+const GREEN = [
+  [0, 6, 70, 34, 0], [20, 6, 70, 34, 0.04], [48, 10, 100, 44, 0.42], [96, 26, 156, 62, 0.9],
+  [150, 60, 206, 82, 1], [210, 120, 242, 116, 1], [255, 196, 255, 176, 1],
+];
+
+export const PALETTES = {
+  day: {
+    sea: [0.020, 0.075, 0.135], seaEdge: [0.012, 0.050, 0.095], trail: [0.16, 0.50, 0.72],
+    sweep: [0.30, 0.75, 0.85], brilliance: 1,
+    ring: 'rgba(126, 196, 214, 0.42)', ringText: 'rgba(150, 212, 228, 0.75)',
+    scale: '#8fc7d4', scaleText: '#d3eef4', heading: '#ff9d3c', north: '#d3eef4',
+    ebl: '#4fe3ff', vrm: '#4fe3ff', cursor: '#ff9d3c', ship: '#f3f6f7',
+  },
+  night: {
+    sea: [0.004, 0.012, 0.018], seaEdge: [0.002, 0.006, 0.010], trail: [0.07, 0.22, 0.34],
+    sweep: [0.10, 0.32, 0.34], brilliance: 0.72,
+    ring: 'rgba(58, 112, 122, 0.45)', ringText: 'rgba(86, 138, 148, 0.75)',
+    scale: '#39707a', scaleText: '#6fa2ac', heading: '#a8601c', north: '#6fa2ac',
+    ebl: '#2193a8', vrm: '#2193a8', cursor: '#a8601c', ship: '#9aa5a8',
+  },
+};
+
+// 256 colours, straight alpha, for the echo strengths 0..255.
+export function echoColours(name) {
+  const stops = name === 'green' ? GREEN : YELLOW;
+  const out = new Uint8Array(256 * 4);
+  for (let v = 0, s = 0; v < 256; ++v) {
+    while (s + 2 < stops.length && v > stops[s + 1][0]) ++s;
+    const [a, b] = [stops[s], stops[s + 1]];
+    const t = (v - a[0]) / (b[0] - a[0]);
+    for (let c = 0; c < 3; ++c) out[4 * v + c] = Math.round(a[c + 1] + t * (b[c + 1] - a[c + 1]));
+    out[4 * v + 3] = Math.round(255 * (a[4] + t * (b[4] - a[4])));
+  }
+  return out;
+}

@@ -1,0 +1,64 @@
+// Readouts: the numbers beside the picture. Written a few times a second, and only where they changed.
+import { $ } from './controls.js';
+import * as format from './format.js';
+import { NAUTICAL_MILE_M, ringsFor, wrapDeg } from './view_geometry.js';
+
+function write(id, text) {
+  const element = $(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+const LINK_TEXT = { connecting: 'Connecting', greeting: 'Connecting', live: 'Connected', waiting: 'Disconnected' };
+
+export function showLink(state, retryInS) {
+  $('link').dataset.state = state;
+  document.documentElement.dataset.link = state;
+  write('link-text', state === 'waiting' && retryInS >= 1 ? `Retry in ${Math.ceil(retryInS)} s` : LINK_TEXT[state]);
+}
+
+export function showOwnShip(ship, headingDeg) {
+  write('latitude', format.position(ship?.latitudeDeg, 'N', 'S', 2));
+  write('longitude', format.position(ship?.longitudeDeg, 'E', 'W', 3));
+  write('heading', format.bearing(headingDeg ?? NaN));
+  write('speed', format.fixed(ship?.speedKn, 1));
+  write('turn', format.rateOfTurn(ship?.rateOfTurnDegMin));
+  write('heading-short', format.bearing(headingDeg ?? NaN));
+  write('speed-short', format.fixed(ship?.speedKn, 1));
+  $('order-course').placeholder = format.bearing(ship?.orderedCourseDeg);
+  $('order-speed').placeholder = format.fixed(ship?.orderedSpeedKn, 1);
+}
+
+export function showRange(rangeNm) {
+  write('range-now', format.rangeNm(rangeNm));
+  write('ring-spacing', rangeNm > 0 ? format.rangeNm(ringsFor(rangeNm).spacingNm) : format.NONE);
+}
+
+export function showMarkers(markers, headingDeg) {
+  const relative = (deg) => (headingDeg === null ? NaN : wrapDeg(deg - headingDeg));
+  const at = markers.at();
+  write('cursor-range', at ? format.distance(at.rangeM) : format.NONE);
+  write('cursor-metres', at && at.rangeM < NAUTICAL_MILE_M ? `${Math.round(at.rangeM)} m` : '');
+  write('cursor-true', at ? `${format.bearing(at.bearingDeg)}°` : format.NONE);
+  write('cursor-relative', at && headingDeg !== null ? `${format.bearing(relative(at.bearingDeg))}°` : format.NONE);
+  $('ebl-box').hidden = !markers.ebl;
+  if (markers.ebl) {
+    write('ebl-true', `${format.bearing(markers.ebl.bearingDeg)}°`);
+    write('ebl-relative', `${format.bearing(relative(markers.ebl.bearingDeg))}°`);
+  }
+  $('vrm-box').hidden = !markers.vrm;
+  if (markers.vrm) {
+    const near = markers.vrm.rangeM < NAUTICAL_MILE_M ? `  ${Math.round(markers.vrm.rangeM)} m` : '';
+    write('vrm-range', format.distance(markers.vrm.rangeM) + near);
+  }
+}
+
+export function showStream({ scan, rpm, spokeRate, lost, spoke }) {
+  write('scan', scan === null ? format.NONE : String(scan));
+  write('rpm', rpm === null ? format.NONE : rpm.toFixed(1));
+  write('spoke-rate', format.count(spokeRate ?? NaN));
+  write('lost', format.count(lost));
+  $('lost').style.color = lost > 0 ? 'var(--warn)' : '';
+  write('format', spoke
+    ? `${spoke.spokesPerTurn} × ${spoke.cellCount} × ${spoke.bits} bit, cells of ${spoke.cellSizeM.toPrecision(3)} m`
+    : format.NONE);
+}

@@ -1,0 +1,101 @@
+// The two passes of the picture (see ppi_renderer.js).
+
+export const WEDGE_VERTEX = `#version 300 es
+uniform float halfSide;      // pixels
+in vec2 corner;              // pixels from the centre, y up
+void main() { gl_Position = vec4(corner / halfSide, 0.0, 1.0); }
+`;
+
+// Polar memory -> disc: for every pixel the strongest cell that its square touches, so that a small
+// target never falls between the pixels. Output: echo, row high, row low, trail.
+export const WEDGE_FRAGMENT = `#version 300 es
+precision highp float;
+precision highp int;
+uniform mediump sampler2D cells;  // x: cell, y: row; r: echo, g: trail
+uniform highp sampler2D meta;     // x: row; r: time s, g: cell size m, b: cells
+uniform float halfSide;           // pixels
+uniform float metresPerPixel;
+uniform float upTurn;             // true bearing of the screen's top, in turns
+out vec4 disc;
+
+const int MAX_ROWS = 32, MAX_CELLS = 20;
+const float TAU = 6.283185307179586;
+
+void main() {
+  vec2 p = gl_FragCoord.xy - vec2(halfSide);
+  int rows = textureSize(meta, 0).x;
+  float r = length(p);
+  float turn = fract(atan(p.x, p.y) / TAU + upTurn);
+  float row = turn * float(rows);
+  float halfRows = min(0.5 * float(rows), 0.5 / max(r, 0.25) / TAU * float(rows));
+  int first = int(floor(row - halfRows + 0.5));
+  int count = int(floor(row + halfRows + 0.5)) - first + 1;
+  int taps = min(count, MAX_ROWS);
+  float nearM = max(0.0, r - 0.5) * metresPerPixel, farM = (r + 0.5) * metresPerPixel;
+
+  vec2 most = vec2(0.0);
+  for (int i = 0; i < taps; ++i) {
+    int y = (first + (i * count) / taps + rows) % rows;
+    vec4 m = texelFetch(meta, ivec2(y, 0), 0);
+    if (m.g <= 0.0) continue;
+    int a = int(nearM / m.g), b = min(int(farM / m.g), int(m.b) - 1);
+    int across = b - a + 1;
+    int steps = min(across, MAX_CELLS);
+    for (int j = 0; j < steps; ++j) {
+      most = max(most, texelFetch(cells, ivec2(a + (j * across) / steps, y), 0).rg);
+    }
+  }
+  int own = int(floor(row + 0.5)) % rows;
+  disc = vec4(most.r, float(own >> 8) / 255.0, float(own & 255) / 255.0, most.g);
+}
+`;
+
+export const SCREEN_VERTEX = `#version 300 es
+void main() {
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 4.0 - 1.0;
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+`;
+
+// Disc -> screen: colours, afterglow by the row's age, the sweep.
+export const SCREEN_FRAGMENT = `#version 300 es
+precision highp float;
+precision highp int;
+uniform mediump sampler2D disc;
+uniform highp sampler2D meta;
+uniform mediump sampler2D echoColours;
+uniform float halfSide, radius;   // pixels
+uniform float now, turnS;         // seconds
+uniform float afterglow;          // 0: even picture, 1: fades to a tenth within a turn
+uniform float sweepRow;           // newest row; below 0: no sweep
+uniform float brilliance;
+uniform vec3 sea, seaEdge, trailColour, sweepColour;
+out vec4 colour;
+
+void main() {
+  vec2 p = gl_FragCoord.xy - vec2(halfSide);
+  float r = length(p);
+  float inside = clamp(radius + 0.5 - r, 0.0, 1.0);
+  if (inside <= 0.0) { colour = vec4(0.0); return; }
+  vec3 c = mix(sea, seaEdge, smoothstep(0.0, 1.0, r / radius));
+
+  ivec4 d = ivec4(texelFetch(disc, ivec2(gl_FragCoord.xy), 0) * 255.0 + 0.5);
+  int rows = textureSize(meta, 0).x;
+  int row = min((d.g << 8) | d.b, rows - 1);
+  if (sweepRow >= 0.0) {
+    float behind = fract((sweepRow - float(row)) / float(rows)) * 360.0;  // degrees
+    c += sweepColour * (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0));
+  }
+  vec4 m = texelFetch(meta, ivec2(row, 0), 0);
+  if (m.g > 0.0) {
+    float age = max(0.0, now - m.r) / turnS;                   // turns
+    float present = 1.0 - smoothstep(1.3, 2.6, age);           // a missing sector goes out
+    float glow = mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
+    float trail = float(d.a) / 255.0;
+    if (d.a < 255) c = mix(c, trailColour, 0.8 * trail * present);
+    vec4 echo = texelFetch(echoColours, ivec2(d.r, 0), 0);
+    c = mix(c, echo.rgb * brilliance, echo.a * present * glow);
+  }
+  colour = vec4(c * inside, inside);
+}
+`;

@@ -1,0 +1,81 @@
+// What a console knows of the stream itself: what was lost, how fast it comes, how fast the antenna
+// turns.
+
+// Losses read off the sequence numbers of one subscription. WebSocket keeps the order, so a number
+// that does not grow means that the server has started its count again.
+export class LossCounter {
+  constructor() {
+    this.received = 0;
+    this.lost = 0;
+    this.restarts = 0;
+    this.last = null;
+  }
+
+  // A new connection or subscription: what was sent in between was not sent to us.
+  restart() {
+    this.last = null;
+  }
+
+  // Whether the spoke follows the one before it without a gap.
+  take(sequence) {
+    const expected = this.last === null ? sequence : this.last + 1;
+    if (sequence > expected) this.lost += sequence - expected;
+    if (sequence < expected) this.restarts += 1;
+    const follows = this.last !== null && sequence === expected;
+    this.last = sequence;
+    this.received += 1;
+    return follows;
+  }
+}
+
+// The slope of a growing quantity over the last `windowS` seconds.
+export class Rate {
+  constructor(windowS, stepS = windowS / 16) {
+    this.windowS = windowS;
+    this.stepS = stepS;
+    this.samples = [];  // { t, value }, at most windowS / stepS + 2
+  }
+
+  clear() {
+    this.samples.length = 0;
+  }
+
+  add(t, value) {
+    const samples = this.samples;
+    const last = samples[samples.length - 1];
+    if (last && (t < last.t || value < last.value)) this.clear();
+    if (samples.length > 1 && t - samples[samples.length - 2].t < this.stepS) samples.pop();
+    samples.push({ t, value });
+    while (samples.length > 2 && t - samples[1].t >= this.windowS) samples.shift();
+  }
+
+  // Per second, or null while less than a quarter of the window is known. At time `now` with no new
+  // sample the rate falls, to zero after one window of silence.
+  perSecond(now = this.samples.at(-1)?.t) {
+    const first = this.samples[0], last = this.samples.at(-1);
+    if (!first || last.t - first.t < this.windowS / 4) return null;
+    if (now - last.t > this.windowS) return 0;
+    const silence = now - last.t > 2 * this.stepS ? now - last.t : 0;
+    return (last.value - first.value) / (last.t - first.t + silence);
+  }
+}
+
+// Turns of the antenna (relative to the bow) against the time at which it pointed there.
+export class TurnRate {
+  constructor() {
+    this.rate = new Rate(4);
+  }
+
+  clear() {
+    this.rate.clear();
+  }
+
+  take(spoke) {
+    this.rate.add(spoke.utcNs / 1e9, spoke.scan + spoke.index / spoke.spokesPerTurn);
+  }
+
+  rpm() {
+    const turns = this.rate.perSecond();
+    return turns === null ? null : turns * 60;
+  }
+}

@@ -1,0 +1,63 @@
+// window.skerry: what a test, or a curious engineer, may ask of the console. Nothing here changes what
+// is shown, but holdAfter().
+//
+//   state()               connection, counters, scan, rates, range, orientation, frames, canvas
+//   settings()            the view's settings as the server last sent them, or null
+//   lastScan()            the newest turn received whole: { scan, spokes, cells, rangeM, headingDeg,
+//                         mixedRanges }, or null
+//   ppi                   { centre: {x, y}, radiusPx, side, pixelRatio, upDeg, rangeM }, CSS pixels
+//   pixelFor(deg, m)      {x, y} on the picture of a true bearing and a range
+//   at(x, y)              { bearingDeg, rangeM, inside } of such a pixel
+//   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
+//   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
+//                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
+//   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames }) {
+  window.skerry = {
+    state: () => ({
+      connection: connection().state,
+      garbage: connection().garbage,
+      bytes: connection().bytes,
+      radar: radar.radar,
+      received: radar.loss.received,
+      lost: radar.loss.lost,
+      restarts: radar.loss.restarts,
+      scan: radar.spoke?.scan ?? null,
+      index: radar.spoke?.index ?? null,
+      bits: radar.spoke?.bits ?? null,
+      spokesPerTurn: radar.spoke?.spokesPerTurn ?? null,
+      headingDeg: radar.headingDeg(),
+      rpm: radar.turnRate.rpm(),
+      spokesPerSecond: radar.spokeRate.perSecond(performance.now() / 1000),
+      frames: frames.drawn,
+      framesPerSecond: frames.rate.perSecond(),
+      ownShip: radar.ownShip,
+    }),
+    settings: () => radar.settings,
+    lastScan: () => radar.scans.last,
+    get ppi() {
+      const { side, centre, radius, pixelRatio, upDeg, rangeM } = view();
+      return { side, centre: { x: centre, y: centre }, radiusPx: radius, pixelRatio, upDeg, rangeM };
+    },
+    pixelFor: (bearingDeg, rangeM) => view().toPixel(bearingDeg, rangeM),
+    at: (x, y) => view().fromPixel(x, y),
+    capture: () => {
+      drawNow();
+      const { width, height, data } = renderer.readPixels();
+      return { width, height, base64: base64(data) };
+    },
+    readPolar: () => {
+      const { rows, cols, cells, meta } = radar.store;
+      return { rows, cols, cells: base64(cells), meta: base64(new Uint8Array(meta.buffer)) };
+    },
+    holdAfter: (scan) => { radar.heldAfter = scan; },
+  };
+}
+
+function base64(bytes) {
+  const parts = [];
+  for (let i = 0; i < bytes.length; i += 0x6000) {
+    parts.push(btoa(String.fromCharCode.apply(null, bytes.subarray(i, i + 0x6000))));
+  }
+  return parts.join('');
+}

@@ -1,0 +1,36 @@
+// Who may do what: pure decisions, no sockets.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace skerry::server {
+
+// Why a Set message is refused, if it is.  Clients on the server's own host need no token;
+// everybody else needs the configured one, and without a configured one is refused.
+std::optional<std::string> control_refusal(bool peer_is_loopback, std::string_view token,
+                                           std::string_view control_token);
+
+// The host of a Host header or an origin's authority: lower case, without port and brackets.
+// Empty if it is none.
+std::string host_name(std::string_view authority);
+
+// What a browser may use as Host.  A page of another site whose name was made to resolve to this
+// server (DNS rebinding) still sends that name, and is refused; an IP literal cannot be rebound.
+struct HostPolicy {
+  std::span<const std::string> allowed_hosts;
+  bool any_ip_literal = false;  // as the server is bound to more than loopback
+};
+
+// Why a request with this Host header is refused, if it is.
+std::optional<std::string> host_refusal(std::string_view host, const HostPolicy& policy);
+
+// Why a WebSocket upgrade is refused, if it is.  No origin: the client is no browser.  Otherwise
+// the page must have come from this server: WebSockets are exempt from the same-origin policy, so
+// any page the user looks at could otherwise steer the own ship.
+std::optional<std::string> origin_refusal(std::optional<std::string_view> origin,
+                                          std::string_view host);
+
+}  // namespace skerry::server

@@ -1,0 +1,26 @@
+// The formats in which sectors leave the server, each encoded once whatever the number of readers.
+#pragma once
+
+#include <string>
+
+#include "protocol/asterix/cat240.hpp"
+#include "server/core/video_channel.hpp"
+
+namespace skerry::server {
+
+// Frames one after another, spoke k in [ends[k-1], ends[k]).  TCP and WebSocket send them as they
+// are, UDP sends the frames' bodies.
+inline const std::string kNativeFormat = "native";
+// CAT240 data blocks one after another: one per spoke, and before the first spoke of a turn a
+// summary, which counts to that spoke's bytes.
+inline const std::string kCat240Format = "cat240";
+
+SectorEncoder native_encoder();
+
+// The message index counts video messages from 0.  Its state is the encoder's own: one per channel.
+SectorEncoder cat240_encoder(Cat240Source source);
+
+// Adds all formats to a channel.  Call before its radar starts.
+void add_network_formats(VideoChannel& channel, Cat240Source source);
+
+}  // namespace skerry::server

@@ -1,0 +1,215 @@
+#include "server/net/http_session.hpp"
+
+#include <fmt/format.h>
+#include <google/protobuf/util/json_util.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "server/net/access_policy.hpp"
+#include "server/net/native_session.hpp"
+#include "server/net/tcp_peer.hpp"
+#include "server/net/ws_transport.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
+constexpr std::uint64_t kMaxBodyBytes = 4 * 1024;  // nothing served wants a body
+constexpr std::chrono::seconds kHandshakeTime{10};
+constexpr std::chrono::seconds kFarewellTime{2};  // for the client to close after the last answer
+
+class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
+ public:
+  HttpSession(NetContext& context, const WebFiles& files, TcpSocket socket, ConnectionSlotPtr slot)
+      : context_(context), files_(files), stream_(std::move(socket)), slot_(std::move(slot)) {}
+
+  void start() {
+    slot_->owner = weak_from_this();
+    set_stream_options(stream_.socket());
+    read();
+  }
+  void close() override {
+    if (ws_ != nullptr) {
+      beast::get_lowest_layer(*ws_).close();
+    } else {
+      stream_.close();
+    }
+  }
+
+ private:
+  using Request = http::request<http::string_body>;
+
+  void read();
+  void on_read(error_code error);
+  void answer_unreadable(error_code error);
+  std::optional<WebAnswer> refusal(const Request& request) const;
+  WebAnswer answer(const Request& request) const;
+  void upgrade(Request request);
+  void send(const WebAnswer& answer, bool with_body, bool keep_alive);
+  void on_sent(error_code error, bool keep_alive);
+  void discard();
+
+  NetContext& context_;
+  const WebFiles& files_;
+  TcpStream stream_;
+  ConnectionSlotPtr slot_;
+  beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
+  std::optional<http::request_parser<http::string_body>> parser_;
+  http::response<http::string_body> response_;
+  std::unique_ptr<WsStream> ws_;  // during the handshake, when stream_ has moved into it
+  Request upgrade_request_;
+  std::array<char, 1024> discarded_;
+};
+
+void HttpSession::read() {
+  parser_.emplace();
+  parser_->header_limit(kMaxHeaderBytes);
+  parser_->body_limit(kMaxBodyBytes);
+  stream_.expires_after(context_.config.http_timeout);
+  http::async_read(
+      stream_, buffer_, *parser_,
+      [self = shared_from_this()](error_code error, std::size_t) { self->on_read(error); });
+}
+
+void HttpSession::on_read(error_code error) {
+  if (error) return answer_unreadable(error);
+  Request request = parser_->release();
+  if (auto refused = refusal(request)) {
+    const std::string_view text = refused->body;
+    context_.errors.add("http refused", fmt::format("{}: {}", peer_of(stream_.socket()).text,
+                                                    text.substr(0, text.find('\n'))));
+    return send(*refused, request.method() != http::verb::head, false);
+  }
+  if (clean_path({request.target().data(), request.target().size()}) == "/ws" &&
+      websocket::is_upgrade(request)) {
+    return upgrade(std::move(request));
+  }
+  send(answer(request), request.method() != http::verb::head, request.keep_alive());
+}
+
+void HttpSession::answer_unreadable(error_code error) {
+  if (error == http::error::header_limit || error == http::error::buffer_overflow) {
+    send(web_error(431, "431: the request header is too long"), true, false);
+  } else if (error == http::error::body_limit) {
+    send(web_error(413, "413: the request body is too long"), true, false);
+  } else if (error.category() == make_error_code(http::error::bad_method).category() &&
+             error != http::error::end_of_stream && error != http::error::partial_message) {
+    context_.errors.add("http malformed request",
+                        peer_of(stream_.socket()).text + ": " + error.message());
+    send(web_error(400, "400: not an HTTP request: " + error.message()), true, false);
+  }
+  // Otherwise the client has gone or was too slow, and with this the last owner lets go.
+}
+
+std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
+  if (slot_->over_limit) {
+    return web_error(503, fmt::format("503: all {} connections of this server are in use",
+                                      context_.connections.limit()));
+  }
+  const auto header = [&request](http::field field) -> std::optional<std::string_view> {
+    const auto found = request.find(field);
+    if (found == request.end()) return std::nullopt;
+    return std::string_view(found->value().data(), found->value().size());
+  };
+  const auto host = header(http::field::host);
+  if (!host || request.count(http::field::host) != 1) {
+    return web_error(400, "400: a request needs one Host header");
+  }
+  error_code error;
+  const auto bound = asio::ip::make_address(context_.config.bind, error);
+  const HostPolicy policy{.allowed_hosts = context_.config.allowed_hosts,
+                          .any_ip_literal = !error && !is_loopback(bound)};
+  if (auto text = host_refusal(*host, policy)) return web_error(403, "403: " + *text);
+  if (!websocket::is_upgrade(request)) return std::nullopt;
+  if (request.count(http::field::origin) > 1) return web_error(400, "400: more than one Origin");
+  if (auto text = origin_refusal(header(http::field::origin), *host)) {
+    return web_error(403, "403: " + *text);
+  }
+  return std::nullopt;
+}
+
+WebAnswer HttpSession::answer(const Request& request) const {
+  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+    return web_error(405, "405: only GET and HEAD are served here");
+  }
+  const std::string_view target(request.target().data(), request.target().size());
+  const std::string path = clean_path(target);
+  if (path == "/ws") return web_error(426, "426: /ws is a WebSocket");
+  if (path != "/status") return files_.get(target);
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  WebAnswer json{.mime = "application/json"};
+  const auto written =
+      google::protobuf::util::MessageToJsonString(context_.status(), &json.body, options);
+  if (!written.ok()) return web_error(500, "500: " + written.ToString());
+  return json;
+}
+
+void HttpSession::upgrade(Request request) {
+  stream_.expires_never();  // the WebSocket has its own time limits
+  ws_ = std::make_unique<WsStream>(std::move(stream_));
+  ws_->set_option(
+      websocket::stream_base::timeout{kHandshakeTime, websocket::stream_base::none(), false});
+  ws_->set_option(websocket::stream_base::decorator(
+      [](websocket::response_type& response) { response.set(http::field::server, "skerryd"); }));
+  upgrade_request_ = std::move(request);
+  ws_->async_accept(upgrade_request_, [self = shared_from_this()](error_code error) {
+    if (error) {
+      self->context_.errors.add("websocket handshake", error.message());
+      return;
+    }
+    NativeSession::begin(self->context_, make_ws_transport(std::move(self->ws_)),
+                         std::move(self->slot_));
+  });
+}
+
+void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive) {
+  response_ = {};
+  response_.version(11);
+  response_.result(answer.status);
+  response_.set(http::field::server, "skerryd");
+  response_.set(http::field::content_type, answer.mime);
+  response_.set(http::field::cache_control, "no-cache");
+  response_.set("X-Content-Type-Options", "nosniff");
+  if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD");
+  if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
+  response_.keep_alive(keep_alive);
+  response_.content_length(answer.body.size());
+  if (with_body) response_.body() = answer.body;
+  stream_.expires_after(context_.config.http_timeout);
+  http::async_write(stream_, response_,
+                    [self = shared_from_this(), keep_alive](error_code error, std::size_t) {
+                      self->on_sent(error, keep_alive);
+                    });
+}
+
+void HttpSession::on_sent(error_code error, bool keep_alive) {
+  if (error) return;
+  if (keep_alive) return read();
+  error_code ignored;
+  stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
+  stream_.expires_after(kFarewellTime);
+  discard();
+}
+
+// Closing with bytes unread would reset the connection, and the client might never see the answer.
+void HttpSession::discard() {
+  stream_.async_read_some(asio::buffer(discarded_),
+                          [self = shared_from_this()](error_code error, std::size_t) {
+                            if (!error) self->discard();
+                          });
+}
+
+}  // namespace
+
+void begin_http_session(NetContext& context, const WebFiles& files, TcpSocket socket,
+                        ConnectionSlotPtr slot) {
+  std::make_shared<HttpSession>(context, files, std::move(socket), std::move(slot))->start();
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,282 @@
+#include "server/net/native_session.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+#include "server/net/access_policy.hpp"
+#include "server/net/encoders.hpp"
+
+namespace skerry::server {
+namespace {
+
+// For a client to read the error reply and end its side, before the server closes all the same.
+constexpr std::chrono::milliseconds kFarewellTime{2000};
+
+}  // namespace
+
+void NativeSession::begin(NetContext& context, std::unique_ptr<ByteTransport> transport,
+                          ConnectionSlotPtr slot) {
+  std::make_shared<NativeSession>(context, std::move(transport), std::move(slot))->start();
+}
+
+NativeSession::NativeSession(NetContext& context, std::unique_ptr<ByteTransport> transport,
+                             ConnectionSlotPtr slot)
+    : context_(context),
+      transport_(std::move(transport)),
+      slot_(std::move(slot)),
+      client_(context.clients.add(transport_->name(), transport_->peer())),
+      deadline_(context.io) {}
+
+void NativeSession::start() {
+  slot_->owner = weak_from_this();
+  if (slot_->over_limit) {
+    fail(wire::Reply::REFUSED, "refused",
+         fmt::format("all {} connections of this server are in use; close another client or raise "
+                     "the limit",
+                     context_.connections.limit()));
+  } else {
+    wire::ServerMessage message;
+    *message.mutable_hello() = context_.host.hello();
+    send(message);
+  }
+  pump();
+  read();
+}
+
+void NativeSession::close() {
+  if (closed_) return;
+  closed_ = true;
+  unsubscribe();
+  deadline_.cancel();
+  transport_->close();
+  spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,
+                client_->spokes_sent.load(), client_->spokes_lost.load());
+}
+
+// --- reading
+// ---------------------------------------------------------------------------------------
+
+void NativeSession::read() {
+  if (reading_ || closed_) return;
+  reading_ = true;
+  transport_->read_some(read_buffer_,
+                        [self = shared_from_this()](error_code error, std::size_t size) {
+                          self->reading_ = false;
+                          self->on_read(error, size);
+                        });
+}
+
+void NativeSession::on_read(error_code error, std::size_t size) {
+  if (closed_) return;
+  if (error == boost::system::errc::bad_message && !failed_) {
+    fail(wire::Reply::MALFORMED, "malformed request", "a text message; expected binary frames");
+  } else if (error) {
+    return close();
+  } else if (!failed_) {
+    reader_.feed(std::span(read_buffer_).first(size));
+  }
+  process();
+}
+
+void NativeSession::process() {
+  bool handled_all = false;
+  do {
+    while (!failed_ && !handled_all && !replies_full()) handled_all = !handle_next();
+    pump();  // makes room for more replies, unless a write is in flight
+  } while (!failed_ && !handled_all && !replies_full());
+
+  if (failed_ || handled_all) {
+    if (std::exchange(waiting_for_replies_, false) && !failed_) deadline_.cancel();
+    read();
+  } else if (!std::exchange(waiting_for_replies_, true)) {
+    end_after(context_.config.reply_timeout, "replies not read");
+  }
+}
+
+bool NativeSession::handle_next() {
+  const auto frame = reader_.next();
+  if (!frame.ok()) {
+    fail(wire::Reply::MALFORMED, "malformed request",
+         fmt::format("{} at byte {}: {}", name_of(frame.error().kind), frame.error().offset,
+                     frame.error().text));
+    return false;
+  }
+  if (frame->has_value()) handle(**frame);
+  return frame->has_value();
+}
+
+void NativeSession::handle(std::span<const std::uint8_t> body) {
+  wire::ClientMessage message;
+  if (!message.ParseFromArray(body.data(), static_cast<int>(body.size()))) {
+    return fail(wire::Reply::MALFORMED, "malformed request",
+                fmt::format("a frame of {} bytes that is no ClientMessage", body.size()));
+  }
+  switch (message.kind_case()) {
+    case wire::ClientMessage::kSubscribe:
+      return subscribe(message.request(), message.subscribe());
+    case wire::ClientMessage::kSet:
+      return set(message.request(), message.set());
+    case wire::ClientMessage::kGetStatus: {
+      wire::ServerMessage answer;
+      *answer.mutable_status() = context_.status();
+      send(answer);
+      return reply(message.request(), wire::Reply::OK, "");
+    }
+    case wire::ClientMessage::KIND_NOT_SET:
+      break;
+  }
+  fail(wire::Reply::MALFORMED, "malformed request",
+       "a ClientMessage without a kind this server knows; expected subscribe, set or get_status");
+}
+
+void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subscribe) {
+  SpokeFeed* feed = context_.find_feed(subscribe.radar(), subscribe.view(), kNativeFormat);
+  if (feed == nullptr) {
+    return reply(request, wire::Reply::UNKNOWN,
+                 fmt::format("no radar {} with view {}; Hello lists the radars, view 0 is always "
+                             "there",
+                             subscribe.radar(), subscribe.view()));
+  }
+  unsubscribe();
+  feed_ = feed;
+  cursor_ = feed->add(*this);
+  client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
+  transport_->limit_send_buffer(context_.send_buffer_for(subscribe.radar()));
+  reply(request, wire::Reply::OK, "");
+  settings_ = context_.settings_frame(subscribe.radar(), subscribe.view());
+  own_ship_ = context_.own_ship_frame(subscribe.radar());
+  spdlog::debug("{} {} subscribed to radar {}", client_->transport, client_->peer,
+                subscribe.radar());
+}
+
+void NativeSession::unsubscribe() {
+  if (feed_ == nullptr) return;
+  feed_->remove(*this);
+  feed_ = nullptr;
+  lost_before_ += cursor_.spokes_lost;
+  cursor_ = {};
+  settings_.reset();
+  own_ship_.reset();
+}
+
+void NativeSession::set(std::uint32_t request, const wire::Set& set) {
+  if (auto refusal = control_refusal(transport_->peer_is_loopback(), set.token(),
+                                     context_.config.control_token)) {
+    context_.errors.add("control refused", client_->peer + ": " + *refusal);
+    return reply(request, wire::Reply::REFUSED, *std::move(refusal));
+  }
+  wire::Set without_token = set;
+  without_token.clear_token();
+  wire::ServerMessage answer;
+  *answer.mutable_reply() = context_.host.apply(without_token);
+  answer.mutable_reply()->set_request(request);
+  send(answer);
+  context_.tell_settings();
+}
+
+void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::string text) {
+  wire::ServerMessage message;
+  message.mutable_reply()->set_request(request);
+  message.mutable_reply()->set_code(code);
+  message.mutable_reply()->set_text(std::move(text));
+  send(message);
+}
+
+void NativeSession::fail(wire::Reply::Code code, std::string_view kind, std::string text) {
+  context_.errors.add(fmt::format("{} {}", client_->transport, kind), client_->peer + ": " + text);
+  unsubscribe();
+  reply(0, code, std::move(text));
+  failed_ = true;
+  end_after(kFarewellTime, {});
+}
+
+// --- writing
+// ---------------------------------------------------------------------------------------
+
+void NativeSession::send(const wire::ServerMessage& message) {
+  replies_.push_back(make_frame(message));
+  reply_bytes_ += replies_.back()->size();
+}
+
+void NativeSession::on_settings(const SharedBytes& frame) {
+  settings_ = frame;
+  pump();
+}
+
+void NativeSession::on_own_ship(const SharedBytes& frame) {
+  own_ship_ = frame;
+  pump();
+}
+
+void NativeSession::pump() {
+  if (writing_ || closed_) return;
+  while (!replies_.empty()) {
+    add_to_batch(std::move(replies_.front()));
+    replies_.pop_front();
+  }
+  reply_bytes_ = 0;
+  if (settings_ != nullptr) add_to_batch(std::exchange(settings_, nullptr));
+  if (own_ship_ != nullptr) add_to_batch(std::exchange(own_ship_, nullptr));
+  add_sectors_to_batch();
+  if (batch_.empty()) {
+    if (failed_ && !finished_) {
+      finished_ = true;
+      transport_->finish();
+    }
+    return;
+  }
+  writing_ = true;
+  transport_->write(batch_, [self = shared_from_this()](error_code error, std::size_t size) {
+    self->writing_ = false;
+    self->on_written(error, size);
+  });
+}
+
+void NativeSession::add_to_batch(SharedBytes frame) {
+  batch_.emplace_back(frame->data(), frame->size());
+  batch_bytes_ += frame->size();
+  batch_owners_.push_back(std::move(frame));
+}
+
+void NativeSession::add_sectors_to_batch() {
+  if (feed_ == nullptr) return;
+  while (batch_bytes_ < kBatchBytes) {
+    EncodedSectorPtr sector = feed_->ring().take(cursor_);
+    if (sector == nullptr) break;
+    batch_.emplace_back(sector->bytes.data(), sector->bytes.size());
+    batch_bytes_ += sector->bytes.size();
+    batch_spokes_ += sector->spoke_count();
+    batch_owners_.push_back(std::move(sector));
+  }
+  client_->spokes_lost.store(lost_before_ + cursor_.spokes_lost, std::memory_order_relaxed);
+}
+
+void NativeSession::on_written(error_code error, std::size_t size) {
+  client_->bytes_sent.fetch_add(size, std::memory_order_relaxed);
+  if (!error) client_->spokes_sent.fetch_add(batch_spokes_, std::memory_order_relaxed);
+  batch_.clear();
+  batch_owners_.clear();
+  batch_bytes_ = 0;
+  batch_spokes_ = 0;
+  if (closed_) return;
+  if (error) return close();
+  if (waiting_for_replies_) return process();
+  pump();
+}
+
+void NativeSession::end_after(std::chrono::milliseconds time, std::string_view kind) {
+  deadline_.expires_after(time);
+  deadline_.async_wait([self = shared_from_this(), kind = std::string(kind)](error_code error) {
+    const bool still_meant = self->failed_ || self->waiting_for_replies_;
+    if (error || self->closed_ || !still_meant) return;
+    if (!kind.empty()) {
+      self->context_.errors.add(fmt::format("{} {}", self->client_->transport, kind),
+                                self->client_->peer + ": closed");
+    }
+    self->close();
+  });
+}
+
+}  // namespace skerry::server

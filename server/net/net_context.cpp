@@ -1,0 +1,95 @@
+#include "server/net/net_context.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/wire/frame.hpp"
+#include "server/core/process_memory.hpp"
+#include "server/net/encoders.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr std::size_t kMinSendBuffer = 32 * 1024;
+constexpr std::size_t kMaxSendBuffer = 4 * 1024 * 1024;  // Debian's tcp_wmem maximum
+constexpr double kSpokeOverhead = 100;                   // bytes besides the cells
+constexpr double kSendBufferSeconds = 0.1;
+
+}  // namespace
+
+SharedBytes make_frame(const wire::ServerMessage& message) {
+  auto bytes = std::make_shared<Bytes>();
+  append_frame(*bytes, message);
+  return bytes;
+}
+
+NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
+    : host(radar_host),
+      config(std::move(net_config)),
+      connections(config.max_connections),
+      settings_version_(host.settings_version()) {}
+
+SpokeFeed* NetContext::find_feed(std::uint32_t radar, std::uint32_t view,
+                                 const std::string& format) {
+  const FeedKey key(radar, view, format);
+  if (const auto known = feeds_.find(key); known != feeds_.end()) return known->second.get();
+  VideoChannel* channel = host.find_channel(radar, view);
+  if (channel == nullptr) return nullptr;
+  auto& feed = feeds_[key];
+  feed = std::make_unique<SpokeFeed>(io, channel->format(format));
+  return feed.get();
+}
+
+std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
+  const wire::Hello hello = host.hello();
+  for (const wire::RadarInfo& info : hello.radars()) {
+    if (info.radar() != radar) continue;
+    const double spokes_per_second = info.spokes_per_turn() * info.rpm() / 60.0;
+    const double bytes_per_spoke = info.cells() * info.bits() / 8.0 + kSpokeOverhead;
+    const double bytes = spokes_per_second * bytes_per_spoke * kSendBufferSeconds;
+    return static_cast<std::size_t>(
+        std::clamp(bytes, double{kMinSendBuffer}, double{kMaxSendBuffer}));
+  }
+  return kMinSendBuffer;
+}
+
+void NetContext::tell_settings() {
+  const std::uint64_t version = host.settings_version();
+  if (version == settings_version_) return;
+  settings_version_ = version;
+  for (const auto& [key, feed] : feeds_) {
+    if (feed->readers().empty()) continue;
+    const SharedBytes frame = settings_frame(std::get<0>(key), std::get<1>(key));
+    for (FeedReader* reader : feed->readers()) reader->on_settings(frame);
+  }
+}
+
+void NetContext::tell_own_ships() {
+  for (const auto& [key, feed] : feeds_) {
+    if (feed->readers().empty()) continue;
+    const SharedBytes frame = own_ship_frame(std::get<0>(key));
+    for (FeedReader* reader : feed->readers()) reader->on_own_ship(frame);
+  }
+}
+
+SharedBytes NetContext::settings_frame(std::uint32_t radar, std::uint32_t view) const {
+  wire::ServerMessage message;
+  *message.mutable_settings() = host.settings(radar, view);
+  return make_frame(message);
+}
+
+SharedBytes NetContext::own_ship_frame(std::uint32_t radar) const {
+  wire::ServerMessage message;
+  *message.mutable_own_ship() = host.own_ship(radar);
+  return make_frame(message);
+}
+
+wire::Status NetContext::status() const {
+  wire::Status status = host.status();
+  clients.append_to(status);
+  for (const auto& [kind, times] : errors.counts()) (*status.mutable_errors())[kind] += times;
+  status.set_resident_mib(resident_mib());
+  return status;
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,57 @@
+// NetContext: what the connections of one server share.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "server/core/error_counts.hpp"
+#include "server/core/radar_host.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/client_registry.hpp"
+#include "server/net/connection_table.hpp"
+#include "server/net/net_config.hpp"
+#include "server/net/spoke_feed.hpp"
+
+namespace skerry::server {
+
+// A ServerMessage as a frame that any number of sessions can send.
+SharedBytes make_frame(const wire::ServerMessage& message);
+
+// Thread: net-0, except where stated.
+class NetContext {
+ public:
+  NetContext(RadarHost& radar_host, NetConfig net_config);
+
+  asio::io_context io{1};  // first: destroyed last
+  RadarHost& host;
+  const NetConfig config;
+  ErrorCounts errors;      // any thread
+  ClientRegistry clients;  // any thread
+  ConnectionTable connections;
+
+  // nullptr if there is no such view.  Lives as long as the context.
+  SpokeFeed* find_feed(std::uint32_t radar, std::uint32_t view, const std::string& format);
+
+  // About 100 ms of the radar's spokes, in bytes: what may wait in the kernel for a slow console,
+  // which so sees a picture at most that old.
+  std::size_t send_buffer_for(std::uint32_t radar) const;
+
+  // Sends Settings to the readers of all views, if any changed since the last call.
+  void tell_settings();
+  // Sends OwnShip to all readers.
+  void tell_own_ships();
+
+  SharedBytes settings_frame(std::uint32_t radar, std::uint32_t view) const;
+  SharedBytes own_ship_frame(std::uint32_t radar) const;
+  wire::Status status() const;  // any thread
+
+ private:
+  using FeedKey = std::tuple<std::uint32_t, std::uint32_t, std::string>;  // radar, view, format
+  std::map<FeedKey, std::unique_ptr<SpokeFeed>> feeds_;
+  std::uint64_t settings_version_ = 0;
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,174 @@
+#include "server/net/net_server.hpp"
+
+#include <google/protobuf/stubs/logging.h>
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <exception>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "server/net/encoders.hpp"
+#include "server/net/http_session.hpp"
+#include "server/net/listener.hpp"
+#include "server/net/native_session.hpp"
+#include "server/net/tcp_peer.hpp"
+#include "server/net/tcp_transport.hpp"
+#include "server/net/udp_sender.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr std::chrono::milliseconds kSettingsPeriod{100};
+constexpr int kOwnShipPeriods = 10;  // own ship once a second
+
+void add_formats(RadarHost& host, Cat240Source source) {
+  for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
+    if (VideoChannel* channel = host.find_channel(radar, 0)) {
+      add_network_formats(
+          *channel, {.sac = source.sac, .sic = static_cast<std::uint8_t>(source.sic + radar)});
+    }
+  }
+}
+
+}  // namespace
+
+class NetServer::Impl {
+ public:
+  Impl(RadarHost& host, NetConfig config, std::span<const WebFile> web_files)
+      : context_(host, std::move(config)),
+        files_(web_files, context_.config.web_root),
+        tcp_(context_,
+             {.protocol = "native TCP",
+              .address = context_.config.bind,
+              .port = context_.config.tcp_port,
+              .option = "--tcp-port"},
+             [this](TcpSocket socket, ConnectionSlotPtr slot) {
+               NativeSession::begin(context_, make_tcp_transport(std::move(socket)),
+                                    std::move(slot));
+             }),
+        http_(context_,
+              {.protocol = "HTTP",
+               .address = context_.config.bind,
+               .port = context_.config.http_port,
+               .option = "--http-port"},
+              [this](TcpSocket socket, ConnectionSlotPtr slot) {
+                begin_http_session(context_, files_, std::move(socket), std::move(slot));
+              }),
+        tick_(context_.io) {
+    // Text fields that are not UTF-8 make parsing fail; protobuf would also write every such
+    // message of a stranger to the log.
+    google::protobuf::SetLogHandler(nullptr);
+    add_formats(host, context_.config.cat240_source);
+    for (const UdpDestination& to : context_.config.udp) add_sender(to, kNativeFormat);
+    for (const UdpDestination& to : context_.config.cat240) add_sender(to, kCat240Format);
+  }
+
+  void start() {
+    tcp_.start();
+    http_.start();
+    tick();
+    thread_ = std::thread([this] {
+      pthread_setname_np(pthread_self(), "net-0");
+      run();
+    });
+  }
+
+  void stop() {
+    if (stopped_) return;
+    stopped_ = true;
+    asio::post(context_.io, [this] {
+      closing_ = true;
+      tcp_.close();
+      http_.close();
+      tick_.cancel();
+      context_.connections.close_all();
+      for (const auto& sender : senders_) sender->close();
+    });
+    work_.reset();
+    if (thread_.joinable()) {
+      thread_.join();
+    } else {
+      run();  // never started
+    }
+  }
+
+  void add_sender(const UdpDestination& to, const std::string& format) {
+    auto sender = std::make_shared<UdpSender>(context_, to, format);
+    asio::post(context_.io, [this, sender] {
+      if (closing_) return;
+      sender->start();
+      senders_.push_back(sender);
+    });
+  }
+
+  void log_addresses() const {
+    const NetConfig& config = context_.config;
+    spdlog::info("native TCP on {} port {}, HTTP and WebSocket on port {}", config.bind, tcp_port(),
+                 http_port());
+    error_code error;
+    if (!is_loopback(asio::ip::make_address(config.bind, error)) && config.control_token.empty()) {
+      spdlog::info("other hosts may look but not control: no control token is configured");
+    }
+  }
+
+  wire::Status status() const { return context_.status(); }
+  std::uint16_t tcp_port() const { return tcp_.port(); }
+  std::uint16_t http_port() const { return http_.port(); }
+
+ private:
+  void run() {
+    try {
+      context_.io.run();
+    } catch (const std::exception& error) {
+      spdlog::critical("the network thread ends: {}", error.what());
+      std::terminate();
+    }
+  }
+
+  void tick() {
+    tick_.expires_after(kSettingsPeriod);
+    tick_.async_wait([this](error_code error) {
+      if (error || closing_) return;
+      context_.tell_settings();
+      if (++ticks_ % kOwnShipPeriods == 0) context_.tell_own_ships();
+      tick();
+    });
+  }
+
+  NetContext context_;
+  asio::executor_work_guard<NetExecutor> work_{context_.io.get_executor()};
+  WebFiles files_;
+  Listener tcp_;
+  Listener http_;
+  Timer tick_;
+  int ticks_ = 0;
+  std::vector<std::shared_ptr<UdpSender>> senders_;
+  std::thread thread_;
+  bool closing_ = false;  // net-0
+  bool stopped_ = false;  // the owner's thread
+};
+
+NetServer::NetServer(RadarHost& host, NetConfig config, std::span<const WebFile> web_files)
+    : impl_(std::make_unique<Impl>(host, std::move(config), web_files)) {}
+NetServer::~NetServer() { stop(); }
+
+void NetServer::start() {
+  impl_->start();
+  impl_->log_addresses();
+}
+void NetServer::stop() { impl_->stop(); }
+wire::Status NetServer::status() const { return impl_->status(); }
+std::uint16_t NetServer::tcp_port() const { return impl_->tcp_port(); }
+std::uint16_t NetServer::http_port() const { return impl_->http_port(); }
+void NetServer::add_udp_destination(const UdpDestination& destination) {
+  impl_->add_sender(destination, kNativeFormat);
+}
+void NetServer::add_cat240_destination(const UdpDestination& destination) {
+  impl_->add_sender(destination, kCat240Format);
+}
+
+}  // namespace skerry::server

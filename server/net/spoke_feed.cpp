@@ -1,0 +1,26 @@
+#include "server/net/spoke_feed.hpp"
+
+#include <algorithm>
+
+namespace skerry::server {
+
+Cursor SpokeFeed::add(FeedReader& reader) {
+  readers_.push_back(&reader);
+  if (registration_ == nullptr) registration_ = ring_.on_publish([this] { wake(); });
+  return ring_.cursor_at_end();
+}
+
+void SpokeFeed::remove(FeedReader& reader) {
+  std::erase(readers_, &reader);
+  if (readers_.empty()) registration_.reset();
+}
+
+void SpokeFeed::wake() {
+  if (wake_posted_.exchange(true)) return;
+  asio::post(io_, [this] {
+    wake_posted_.store(false);
+    for (FeedReader* reader : readers_) reader->on_sector();
+  });
+}
+
+}  // namespace skerry::server

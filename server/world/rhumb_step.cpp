@@ -1,0 +1,34 @@
+#include "server/world/rhumb_step.hpp"
+
+#include <GeographicLib/Rhumb.hpp>
+#include <algorithm>
+#include <cmath>
+
+namespace skerry::server {
+namespace {
+
+// GeographicLib keeps 180; this project's longitudes end before it.
+double canonical_longitude(double degrees) {
+  const double wrapped = std::remainder(degrees, 360.0);
+  return wrapped >= 180.0 ? wrapped - 360.0 : wrapped;
+}
+
+}  // namespace
+
+RhumbEnd advanced(GeoPoint from, double course_deg, double distance_m) {
+  if (distance_m == 0.0) return {{from.latitude_deg, canonical_longitude(from.longitude_deg)}};
+  double latitude = 0.0, longitude = 0.0;
+  GeographicLib::Rhumb::WGS84().Direct(from.latitude_deg, from.longitude_deg, course_deg,
+                                       distance_m, latitude, longitude);
+  const bool over_pole = !std::isfinite(longitude);
+  if (over_pole) longitude = from.longitude_deg + 180.0;
+  return {{std::clamp(latitude, -90.0, 90.0), canonical_longitude(longitude)}, over_pole};
+}
+
+double wrapped_course(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  const double positive = rest < 0.0 ? rest + 360.0 : rest;
+  return positive < 360.0 ? positive + 0.0 : 0.0;  // a tiny negative rounds to 360; -0 becomes 0
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,45 @@
+// A real Chromium, headless, WebGL by SwiftShader. CHROMIUM names another browser than Debian's.
+import { chromium } from 'playwright-core';
+
+export async function launch() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+           '--disable-component-update', '--disable-sync', '--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1',
+           '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+  });
+}
+
+// A page of the console in a profile of its own. Everything that goes wrong in it is in page.problems.
+export async function openConsole(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  page.problems = [];
+  page.on('pageerror', (error) => page.problems.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') page.problems.push(message.text());
+  });
+  await page.goto(url);
+  await page.waitForFunction(() => window.skerry !== undefined);
+  return page;
+}
+
+export const state = (page) => page.evaluate(() => window.skerry.state());
+
+// Waits for a whole turn that was received with the settings of now.
+export async function waitForScan(page) {
+  const rangeNm = (await page.evaluate(() => window.skerry.settings()))?.rangeNm;
+  const after = (await state(page)).scan ?? -1;
+  await page.waitForFunction(([scan]) => {
+    const last = window.skerry.lastScan();
+    const settings = window.skerry.settings();
+    return last && settings && last.scan > scan && !last.mixedRanges &&
+      Math.abs(last.rangeM - settings.rangeNm * 1852) < 1;
+  }, [after, rangeNm], { timeout: 60000 });
+}
+
+// What the canvas shows, with the geometry it was drawn with.
+export async function capture(page) {
+  const { shot, ppi } = await page.evaluate(() => ({ shot: window.skerry.capture(), ppi: window.skerry.ppi }));
+  return { ...ppi, width: shot.width, data: Buffer.from(shot.base64, 'base64') };
+}

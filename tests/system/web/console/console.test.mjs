@@ -1,0 +1,392 @@
+// The console in a real Chromium, on a server whose picture is known in closed form.
+import assert from 'node:assert/strict';
+import { after, afterEach, before, test } from 'node:test';
+import { PNG } from 'pngjs';
+import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { angleBetween, blobAt, echoPixels, leadingEdge, placeOf, isEcho } from '../measure.mjs';
+import { coastM, LAND_DEPTH_M, NM, TARGETS } from '../mock_scene.mjs';
+import { MockServer, ServerMessage } from '../mock_server.mjs';
+import { random } from '../random.mjs';
+
+let browser, server, page;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
+afterEach(async () => {
+  await page?.context().close();
+  await server?.stop();
+  page = server = null;
+});
+
+async function open(options = {}, viewport) {
+  server = new MockServer(options);
+  const url = await server.start();
+  page = await openConsole(browser, url, viewport);
+  return url;
+}
+
+async function setSlider(id, value) {
+  await page.locator(`#${id}`).fill(String(value));
+}
+
+// Even brightness, so that pixels can be told echo or not wherever the sweep is.
+async function openFlat(options, viewport) {
+  await open(options, viewport);
+  await setSlider('afterglow', 0);
+  await waitForScan(page);
+}
+
+// Every coast and target of the scene stands where it should; nothing else does. Gives the worst errors.
+function checkPicture(shot) {
+  const onePercentM = shot.rangeM / 100;
+  const worst = { edgeM: 0, targetDeg: 0, targetM: 0, edges: 0, targets: 0 };
+  for (let deg = 0; deg < 360; deg += 1.5) {
+    const edge = coastM(deg);
+    const near = TARGETS.some((t) => angleBetween(t.bearingDeg, deg) < 4);
+    if (near || edge === null || edge > shot.rangeM * 0.97) continue;
+    // Within a degree the coast is somewhere between these.
+    const around = [-1, -0.5, 0, 0.5, 1].map((d) => coastM(deg + d)).filter((m) => m !== null);
+    if (around.length < 5) continue;
+    const seen = leadingEdge(shot, deg);
+    assert.notEqual(seen, null, `no coast on ${deg}`);
+    const off = Math.max(Math.min(...around) - seen, seen - Math.max(...around), 0);
+    worst.edgeM = Math.max(worst.edgeM, Math.abs(seen - edge));
+    worst.edges += 1;
+    assert.ok(off <= onePercentM, `coast on ${deg} at ${seen} m, is at ${edge} m`);
+  }
+  for (const target of TARGETS) {
+    if (target.rangeM > shot.rangeM * 0.95) continue;
+    const blob = blobAt(shot, target.bearingDeg, target.rangeM, 3, Math.max(200, 4 * onePercentM));
+    assert.ok(blob, `no target on ${target.bearingDeg}`);
+    const deg = angleBetween(blob.bearingDeg, target.bearingDeg), m = Math.abs(blob.rangeM - target.rangeM);
+    worst.targetDeg = Math.max(worst.targetDeg, deg);
+    worst.targetM = Math.max(worst.targetM, m);
+    worst.targets += 1;
+    assert.ok(deg <= 1 && m <= onePercentM, `target ${JSON.stringify(target)} at ${JSON.stringify(blob)}`);
+  }
+  let stray = 0;
+  for (let y = 0; y < shot.width; ++y) {
+    for (let x = 0; x < shot.width; ++x) {
+      if (!isEcho(shot, x + 0.5, y + 0.5)) continue;
+      const { bearingDeg, rangeM } = placeOf(shot, x + 0.5, y + 0.5);
+      // Across, a pixel near the centre is many degrees wide.
+      const tolDeg = 1 + Math.min(90, 1.5 * (shot.rangeM / shot.radiusPx / shot.pixelRatio / Math.max(rangeM, 1)) * 180 / Math.PI);
+      const land = [-tolDeg, -tolDeg / 2, 0, tolDeg / 2, tolDeg].some((d) => {
+        const edge = coastM((bearingDeg + d + 360) % 360);
+        return edge !== null && rangeM > edge - onePercentM - 60 && rangeM < edge + LAND_DEPTH_M + 560 + onePercentM;
+      });
+      const target = TARGETS.some((t) => angleBetween(t.bearingDeg, bearingDeg) < 0.8 + tolDeg && Math.abs(t.rangeM - rangeM) < 60 + onePercentM);
+      if (!land && !target) stray += 1;
+    }
+  }
+  assert.equal(stray, 0, `${stray} echo pixels where nothing is`);
+  return worst;
+}
+
+const report = (t, worst) => t.diagnostic(`worst: ${JSON.stringify(worst, (_, v) => (typeof v === 'number' ? Number(v.toFixed(3)) : v))}`);
+
+for (const { name, options, headUp, viewport } of [
+  { name: 'north up at 6 NM, heading 000', options: {} },
+  { name: 'north up at 6 NM, heading 211.3', options: { headingDeg: 211.3 } },
+  { name: 'head up at 6 NM, heading 37', options: { headingDeg: 37 }, headUp: true },
+  { name: 'head up at 3 NM, heading 304.7', options: { headingDeg: 304.7, settings: { rangeNm: 3 } }, headUp: true },
+  { name: 'north up at 1.5 NM', options: { headingDeg: 20, settings: { rangeNm: 1.5 } } },
+  { name: 'north up at 12 NM, 60 rpm', options: { rpm: 60, settings: { rangeNm: 12 } } },
+  { name: 'four bits, 1024 spokes of 256 cells', options: { bits: 4, spokes: 1024, cells: 256, headingDeg: 100 } },
+  { name: 'a screen of two device pixels per pixel', options: { headingDeg: 10 }, viewport: { deviceScaleFactor: 2, viewport: { width: 900, height: 600 } } },
+]) {
+  test(`coast and targets stand in their places: ${name}`, async (t) => {
+    await openFlat(options, viewport);
+    if (headUp) await page.keyboard.press('h');
+    await waitForScan(page);
+    const shot = await capture(page);
+    if (headUp) assert.ok(angleBetween(shot.upDeg, options.headingDeg) < 1e-3);
+    else assert.equal(shot.upDeg, 0);
+    report(t, checkPicture(shot));
+    assert.deepEqual(page.problems, []);
+  });
+}
+
+test('the largest format is drawn, 8192 spokes of 4096 cells', async (t) => {
+  await openFlat({ spokes: 8192, cells: 4096, rpm: 12, headingDeg: 66 });
+  report(t, checkPicture(await capture(page)));
+  const { framesPerSecond, spokesPerSecond, lost } = await state(page);
+  t.diagnostic(`${framesPerSecond?.toFixed(1)} frames/s, ${spokesPerSecond?.toFixed(0)} spokes/s, ${lost} lost`);
+});
+
+test('what the operator sees is what was measured', async () => {
+  await openFlat({ headingDeg: 37 });
+  const shot = await capture(page);
+  const box = await page.locator('#ppi').boundingBox();
+  const png = PNG.sync.read(await page.screenshot());
+  for (const target of TARGETS.filter((t) => t.rangeM < shot.rangeM)) {
+    const { x, y } = await page.evaluate(([b, m]) => window.skerry.pixelFor(b, m), [target.bearingDeg, target.rangeM]);
+    const i = 4 * (Math.floor(box.y + y) * png.width + Math.floor(box.x + x));
+    const [r, g, b] = png.data.subarray(i, i + 3);
+    assert.ok(r > 130 && g > 110 && b < 120, `target ${target.bearingDeg}: ${[r, g, b]}`);
+  }
+});
+
+test('a turning ship keeps its coast in place, without gaps', async (t) => {
+  await openFlat({ headingDeg: 350 });
+  const turn = setInterval(() => { server.headingDeg = (server.headingDeg + 0.12) % 360; }, 40);  // 3 deg/s
+  t.after(() => clearInterval(turn));
+  await waitForScan(page);
+  await waitForScan(page);
+  const shot = await capture(page);
+  report(t, checkPicture(shot));
+  const unpainted = await page.evaluate(() => {
+    const { meta } = window.skerry.readPolar();
+    const floats = new Float32Array(Uint8Array.from(atob(meta), (c) => c.charCodeAt(0)).buffer);
+    return floats.filter((v, i) => i % 4 === 1 && v === 0).length;
+  });
+  assert.equal(unpainted, 0);
+});
+
+test('the range buttons and keys ask the server, and the picture follows', async (t) => {
+  await openFlat({ headingDeg: 37 });
+  const before = checkPicture(await capture(page));
+  await page.locator('#range-more').click();
+  await page.waitForFunction(() => window.skerry.settings().rangeNm === 12);
+  assert.ok(server.received.some((m) => m.kind === 'set' && m.set.rangeNm === 12));
+  await waitForScan(page);
+  const far = await capture(page);
+  assert.equal(far.rangeM, 12 * NM);
+  checkPicture(far);
+  await page.keyboard.press('-');
+  await page.keyboard.press('-');
+  await page.waitForFunction(() => window.skerry.settings().rangeNm === 3);
+  await waitForScan(page);
+  checkPicture(await capture(page));
+  report(t, before);
+});
+
+test('after a change of range the old rows are drawn at their own range', async (t) => {
+  await openFlat({ headingDeg: 37 });
+  const { scan } = await page.evaluate(() => window.skerry.lastScan());
+  await page.evaluate((n) => window.skerry.holdAfter(n), scan + 1);
+  await page.waitForFunction((n) => window.skerry.lastScan().scan === n, scan + 1);
+  server.change({ rangeNm: 12 });
+  await page.waitForFunction(() => window.skerry.settings().rangeNm === 12);
+  const shot = await capture(page);
+  assert.equal(shot.rangeM, 12 * NM);
+  // Beyond 6 NM nothing was seen: the picture is that of 6 NM, half as large.
+  assert.equal(leadingEdge(shot, 265, 6 * NM + 300), null);
+  for (const deg of [30, 60, 90, 230, 300]) {
+    assert.ok(Math.abs(leadingEdge(shot, deg) - coastM(deg)) < 12 * NM / 100, String(deg));
+  }
+  for (const target of TARGETS) {
+    const blob = blobAt(shot, target.bearingDeg, target.rangeM, 3, 500);
+    assert.ok(angleBetween(blob.bearingDeg, target.bearingDeg) < 1);
+    assert.ok(Math.abs(blob.rangeM - target.rangeM) < 12 * NM / 100);
+  }
+  t.diagnostic(`${echoPixels(shot)} echo pixels`);
+});
+
+test('gain, sea and rain ask the server, and the picture follows', async () => {
+  await openFlat({});
+  const full = echoPixels(await capture(page));
+  assert.ok(full > 5000, `${full} echo pixels`);
+  await setSlider('gain', 12);
+  await page.waitForFunction(() => window.skerry.settings().gain === 12);
+  await setSlider('sea', 77);
+  await setSlider('rain', 5);
+  await page.waitForFunction(() => window.skerry.settings().sea === 77 && window.skerry.settings().rain === 5);
+  await waitForScan(page);
+  assert.equal(echoPixels(await capture(page)), 0);
+  await setSlider('gain', 50);
+  await page.waitForFunction(() => window.skerry.settings().gain === 50);
+  await waitForScan(page);
+  const again = echoPixels(await capture(page));
+  assert.ok(Math.abs(again - full) < full * 0.02, `${again} after ${full}`);
+});
+
+test('a change made at another console appears here', async () => {
+  await openFlat({});
+  server.change({ gain: 81, rangeNm: 24 });
+  await page.waitForFunction(() => document.querySelector('#gain').value === '81' && document.querySelector('#range').value === '24');
+  assert.equal(await page.locator('#gain-value').textContent(), '81');
+  await page.waitForFunction(() => document.querySelector('#range-now').textContent === '24');
+});
+
+test('a refused change is told, and the old value comes back', async () => {
+  await openFlat({});
+  server.refuse = { code: 4, text: 'control from 10.0.0.7 needs a token' };
+  await setSlider('gain', 90);
+  await page.locator('.notice', { hasText: 'needs a token' }).waitFor();
+  await page.waitForFunction(() => document.querySelector('#gain').value === '50');
+  await page.locator('#token').fill('geheim');
+  await page.locator('#token').press('Tab');
+  server.refuse = null;
+  await setSlider('gain', 90);
+  await page.waitForFunction(() => window.skerry.settings().gain === 90);
+  assert.equal(server.received.at(-1).set.token, 'geheim');
+});
+
+test('course and speed are ordered, also a course of zero', async () => {
+  await openFlat({ headingDeg: 37 });
+  await page.locator('#order-course').fill('0');
+  await page.locator('#order-speed').fill('-2.5');
+  await page.locator('#orders button').click();
+  await page.waitForFunction(() => document.querySelector('#order-speed').placeholder === '-2.5');
+  assert.deepEqual(server.ordered, { courseDeg: 0, speedKn: -2.5 });
+  const set = server.received.at(-1).set;
+  assert.equal(set._rangeNm, undefined);
+  assert.equal(set._gain, undefined);
+});
+
+test('every lost spoke is counted, and no other', async () => {
+  await openFlat({});
+  assert.equal((await state(page)).lost, 0);
+  server.drop(37);
+  await page.waitForFunction(() => window.skerry.state().lost === 37);
+  server.drop(1);
+  await page.waitForFunction(() => window.skerry.state().lost === 38);
+  await waitForScan(page);
+  const { lost, received, restarts } = await state(page);
+  assert.deepEqual([lost, restarts], [38, 0]);
+  assert.ok(received > 4096);
+  await page.waitForFunction(() => document.querySelector('#lost').textContent === '38');
+});
+
+test('a sector that comes no more goes out, the rest stays', async () => {
+  await openFlat({ rpm: 15 });
+  assert.ok(blobAt(await capture(page), 118, 1500, 3, 300));
+  server.silent = [[100, 140]];
+  const { scan } = await state(page);
+  await page.waitForFunction((n) => window.skerry.state().scan >= n, scan + 4);
+  const shot = await capture(page);
+  assert.equal(blobAt(shot, 118, 1500, 3, 300), null);
+  assert.ok(blobAt(shot, 190, 2500, 3, 300));
+});
+
+test('the console comes back when the server does', async () => {
+  await openFlat({ headingDeg: 37 });
+  await server.stop();
+  await page.locator('#alarm', { hasText: 'Connection lost' }).waitFor();
+  await page.waitForFunction(() => document.querySelector('#link').dataset.state === 'waiting');
+  await server.start();
+  await page.waitForFunction(() => window.skerry.state().connection === 'live');
+  await waitForScan(page);
+  checkPicture(await capture(page));
+  await page.locator('#alarm').waitFor({ state: 'hidden' });
+  assert.equal((await state(page)).lost, 0);
+});
+
+test('nonsense from the server is refused, and the picture goes on', async () => {
+  await openFlat({ headingDeg: 37 });
+  const r = random(7);
+  const spoke = ServerMessage.encodeDelimited(ServerMessage.fromObject({ spoke: {
+    sequence: 1, spokesPerTurn: 4096, bits: 8, cellCount: 1024, cellSizeM: 10, cells: new Uint8Array(1024) } })).finish();
+  const nonsense = [
+    Buffer.from([0xff, 0xff, 0xff, 0xff, 0x7f]), spoke.subarray(0, 500), Buffer.concat([spoke.subarray(0, 700), r.bytes(400)]),
+    ...Array.from({ length: 60 }, () => Buffer.from(r.bytes(1 + r.below(300)).map((b, i) => (i === 0 ? b | 0x80 : b)))),
+  ];
+  nonsense.forEach((bytes) => server.sendRaw(bytes));
+  server.sendRaw('a text message');
+  await page.waitForFunction((n) => window.skerry.state().garbage >= n, 40);
+  assert.equal((await state(page)).connection, 'live');
+  await page.locator('.notice', { hasText: 'no radar message' }).first().waitFor();
+  assert.ok(await page.locator('.notice').count() <= 3);
+  await waitForScan(page);
+  checkPicture(await capture(page));
+  assert.deepEqual(page.problems, []);
+});
+
+test('another own ship is chosen, and only its radar is drawn', async () => {
+  await openFlat({});
+  await page.locator('#radar').selectOption({ label: 'Gannet · X-band' });
+  await page.waitForFunction(() => window.skerry.state().radar === 1 && window.skerry.state().received > 0);
+  const subscribe = server.received.findLast((m) => m.kind === 'subscribe').subscribe;
+  assert.equal(subscribe.radar, 1);
+  await page.waitForFunction(() => document.querySelector('#longitude').textContent === '004°19.398′E');
+  await waitForScan(page);
+  checkPicture(await capture(page));
+});
+
+test('the cursor reads true and relative bearing and range', async () => {
+  await openFlat({ headingDeg: 37, settings: { rangeNm: 1.5 } });
+  const box = await page.locator('#ppi').boundingBox();
+  const { x, y } = await page.evaluate(() => window.skerry.pixelFor(118, 1500));
+  await page.mouse.move(box.x + x, box.y + y);
+  await page.waitForFunction(() => document.querySelector('#cursor-true').textContent !== '–');
+  const text = (id) => page.locator(`#${id}`).textContent();
+  assert.ok(angleBetween(parseFloat(await text('cursor-true')), 118) < 0.3);
+  assert.ok(angleBetween(parseFloat(await text('cursor-relative')), 81) < 0.3);
+  assert.ok(Math.abs(parseFloat(await text('cursor-range')) - 1500 / NM) < 0.006);
+  assert.ok(Math.abs(parseFloat(await text('cursor-metres')) - 1500) < 10);
+  await page.keyboard.press('e');
+  await page.keyboard.press('v');
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector('#ebl-true').textContent.startsWith('11'));
+  const [ebl, vrm] = [parseFloat(await text('ebl-true')), parseFloat(await text('vrm-range'))];
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowUp');
+  await page.waitForFunction((old) => parseFloat(document.querySelector('#ebl-true').textContent) !== old, ebl);
+  assert.ok(Math.abs(parseFloat(await text('ebl-true')) - ebl - 1) < 0.11);
+  assert.ok(Math.abs(parseFloat(await text('vrm-range')) - vrm - 0.015) < 0.0015);
+});
+
+test('trails show where echoes were', async () => {
+  await openFlat({ headingDeg: 0 });
+  await page.locator('#trails').selectOption('360');
+  await waitForScan(page);
+  server.silent = [];
+  server.change({ gain: 5 });   // every echo falls below what is shown as strong
+  await waitForScan(page);
+  const shot = await capture(page);
+  const { x, y } = await page.evaluate(() => window.skerry.pixelFor(190, 2500));
+  const at = (px, py) => [...shot.data.subarray(4 * (Math.floor(py) * shot.width + Math.floor(px)), 4 * (Math.floor(py) * shot.width + Math.floor(px)) + 3)];
+  const open = await page.evaluate(() => window.skerry.pixelFor(150, 2500));
+  assert.ok(at(x, y)[2] > at(open.x, open.y)[2] + 40, `${at(x, y)} on the trail, ${at(open.x, open.y)} beside it`);
+});
+
+test('a lost graphics context is drawn anew', async () => {
+  await openFlat({ headingDeg: 37 });
+  await page.evaluate(() => {
+    const canvas = document.querySelector('#echoes');
+    const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve));
+    canvas.addEventListener('webglcontextlost', () => setTimeout(() => extension.restoreContext(), 0));
+    extension.loseContext();
+    return window.restored;
+  });
+  await waitForScan(page);
+  checkPicture(await capture(page));
+});
+
+test('a browser without WebGL2 is told so', async () => {
+  server = new MockServer();
+  const url = await server.start();
+  const context = await browser.newContext();
+  page = await context.newPage();
+  await page.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind === 'webgl2' ? null : original.call(this, kind, ...rest);
+    };
+  });
+  await page.goto(url);
+  await page.locator('#alarm', { hasText: 'WebGL2' }).waitFor();
+});
+
+test('sixty seconds of 4096 spokes of 1024 cells keep the memory bounded', async (t) => {
+  await open({ headingDeg: 37 });
+  const client = await page.context().newCDPSession(page);
+  const heapMiB = async () => {
+    await client.send('HeapProfiler.collectGarbage');
+    const { usedSize, backingStorageSize } = await client.send('Runtime.getHeapUsage');
+    return (usedSize + (backingStorageSize ?? 0)) / 2 ** 20;
+  };
+  const untilReceived = (n) => page.waitForFunction((want) => window.skerry.state().received + window.skerry.state().lost >= want, n, { timeout: 240000 });
+  const perSecond = 4096 * 24 / 60;
+  await untilReceived(15 * perSecond);
+  const early = await heapMiB();
+  await untilReceived(60 * perSecond);
+  const late = await heapMiB();
+  const { framesPerSecond, lost, rpm, spokesPerSecond } = await state(page);
+  t.diagnostic(`${early.toFixed(1)} MiB after 15 s, ${late.toFixed(1)} MiB after 60 s; ${framesPerSecond.toFixed(1)} frames/s at ` +
+    `1280x800, ${rpm.toFixed(2)} rpm, ${spokesPerSecond.toFixed(0)} spokes/s, ${lost} lost`);
+  assert.ok(late < early + 4, `${early} MiB, then ${late} MiB`);
+  assert.deepEqual(page.problems, []);
+});

@@ -1,0 +1,202 @@
+// A server of the native protocol for tests of the console: its messages are made by protobufjs from
+// radar.proto, not by the console's own code. It turns a radar over the scene of mock_scene.mjs.
+import { createServer } from 'node:http';
+import { readFileSync } from 'node:fs';
+import { extname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import protobuf from 'protobufjs';
+import { WebSocketServer } from 'ws';
+import { cellsAt, NM } from './mock_scene.mjs';
+
+const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
+export const WEB = path('clients/web/');
+export const schema = protobuf.loadSync(path('protocol/wire/radar.proto'));
+export const ServerMessage = schema.lookupType('skerry.wire.ServerMessage');
+export const ClientMessage = schema.lookupType('skerry.wire.ClientMessage');
+
+export const RANGES_NM = [0.125, 0.25, 0.5, 0.75, 1.5, 3, 6, 12, 24, 48, 72, 96];
+const MIME = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml' };
+const BATCH = 16;
+
+export class MockServer {
+  constructor(options = {}) {
+    Object.assign(this, {
+      spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
+      silent: [], refuse: null, host: '127.0.0.1',
+    }, options);
+    // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
+    this.settings = { rangeNm: 6, gain: 50, sea: 30, rain: 0, ...options.settings };
+    this.ordered = { courseDeg: this.headingDeg, speedKn: 12 };
+    this.received = [];   // decoded ClientMessages
+    this.dropNext = 0;
+    this.clients = new Set();
+  }
+
+  async start() {
+    const files = new Set(readFileSync(`${WEB}files.txt`, 'utf8').split('\n').filter(Boolean));
+    this.http = createServer((request, response) => {
+      const name = new URL(request.url, 'http://x').pathname.slice(1) || 'index.html';
+      if (!files.has(name)) { response.writeHead(404).end(); return; }
+      response.writeHead(200, {
+        'Content-Type': MIME[extname(name)], 'Cache-Control': 'no-store',
+        'Content-Security-Policy': "default-src 'self'",
+      }).end(readFileSync(WEB + name));
+    });
+    this.sockets = new WebSocketServer({ server: this.http, path: '/ws' });
+    this.sockets.on('connection', (socket) => this.#greet(socket));
+    await new Promise((resolve, reject) => {
+      this.http.once('error', reject);
+      this.http.listen(this.port, this.host, resolve);
+    });
+    this.port = this.http.address().port;
+    this.startedAt = performance.now();
+    this.made = 0;        // spokes whose time has come
+    this.sequence = 0;
+    this.cache = new Map();
+    this.ticker = setInterval(() => this.#turn(), 4);
+    this.second = setInterval(() => this.#ownShip(), 1000);
+    return `http://${this.host}:${this.port}/`;
+  }
+
+  async stop() {
+    clearInterval(this.ticker);
+    clearInterval(this.second);
+    for (const client of this.clients) client.socket.terminate();
+    this.clients.clear();
+    this.http.closeAllConnections();
+    await new Promise((resolve) => this.http.close(resolve));
+  }
+
+  // The next n spokes get their sequence numbers, but are never sent.
+  drop(n) {
+    this.dropNext += n;
+  }
+
+  sendRaw(bytes) {
+    for (const { socket } of this.clients) socket.send(bytes);
+  }
+
+  change(settings) {
+    Object.assign(this.settings, settings);
+    for (const client of this.clients) this.#sendSettings(client);
+  }
+
+  cellSizeM() {
+    return (this.settings.rangeNm * NM) / this.cells;
+  }
+
+  #greet(socket) {
+    const client = { socket, radar: null };
+    this.clients.add(client);
+    socket.on('close', () => this.clients.delete(client));
+    socket.on('error', () => {});
+    socket.on('message', (data) => this.#take(client, data));
+    this.#send(client, { hello: {
+      protocolVersion: 1, server: 'mock 1.0', scenario: 'closed form', rangeScalesNm: RANGES_NM,
+      radars: this.ships.map((ownShip, radar) => ({
+        radar, name: 'X-band', ownShip, spokesPerTurn: this.spokes, cells: this.cells, bits: this.bits,
+        rpm: this.rpm, beamWidthDeg: 1.2,
+      })),
+    } });
+  }
+
+  #take(client, data) {
+    const message = ClientMessage.decodeDelimited(data);
+    this.received.push(message);
+    const reply = (code, text = '') => this.#send(client, { reply: { request: message.request, code, text } });
+    if (message.kind === 'subscribe') {
+      client.radar = message.subscribe.radar;
+      this.#sendSettings(client);
+      this.#ownShip();
+      reply(0);
+    } else if (message.kind === 'set') {
+      if (this.refuse) { reply(this.refuse.code, this.refuse.text); return; }
+      for (const name of ['rangeNm', 'gain', 'sea', 'rain']) {
+        if (message.set[`_${name}`]) this.settings[name] = message.set[name];
+      }
+      for (const name of ['courseDeg', 'speedKn']) {
+        if (message.set[`_${name}`]) this.ordered[name] = message.set[name];
+      }
+      reply(0);
+      this.change({});
+    }
+  }
+
+  #send(client, ...messages) {
+    client.socket.send(Buffer.concat(messages.map((m) => ServerMessage.encodeDelimited(ServerMessage.fromObject(m)).finish())));
+  }
+
+  #sendSettings(client) {
+    if (client.radar !== null) this.#send(client, { settings: { radar: client.radar, view: 0, ...this.settings } });
+  }
+
+  #ownShip() {
+    for (const client of this.clients) {
+      if (client.radar === null) continue;
+      this.#send(client, { ownShip: {
+        radar: client.radar, name: this.ships[client.radar], latitudeDeg: 60.3925, longitudeDeg: 5.3233 - client.radar,
+        headingDeg: this.headingDeg, speedKn: 11.9, rateOfTurnDegMin: 0,
+        orderedCourseDeg: this.ordered.courseDeg, orderedSpeedKn: this.ordered.speedKn,
+      } });
+    }
+  }
+
+  #turn() {
+    const due = Math.floor(((performance.now() - this.startedAt) / 1000) * (this.rpm / 60) * this.spokes);
+    // Like a real antenna: what could not be made in time is never made.
+    if (due - this.made > this.spokes / 4) {
+      this.made = due - (due % BATCH);
+    }
+    while (due - this.made >= BATCH) {
+      const batch = [];
+      for (let i = 0; i < BATCH; ++i) {
+        const spoke = this.#spoke(this.made + i);
+        if (spoke) batch.push(spoke);
+      }
+      this.made += BATCH;
+      for (const client of this.clients) {
+        if (client.radar === null || batch.length === 0) continue;
+        this.#send(client, ...batch.map((spoke) => ({ spoke: { ...spoke, radar: client.radar } })));
+      }
+    }
+  }
+
+  #spoke(number) {
+    const sequence = this.sequence++;
+    const index = number % this.spokes;
+    const bearingDeg = ((index * 360) / this.spokes + this.headingDeg) % 360;
+    if (this.dropNext > 0) { this.dropNext -= 1; return null; }
+    if (this.silent.some(([from, to]) => bearingDeg >= from && bearingDeg < to)) return null;
+    return {
+      view: 0, sequence, scan: Math.floor(number / this.spokes), index, spokesPerTurn: this.spokes,
+      rangeScale: RANGES_NM.indexOf(this.settings.rangeNm), bits: this.bits, cellCount: this.cells,
+      cellSizeM: this.cellSizeM(), heading: Math.round((this.headingDeg / 360) * 2 ** 32) >>> 0,
+      latitudeDeg: 60.3925, longitudeDeg: 5.3233,
+      utcNs: protobuf.util.Long.fromNumber(1.7e18 + (number / this.spokes) * (60 / this.rpm) * 1e9),
+      scenarioNs: protobuf.util.Long.fromNumber(1e9), cells: this.#cells(bearingDeg),
+    };
+  }
+
+  #cells(bearingDeg) {
+    const { rangeNm, gain } = this.settings;
+    const key = `${rangeNm}/${gain}`;
+    if (this.cacheKey !== key) { this.cache.clear(); this.cacheKey = key; }
+    const at = Math.round(bearingDeg * 1e4);
+    let cells = this.cache.get(at);
+    if (!cells) {
+      cells = cellsAt(bearingDeg, { cells: this.cells, cellSizeM: this.cellSizeM(), gain });
+      if (this.bits === 4) {
+        const packed = new Uint8Array((this.cells + 1) >> 1);
+        cells.forEach((v, c) => { packed[c >> 1] |= (v >> 4) << (4 * (c & 1)); });
+        cells = packed;
+      }
+      if (this.cache.size < 2 * this.spokes) this.cache.set(at, cells);
+    }
+    return cells;
+  }
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const server = new MockServer({ port: Number(process.argv[2] ?? 7481), headingDeg: 37, ...JSON.parse(process.argv[3] ?? '{}') });
+  console.log(await server.start());
+}

@@ -1,0 +1,208 @@
+// The polar memory, the counters and the numbers, without a browser.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import * as format from '../../../../clients/web/src/format.js';
+import { echoColours } from '../../../../clients/web/src/palette.js';
+import { addWedges } from '../../../../clients/web/src/ppi_renderer.js';
+import { ScanStore, ScanTracker } from '../../../../clients/web/src/scan_store.js';
+import { LossCounter, Rate, TurnRate } from '../../../../clients/web/src/stream_stats.js';
+import { ringsFor, ViewGeometry } from '../../../../clients/web/src/view_geometry.js';
+import { WEB } from '../mock_server.mjs';
+import { random } from '../random.mjs';
+
+const units = (deg) => Math.round((deg / 360) * 2 ** 32) % 2 ** 32;
+const spoke = (values) => ({ sequence: 0, scan: 0, index: 0, spokesPerTurn: 256, bits: 8, cellCount: 4, cellSizeM: 10,
+                             heading: 0, cells: Uint8Array.of(1, 2, 3, 200), ...values });
+const row = (store, r) => [...store.cells.subarray(r * store.cols * 2, (r + 1) * store.cols * 2)].filter((_, i) => i % 2 === 0);
+const trail = (store, r) => [...store.cells.subarray(r * store.cols * 2, (r + 1) * store.cols * 2)].filter((_, i) => i % 2 === 1);
+const painted = (store) => [...Array(store.rows).keys()].filter((r) => store.meta[r * 4 + 1] > 0);
+
+test('the file list names every file of the console and no other', () => {
+  const there = [...readdirSync(WEB).filter((n) => /\.(html|css|svg)$/.test(n)), ...readdirSync(`${WEB}src`).map((n) => `src/${n}`)].sort();
+  assert.deepEqual(readFileSync(`${WEB}files.txt`, 'utf8').split('\n').filter(Boolean).sort(), there);
+});
+
+test('a spoke lies in the row of its true bearing', () => {
+  const store = new ScanStore();
+  store.put(spoke({ index: 64, heading: units(90) }), 1, false);
+  assert.deepEqual(painted(store), [128]);
+  assert.deepEqual(row(store, 128), [1, 2, 3, 200]);
+  store.put(spoke({ index: 255, heading: units(359.9) }), 1, false);  // 358.49 deg: row 254.93
+  assert.deepEqual(painted(store), [128, 255]);
+  store.put(spoke({ index: 255, heading: units(1.2) }), 1, false);    // 359.79 deg: row 255.85, that is north
+  assert.deepEqual(painted(store), [0, 128, 255]);
+});
+
+test('four bits fill the scale, the low nibble nearer', () => {
+  const store = new ScanStore();
+  store.put(spoke({ bits: 4, cellCount: 5, cells: Uint8Array.of(0xf0, 0x21, 0x08) }), 1, false);
+  assert.deepEqual(row(store, 0), [0, 255, 17, 34, 136]);
+});
+
+test('a turning ship leaves no gap, a lost spoke does', () => {
+  const store = new ScanStore();
+  store.put(spoke({ index: 10 }), 1, false);
+  store.put(spoke({ index: 11, heading: units(360 / 256) }), 1, true);
+  assert.deepEqual(painted(store), [10, 11, 12]);
+  store.put(spoke({ index: 14, heading: units(360 / 256) }), 1, false);
+  assert.deepEqual(painted(store), [10, 11, 12, 15]);
+  store.put(spoke({ index: 15, heading: units(90) }), 1, true);  // a jump of the compass paints nothing between
+  assert.deepEqual(painted(store), [10, 11, 12, 15, 79]);
+});
+
+test('spokes that share a row keep the stronger echo', () => {
+  const store = new ScanStore(128);
+  store.put(spoke({ index: 20, cells: Uint8Array.of(9, 0, 0, 50) }), 1, false);
+  store.put(spoke({ index: 21, cells: Uint8Array.of(1, 7, 0, 60) }), 1, true);
+  const shared = painted(store)[0];
+  store.put(spoke({ index: 22, cells: Uint8Array.of(0, 0, 1, 0) }), 1, true);
+  const rows = painted(store).map((r) => row(store, r));
+  assert.equal(store.rows, 128);
+  assert.ok(rows.some((r) => r[1] === 7 && r[3] === 60), JSON.stringify({ shared, rows }));
+});
+
+test('every row keeps the cell size it was painted with', () => {
+  const store = new ScanStore();
+  store.put(spoke({ index: 3, cellSizeM: 10 }), 1, false);
+  store.put(spoke({ index: 4, cellSizeM: 20 }), 1, true);
+  assert.deepEqual([store.meta[13], store.meta[17]], [10, 20]);
+});
+
+test('a trail fades with time and moves to a new range with its echo', () => {
+  const store = new ScanStore();
+  store.trailS = 10;
+  const cells = (...v) => Uint8Array.from(v);
+  store.put(spoke({ cells: cells(0, 0, 200, 0) }), 0, false);
+  assert.deepEqual(trail(store, 0), [0, 0, 255, 0]);
+  store.put(spoke({ cells: cells(0, 0, 0, 0) }), 5, false);
+  assert.deepEqual(trail(store, 0), [0, 0, 255 - 128, 0]);
+  store.put(spoke({ cells: cells(0, 0, 0, 0), cellSizeM: 20 }), 5, false);
+  assert.deepEqual(trail(store, 0), [0, 127, 0, 0]);
+  store.put(spoke({ cells: cells(0, 0, 0, 0), cellSizeM: 20 }), 20, false);
+  assert.deepEqual(trail(store, 0), [0, 0, 0, 0]);
+});
+
+test('painted rows are told once, in runs', () => {
+  const store = new ScanStore();
+  for (const index of [250, 251, 252, 3, 4, 255]) store.put(spoke({ index }), 1, false);
+  assert.deepEqual(store.takeDirtyRuns(), [[3, 2], [250, 3], [255, 1]]);
+  assert.deepEqual(store.takeDirtyRuns(), []);
+});
+
+test('a turn is whole only with all its spokes', () => {
+  const scans = new ScanTracker();
+  const turn = (scan, skip) => {
+    for (let index = 0; index < 256; ++index) if (index !== skip) scans.take(spoke({ scan, index }));
+  };
+  turn(1, 7);
+  assert.equal(scans.last, null);
+  turn(2);
+  assert.equal(scans.last.scan, 2);
+  turn(3, 255);
+  turn(4, 0);
+  assert.equal(scans.last.scan, 2);
+});
+
+test('loss is what the sequence numbers leave out', () => {
+  const loss = new LossCounter();
+  for (const n of [100, 101, 102, 110, 111]) loss.take(n);
+  assert.deepEqual([loss.received, loss.lost, loss.restarts], [5, 7, 0]);
+  assert.equal(loss.take(112), true);
+  assert.equal(loss.take(114), false);
+  loss.take(0);  // the server has started again
+  assert.deepEqual([loss.lost, loss.restarts], [8, 1]);
+  loss.restart();
+  loss.take(5000);
+  assert.equal(loss.lost, 8);
+});
+
+test('rates are slopes, and fall silent', () => {
+  const rate = new Rate(2);
+  for (let t = 0; t <= 10; t += 0.01) rate.add(t, t * 1638);
+  assert.ok(Math.abs(rate.perSecond() - 1638) < 1);
+  assert.ok(rate.samples.length < 25);
+  assert.ok(rate.perSecond(11) < 1200);
+  assert.equal(rate.perSecond(13), 0);
+  const turns = new TurnRate();
+  for (let n = 0; n < 4096 * 3; n += 16) {
+    turns.take({ scan: Math.floor(n / 4096), index: n % 4096, spokesPerTurn: 4096, utcNs: 1.7e18 + (n / 4096) * 2.5e9 });
+  }
+  assert.ok(Math.abs(turns.rpm() - 24) < 0.01, String(turns.rpm()));
+});
+
+test('pixels and places are each other\'s inverse', () => {
+  const r = random(3);
+  for (let i = 0; i < 1000; ++i) {
+    const view = new ViewGeometry(300 + r.below(1800), 30, 1);
+    view.upDeg = r() * 360;
+    view.rangeM = 200 + r() * 170000;
+    const bearing = r() * 360, range = (0.01 + 0.98 * r()) * view.rangeM;
+    const { x, y } = view.toPixel(bearing, range);
+    const back = view.fromPixel(x, y);
+    assert.ok(Math.abs(((back.bearingDeg - bearing + 540) % 360) - 180) < 1e-6);
+    assert.ok(Math.abs(back.rangeM - range) < 1e-6 * view.rangeM);
+    assert.ok(back.inside);
+  }
+  const view = new ViewGeometry(220, 10, 2);
+  view.rangeM = 1000;
+  assert.deepEqual(view.toPixel(0, 1000), { x: 110, y: 10 });
+  view.upDeg = 90;
+  assert.ok(Math.abs(view.toPixel(180, 500).x - 160) < 1e-9);
+});
+
+test('a wedge covers every pixel whose square its rows touch', () => {
+  const r = random(4);
+  const side = 400;
+  const inTriangle = (px, py, t) => {
+    const sign = (i, j) => (px - t[2 * j]) * (t[2 * i + 1] - t[2 * j + 1]) - (t[2 * i] - t[2 * j]) * (py - t[2 * j + 1]);
+    const s = [sign(0, 1), sign(1, 2), sign(2, 0)];
+    return s.every((v) => v >= -1e-6) || s.every((v) => v <= 1e-6);
+  };
+  for (let i = 0; i < 300; ++i) {
+    const from = r(), to = from + 0.0005 + r() * (i % 3 === 0 ? 0.99 : 0.02), up = r();
+    const corners = [];
+    addWedges(corners, from, to, up, side);
+    for (let k = 0; k < 50; ++k) {
+      const angle = (from + (to - from) * r() - up) * 2 * Math.PI, range = r() * side / 2;
+      // The centre of a pixel whose square holds that place.
+      const px = range * Math.sin(angle) + r() - 0.5, py = range * Math.cos(angle) + r() - 0.5;
+      let hit = false;
+      for (let c = 0; c < corners.length && !hit; c += 6) hit = inTriangle(px, py, corners.slice(c, c + 6));
+      assert.ok(hit, JSON.stringify({ from, to, up, px, py }));
+    }
+  }
+});
+
+test('rings divide their range evenly, the last on the edge', () => {
+  for (const nm of [0.125, 0.25, 0.5, 0.75, 1.5, 3, 6, 12, 24, 48, 72, 96]) {
+    const { spacingNm, count } = ringsFor(nm);
+    assert.ok(Math.abs(spacingNm * count - nm) < 1e-9);
+    assert.ok(count >= 3 && count <= 6);
+  }
+});
+
+test('stronger echoes are brighter and more opaque', () => {
+  for (const name of ['yellow', 'green']) {
+    const colours = echoColours(name);
+    for (let v = 1; v < 256; ++v) {
+      assert.ok(colours[4 * v + 3] >= colours[4 * v - 1]);
+      assert.ok(colours[4 * v + 1] >= colours[4 * v - 3]);
+    }
+    assert.equal(colours[3], 0);
+    assert.equal(colours[1023], 255);
+  }
+});
+
+test('numbers read as on a ship', () => {
+  assert.equal(format.bearing(359.96), '000.0');
+  assert.equal(format.bearing(-0.04), '000.0');
+  assert.equal(format.bearing(7.25, 0), '007');
+  assert.equal(format.position(60.3925, 'N', 'S', 2), '60°23.550′N');
+  assert.equal(format.position(-5.9999999, 'E', 'W', 3), '006°00.000′W');
+  assert.equal(format.position(NaN, 'E', 'W', 3), '–');
+  assert.equal(format.rateOfTurn(-12.34), '12.3 port');
+  assert.equal(format.rateOfTurn(0.01), '0.0');
+  assert.equal(format.distance(926), '0.500 NM');
+  assert.equal(format.count(1638.4), '1\u202f638');
+});

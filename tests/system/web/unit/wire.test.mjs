@@ -1,0 +1,132 @@
+// The console's reader and writer of the native protocol, against protobufjs and against nonsense.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import protobuf from 'protobufjs';
+import { decodeFrames, encodeSet, encodeSubscribe, MAX_FRAME } from '../../../../clients/web/src/messages.js';
+import { WireError } from '../../../../clients/web/src/protobuf.js';
+import { ClientMessage, ServerMessage } from '../mock_server.mjs';
+import { random } from '../random.mjs';
+
+const frame = (message) => ServerMessage.encodeDelimited(ServerMessage.fromObject(message)).finish();
+const decode = (bytes) => {
+  const out = [];
+  decodeFrames(new Uint8Array(bytes), (m) => out.push(m));
+  return out;
+};
+const spoke = (values = {}) => ({
+  radar: 1, view: 0, sequence: 70000000000, scan: 12, index: 4095, spokesPerTurn: 4096, rangeScale: 6, bits: 8,
+  cellCount: 5, cellSizeM: 10.8515625, heading: 0xfffffffe, latitudeDeg: -60.25, longitudeDeg: 5.5,
+  utcNs: protobuf.util.Long.fromString('1700000000123456789'), scenarioNs: 5, cells: Uint8Array.of(0, 1, 2, 254, 255), ...values,
+});
+const refused = (bytes, kind) => assert.throws(() => decode(bytes), (error) => error instanceof WireError && (!kind || error.kind === kind));
+
+test('a spoke is read as protobuf wrote it', () => {
+  const [{ spoke: got }] = decode(frame({ spoke: spoke() }));
+  assert.equal(got.sequence, 70000000000);
+  assert.equal(got.heading, 0xfffffffe);
+  assert.equal(got.cellSizeM, 10.8515625);
+  assert.equal(got.latitudeDeg, -60.25);
+  assert.ok(Math.abs(got.utcNs - 1700000000123456789) <= 512);
+  assert.deepEqual([...got.cells], [0, 1, 2, 254, 255]);
+  assert.equal(got.view, 0);
+});
+
+test('any number of frames in one message come in order', () => {
+  const bytes = Buffer.concat([frame({ hello: { protocolVersion: 1, server: 'skerryd ü', radars: [{ radar: 3, name: 'S' }], rangeScalesNm: [0.125, 6] } }),
+    frame({ settings: { rangeNm: 6, gain: 55.5 } }), frame({ ownShip: { name: 'Fulmar', rateOfTurnDegMin: -12 } }),
+    frame({ reply: { request: 9, code: 2, text: 'gain 101: 0 .. 100' } }), frame({ spoke: spoke() })]);
+  const [hello, settings, ship, reply, last] = decode(bytes);
+  assert.deepEqual(hello.hello.rangeScalesNm, [0.125, 6]);
+  assert.equal(hello.hello.server, 'skerryd ü');
+  assert.equal(hello.hello.radars[0].radar, 3);
+  assert.equal(settings.settings.gain, 55.5);
+  assert.equal(ship.ownShip.rateOfTurnDegMin, -12);
+  assert.deepEqual({ ...reply.reply }, { request: 9, code: 2, text: 'gain 101: 0 .. 100' });
+  assert.equal(last.spoke.index, 4095);
+});
+
+test('random spokes are read as protobuf wrote them', () => {
+  const r = random(1);
+  for (let i = 0; i < 500; ++i) {
+    const bits = r() < 0.5 ? 4 : 8, cellCount = 1 + r.below(400), spokesPerTurn = 1 + r.below(8192);
+    const want = spoke({ bits, cellCount, spokesPerTurn, index: r.below(spokesPerTurn), sequence: Math.floor(r() * 2 ** 53),
+      heading: r.below(2 ** 32), scan: r.below(2 ** 32), cells: r.bytes(bits === 8 ? cellCount : (cellCount + 1) >> 1) });
+    const [{ spoke: got }] = decode(frame({ spoke: want }));
+    for (const name of ['sequence', 'heading', 'scan', 'index', 'spokesPerTurn', 'bits']) assert.equal(got[name], want[name], name);
+    assert.deepEqual(Buffer.from(got.cells), Buffer.from(want.cells));
+  }
+});
+
+test('unknown fields of every wire type are passed over', () => {
+  const body = ServerMessage.encode(ServerMessage.fromObject({ settings: { gain: 7 } })).finish();
+  const writer = protobuf.Writer.create();
+  writer.uint32((900 << 3) | 0).uint64(protobuf.util.Long.MAX_UNSIGNED_VALUE);
+  writer.uint32((901 << 3) | 1).double(3);
+  writer.uint32((902 << 3) | 2).string('new');
+  writer.uint32((903 << 3) | 3).uint32((1 << 3) | 0).uint32(5).uint32((903 << 3) | 4);
+  writer.uint32((904 << 3) | 5).fixed32(8);
+  const all = Buffer.concat([writer.finish(), body, writer.finish()]);
+  const [got] = decode(Buffer.concat([protobuf.Writer.create().uint32(all.length).finish(), all]));
+  assert.equal(got.settings.gain, 7);
+});
+
+test('a known field of another wire type is passed over', () => {
+  const inner = protobuf.Writer.create().uint32((4 << 3) | 2).string('gain').uint32((5 << 3) | 1).double(9).finish();
+  const body = protobuf.Writer.create().uint32((5 << 3) | 2).bytes(inner).finish();
+  const [got] = decode(Buffer.concat([protobuf.Writer.create().uint32(body.length).finish(), body]));
+  assert.equal(got.settings.gain, 0);
+  assert.equal(got.settings.sea, 9);
+});
+
+test('lengths that lie are refused', () => {
+  const whole = frame({ spoke: spoke() });
+  for (let cut = 1; cut < whole.length; ++cut) refused(whole.subarray(0, cut), 'truncated');
+  refused(Uint8Array.of(0xff, 0xff, 0xff, 0xff, 0x0f), 'truncated');
+  refused(Uint8Array.of(0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x01));
+  const big = Buffer.alloc(MAX_FRAME + 10);
+  const head = protobuf.Writer.create().uint32(MAX_FRAME + 1).finish();
+  Buffer.from(head).copy(big);
+  refused(big.subarray(0, head.length + MAX_FRAME + 1), 'oversized');
+  refused(Uint8Array.of(4, 0x0a, 0x7f, 1, 2), 'truncated');  // an inner length beyond its message
+});
+
+test('spokes that cannot be are refused', () => {
+  for (const bad of [{ bits: 16 }, { bits: 0 }, { cellCount: 6 }, { cellCount: 0, cells: [] }, { index: 4096 }, { spokesPerTurn: 0 },
+    { spokesPerTurn: 9000 }, { cellSizeM: 0 }, { cellSizeM: -1 }, { cellSizeM: NaN }, { cellSizeM: Infinity }, { latitudeDeg: NaN },
+    { cellCount: 5000, cells: new Uint8Array(5000) }]) {
+    refused(frame({ spoke: spoke(bad) }), 'out_of_range');
+  }
+  refused(frame({ settings: { gain: NaN } }), 'out_of_range');
+  refused(frame({ hello: { rangeScalesNm: [0] } }), 'out_of_range');
+});
+
+test('random bytes and damaged messages never do more than raise WireError', () => {
+  const r = random(2);
+  const good = Buffer.concat([frame({ hello: { server: 's', radars: [{ name: 'x' }], rangeScalesNm: [1, 2] } }), frame({ spoke: spoke() }), frame({ ownShip: { name: 'n' } })]);
+  let whole = 0, bad = 0;
+  for (let i = 0; i < 60000; ++i) {
+    let bytes;
+    if (i % 2 === 0) {
+      bytes = r.bytes(r.below(64));
+    } else {
+      bytes = Uint8Array.from(good);
+      for (let k = 1 + r.below(4); k > 0; --k) bytes[r.below(bytes.length)] = r.below(256);
+    }
+    try {
+      whole += decode(bytes).length;
+    } catch (error) {
+      assert.ok(error instanceof WireError, String(error.stack));
+      bad += 1;
+    }
+  }
+  assert.ok(whole > 1000 && bad > 1000, `${whole} read, ${bad} refused`);
+});
+
+test('what the console sends is what protobuf reads', () => {
+  const subscribe = ClientMessage.decodeDelimited(encodeSubscribe(300, 2, 1));
+  assert.deepEqual(subscribe.toJSON(), { request: 300, subscribe: { radar: 2, view: 1 } });
+  const set = ClientMessage.decodeDelimited(encodeSet(4294967295, 1, 0, { gain: 0, rangeNm: 0.125, courseDeg: 359.5 }, 'geheim'));
+  assert.equal(set.request, 4294967295);
+  assert.deepEqual(set.set.toJSON(), { radar: 1, courseDeg: 359.5, rangeNm: 0.125, gain: 0, token: 'geheim' });
+  assert.equal(set.set._speedKn, undefined);
+});

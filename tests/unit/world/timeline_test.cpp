@@ -1,0 +1,139 @@
+#include "server/world/timeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "server/world/scenario.hpp"
+
+namespace skerry::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+ScenarioTime at_tick(std::int64_t k) { return ScenarioTime(World::kTick * k); }
+
+TEST(Timeline, GivesTheStateOfTheTickThatContainsTheTime) {
+  Timeline timeline{World(default_scenario())};
+  EXPECT_EQ(timeline.latest()->time, at_tick(0));
+  EXPECT_EQ(timeline.at(ScenarioTime(99'999'999ns))->time, at_tick(0));
+  EXPECT_EQ(timeline.at(ScenarioTime(100ms))->time, at_tick(1));
+  EXPECT_EQ(timeline.at(ScenarioTime(1234ms))->time, at_tick(12));
+  EXPECT_EQ(timeline.latest()->time, at_tick(12));
+  EXPECT_EQ(timeline.at(ScenarioTime(-1h))->time, at_tick(0)) << "before the beginning";
+}
+
+TEST(Timeline, EveryTickIsMadeOnce) {
+  Timeline timeline{World(default_scenario())};
+  const WorldStatePtr state = timeline.at(at_tick(5));
+  EXPECT_EQ(timeline.at(at_tick(5) + 99ms), state);
+  timeline.at(at_tick(9));
+  EXPECT_EQ(timeline.at(at_tick(5)), state);
+}
+
+TEST(Timeline, AnOlderTimeThanIsKeptGetsTheOldestKept) {
+  Timeline timeline{World(default_scenario())};
+  for (int k = 0; k <= 100; ++k) timeline.at(at_tick(k));
+  EXPECT_EQ(timeline.at(at_tick(100))->time, at_tick(100));
+  EXPECT_EQ(timeline.at(at_tick(69))->time, at_tick(69));
+  EXPECT_EQ(timeline.at(at_tick(68))->time, at_tick(69));
+  EXPECT_EQ(timeline.at(at_tick(0))->time, at_tick(69));
+}
+
+TEST(Timeline, IsTheWorldSteppedTickByTick) {
+  World world(default_scenario());
+  Timeline timeline{World(default_scenario())};
+  EXPECT_EQ(timeline.order(0, 250.0, 4.0), 1u);
+  world.order(0, 250.0, 4.0);
+  for (int k = 0; k < 777; ++k) world.step();
+  const WorldStatePtr state = timeline.at(at_tick(777));  // in one jump
+  ASSERT_EQ(state->own_ships.size(), world.state().own_ships.size());
+  for (std::size_t i = 0; i < state->own_ships.size(); ++i) {
+    EXPECT_EQ(state->own_ships[i].position, world.state().own_ships[i].position);
+    EXPECT_EQ(state->own_ships[i].heading_deg, world.state().own_ships[i].heading_deg);
+  }
+  for (std::size_t i = 0; i < state->targets.size(); ++i) {
+    EXPECT_EQ(state->targets[i].position, world.state().targets[i].position);
+  }
+}
+
+TEST(Timeline, CatchesUpWithAnHourInBoundedCalls) {
+  Timeline timeline{World(default_scenario())};
+  const ScenarioTime wanted = at_tick(36'000);
+  std::uint64_t made = 0;
+  int calls = 0;
+  for (; timeline.latest()->time < wanted; ++calls) {
+    timeline.at(wanted);
+    const auto now =
+        static_cast<std::uint64_t>(timeline.latest()->time.time_since_epoch() / World::kTick);
+    ASSERT_GT(now, made);
+    ASSERT_LE((now - made) * 2, Timeline::kMaxShipSteps);
+    made = now;
+  }
+  EXPECT_EQ(calls, 15);
+  EXPECT_EQ(timeline.at(wanted)->time, wanted);
+  EXPECT_EQ(timeline.at(at_tick(0))->time, at_tick(36'000 - 31));
+}
+
+TEST(Timeline, TheEndOfTimeIsNoFurtherThanAnyOtherJump) {
+  Timeline timeline{World(default_scenario())};
+  const WorldStatePtr state = timeline.at(ScenarioTime::max());
+  EXPECT_EQ(state->time, at_tick(2500));
+  EXPECT_EQ(timeline.at(ScenarioTime::min())->time, at_tick(2500 - 31));
+}
+
+TEST(Timeline, AnOrderTakesEffectInTheTickItNames) {
+  Timeline timeline{World(default_scenario())};
+  timeline.at(at_tick(10));
+  const std::uint64_t tick = timeline.order(1, 90.0, std::nullopt);
+  EXPECT_EQ(tick, 11u);
+  EXPECT_EQ(timeline.latest()->own_ships[1].ordered_course_deg, 347.4);
+  EXPECT_EQ(timeline.at(at_tick(11))->own_ships[1].ordered_course_deg, 90.0);
+  EXPECT_THROW(timeline.order(2, 90.0, std::nullopt), std::invalid_argument);
+}
+
+// Meant for TSan; the invariants are what each thread may rely on meanwhile.
+TEST(Timeline, ServesManyThreadsAtOnce) {
+  Timeline timeline{World(default_scenario())};
+  std::atomic<bool> start{false};
+  std::vector<std::jthread> threads;
+  std::atomic<int> wrong{0};
+  for (int thread = 0; thread < 3; ++thread) {
+    threads.emplace_back([&, thread] {
+      while (!start) std::this_thread::yield();
+      for (int k = 0; k < 2000; ++k) {
+        const ScenarioTime t = at_tick(k) + 7ms * thread;
+        const WorldStatePtr state = timeline.at(t);
+        if (!state || state->own_ships.size() != 2) ++wrong;
+        // Another thread may have gone on by more than is kept, never less.
+        if (state && state->time + World::kTick <= t) ++wrong;
+      }
+    });
+  }
+  threads.emplace_back([&] {
+    while (!start) std::this_thread::yield();
+    ScenarioTime before{};
+    std::uint64_t tick = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const WorldStatePtr state = timeline.latest();
+      if (!state || state->time < before) ++wrong;
+      if (state) before = state->time;
+      if (k % 20 == 0) {
+        const std::uint64_t effective = timeline.order(0, k % 360, 5.0 + k % 7);
+        if (effective < tick) ++wrong;
+        tick = effective;
+      }
+    }
+  });
+  start = true;
+  threads.clear();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(timeline.latest()->time, at_tick(1999));
+}
+
+}  // namespace
+}  // namespace skerry::server
