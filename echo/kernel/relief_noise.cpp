@@ -15,18 +15,14 @@ struct OctavePath {
   std::uint32_t seed;
 };
 
-inline __attribute__((always_inline)) std::uint32_t corner_hash(std::uint32_t row,
-                                                                std::uint32_t column,
-                                                                std::uint32_t seed) {
-  std::uint32_t x = row * 0x9E3779B1u + column * 0x85EBCA77u + seed;
+constexpr std::uint32_t kRowStep = 0x9E3779B1u, kColumnStep = 0x85EBCA77u;
+
+// Random value in [-1, 1] of the corner with row * kRowStep + column * kColumnStep + seed = `x`.
+inline __attribute__((always_inline)) float corner(std::uint32_t x) {
   x ^= x >> 15;
   x *= 0x2C1B3C6Du;
   x ^= x >> 13;
-  return x;
-}
-inline __attribute__((always_inline)) float corner(std::uint32_t row, std::uint32_t column,
-                                                   std::uint32_t seed) {
-  const std::uint32_t x = corner_hash(row, column, seed) * 0x297A2D39u;
+  x *= 0x297A2D39u;
   return static_cast<float>(static_cast<std::int32_t>(x)) * 0x1p-31f;
 }
 inline __attribute__((always_inline)) std::int32_t whole_below(float x) {
@@ -43,10 +39,10 @@ SKERRY_KERNEL_BODY add_octave_body(OctavePath p, std::uint32_t first, float* __r
     const std::int32_t in = whole_below(n), ie = whole_below(e);
     const float fn = n - static_cast<float>(in), fe = e - static_cast<float>(ie);
     const float sn = fn * fn * (3.0f - 2.0f * fn), se = fe * fe * (3.0f - 2.0f * fe);
-    const std::uint32_t row = p.row + static_cast<std::uint32_t>(in);
-    const std::uint32_t column = p.column + static_cast<std::uint32_t>(ie);
-    const float a = corner(row, column, p.seed), b = corner(row, column + 1, p.seed);
-    const float c = corner(row + 1, column, p.seed), d = corner(row + 1, column + 1, p.seed);
+    const std::uint32_t at = (p.row + static_cast<std::uint32_t>(in)) * kRowStep +
+                             (p.column + static_cast<std::uint32_t>(ie)) * kColumnStep + p.seed;
+    const float a = corner(at), b = corner(at + kColumnStep);
+    const float c = corner(at + kRowStep), d = corner(at + kRowStep + kColumnStep);
     const float south = a + se * (b - a), north = c + se * (d - c);
     out[k] += p.amplitude * (south + sn * (north - south));
   }
@@ -93,8 +89,9 @@ double relief_noise_reference(double north_m, double east_m, std::span<const Noi
     const double fn = n - std::floor(n), fe = e - std::floor(e);
     const double sn = fn * fn * (3 - 2 * fn), se = fe * fe * (3 - 2 * fe);
     const std::uint32_t s = seed + static_cast<std::uint32_t>(o) * 0x9E3779B9u;
-    const double a = corner(row, column, s), b = corner(row, column + 1, s);
-    const double c = corner(row + 1, column, s), d = corner(row + 1, column + 1, s);
+    const std::uint32_t at = row * kRowStep + column * kColumnStep + s;
+    const double a = corner(at), b = corner(at + kColumnStep);
+    const double c = corner(at + kRowStep), d = corner(at + kRowStep + kColumnStep);
     const double south = a + se * (b - a), north = c + se * (d - c);
     sum += static_cast<double>(octaves[o].amplitude) * (south + sn * (north - south));
   }

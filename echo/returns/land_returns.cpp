@@ -33,41 +33,91 @@ double land_height(double inland_m, double broad_noise, double fine_noise) {
   return std::max(0.5, kBankHeight + rise + rough * fine_noise);
 }
 
+namespace {
+
+// The most land_height() can be that far inland.
+double greatest_height(double inland_m) { return land_height(inland_m, 1.0, 1.0); }
+
+// One ray across land, nearest cell first.
+class LandRay {
+ public:
+  LandRay(const LandModel& model, const LatticePath& path, std::span<float> power)
+      : model_(model),
+        path_(path),
+        power_(power),
+        horizon_(std::sqrt(2.0 * kEffectiveEarth * model.antenna_height_m)) {}
+
+  // Cells first .. last of a stretch, none more than kChunk.
+  void add(const LandInterval& stretch, std::size_t first, std::size_t last) {
+    if (hidden(stretch, first, last)) return;
+    float broad[kChunk], fine[kChunk];
+    const std::size_t count = last - first + 1;
+    const auto first32 = static_cast<std::uint32_t>(first);
+    relief_noise(path_, visible(kBroad, model_.cell_m), model_.seed, first32, {broad, count});
+    relief_noise(path_, visible(kFine, model_.cell_m), model_.seed ^ 0x51F1Eu, first32,
+                 {fine, count});
+    for (std::size_t k = 0; k < count; ++k) {
+      add_cell(stretch, first + k, static_cast<double>(broad[k]), static_cast<double>(fine[k]));
+    }
+  }
+
+  static constexpr std::size_t kChunk = 32;
+
+ private:
+  double middle_of(std::size_t cell) const {
+    return (static_cast<double>(cell) + 0.5) * model_.cell_m;
+  }
+  static double drop_at(double range) { return range * range / (2.0 * kEffectiveEarth); }
+  // The slope below which the sea's own curve or the land before hides everything at that range.
+  double hidden_below(double range) const {
+    const double sea_range = std::min(range, horizon_);
+    const double sea = -model_.antenna_height_m / sea_range - sea_range / (2.0 * kEffectiveEarth);
+    return std::max(shadow_, sea);
+  }
+
+  // Whether no cell of the chunk can show, however high its land: then nothing of it need be made.
+  bool hidden(const LandInterval& stretch, std::size_t first, std::size_t last) const {
+    const double near = middle_of(first), far = middle_of(last);
+    const double inland =
+        std::max(0.0, std::min(far - stretch.begin_m, stretch.end_m - near) + model_.cell_m);
+    const double above = greatest_height(inland) - model_.antenna_height_m - drop_at(near) + 1e-3;
+    return above / (above > 0.0 ? near : far) <= shadow_;
+  }
+
+  void add_cell(const LandInterval& stretch, std::size_t cell, double broad, double fine) {
+    const double middle = middle_of(cell);
+    const double range = std::clamp(middle, stretch.begin_m, stretch.end_m);
+    const double inland = std::min(range - stretch.begin_m, stretch.end_m - range);
+    const double height = land_height(std::max(0.0, inland), broad, fine);
+    const double below = hidden_below(middle);
+    const double slope = (height - model_.antenna_height_m - drop_at(middle)) / middle;
+    if (slope <= below) return;
+    const double shown = std::min(height, (slope - below) * middle);
+    shadow_ = slope;
+    const double cover = 1.0 + 0.8 * fine;
+    power_[cell] += static_cast<float>(model_.unit_signal_to_noise * kGamma * cover *
+                                       model_.ray_radians * shown / (middle * middle * middle));
+  }
+
+  const LandModel& model_;
+  const LatticePath& path_;
+  std::span<float> power_;
+  double horizon_;
+  double shadow_ = -1e9;
+};
+
+}  // namespace
+
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
-              std::vector<float>& scratch, std::span<float> power) {
-  const auto cells = power.size();
-  const double horizon = std::sqrt(2.0 * kEffectiveEarth * model.antenna_height_m);
-  // Slope (height over range, seen from the antenna) below which everything is hidden.
-  double shadow = -1e9;
+              std::span<float> power) {
+  LandRay ray(model, path, power);
   for (const LandInterval& stretch : land) {
     const auto first = static_cast<std::size_t>(stretch.begin_m / model.cell_m);
-    if (first >= cells) break;
+    if (first >= power.size()) break;
     const std::size_t last =
-        std::min(cells - 1, static_cast<std::size_t>(stretch.end_m / model.cell_m));
-    const std::size_t count = last - first + 1;
-    scratch.resize(2 * count);
-    const std::span<float> broad(scratch.data(), count), fine(scratch.data() + count, count);
-    const auto first32 = static_cast<std::uint32_t>(first);
-    relief_noise(path, visible(kBroad, model.cell_m), model.seed, first32, broad);
-    relief_noise(path, visible(kFine, model.cell_m), model.seed ^ 0x51F1Eu, first32, fine);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double middle = (static_cast<double>(first + k) + 0.5) * model.cell_m;
-      const double range = std::clamp(middle, stretch.begin_m, stretch.end_m);
-      const double inland = std::min(range - stretch.begin_m, stretch.end_m - range);
-      const double height = land_height(std::max(0.0, inland), static_cast<double>(broad[k]),
-                                        static_cast<double>(fine[k]));
-      const double drop = middle * middle / (2.0 * kEffectiveEarth);
-      const double sea_range = std::min(middle, horizon);
-      const double sea = -model.antenna_height_m / sea_range - sea_range / (2.0 * kEffectiveEarth);
-      const double hidden_below = std::max(shadow, sea);
-      const double slope = (height - model.antenna_height_m - drop) / middle;
-      if (slope <= hidden_below) continue;
-      const double shown = std::min(height, (slope - hidden_below) * middle);
-      shadow = slope;
-      const double cover = 1.0 + 0.8 * static_cast<double>(fine[k]);
-      power[first + k] +=
-          static_cast<float>(model.unit_signal_to_noise * kGamma * cover * model.ray_radians *
-                             shown / (middle * middle * middle));
+        std::min(power.size() - 1, static_cast<std::size_t>(stretch.end_m / model.cell_m));
+    for (std::size_t cell = first; cell <= last; cell += LandRay::kChunk) {
+      ray.add(stretch, cell, std::min(last, cell + LandRay::kChunk - 1));
     }
   }
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "echo/kernel/relief_noise.hpp"
 #include "echo/returns/coast_crossings.hpp"
@@ -31,9 +30,9 @@ double land_height(double inland_m, double broad_noise, double fine_noise);
 // flats are weak, slopes that face the radar strong, and what lies in shadow silent.  R^-3 in all:
 // R^-4 of the radar equation times the arc.  Source: physics.md B2, B5 (gamma -8 dB, wooded hill).
 // The first cell of each stretch holds its bank, so the leading edge stands at the crossing.
-// `path` is the ray over the Earth-fixed lattice; `scratch` may be reused.
+// `path` is the ray over the Earth-fixed lattice.
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
-              std::vector<float>& scratch, std::span<float> power);
+              std::span<float> power);
 
 // The lattice path of a ray with that true bearing from `own_ship`: north and east in metres of an
 // Earth-fixed grid, quadratic in range.  Error: third order, 0.3 m at 12 NM and 60 deg latitude.

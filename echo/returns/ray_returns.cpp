@@ -87,8 +87,7 @@ bool ray_returns(const Scene& scene, const HullsInSight& hulls, const RayModel& 
     const LandModel land{model.cell_m, model.set.antenna_height_m,
                          2.0 * std::numbers::pi / model.rays_per_turn, unit_snr,
                          static_cast<std::uint32_t>(mixed(scene.seed, 0x1A9D))};
-    add_land(scratch.land, land, lattice_path(scene.own_ship_geo, true_units, model.cell_m),
-             scratch.noise, power);
+    add_land(scratch.land, land, lattice_path(scene.own_ship_geo, true_units, model.cell_m), power);
   }
   const bool any_hull = add_hulls(scene, hulls, model, plane_units, own_ship, dt, unit_snr,
                                   scratch.scatterers, power);

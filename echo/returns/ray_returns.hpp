@@ -26,7 +26,7 @@ struct RayScratch {
   std::vector<Crossing> crossings;
   std::vector<LandInterval> land;
   std::vector<Scatterer> scatterers;
-  std::vector<float> noise, stretch;
+  std::vector<float> stretch;
 };
 
 // Hulls that may lie under the rays about to be made; filled once per sector so that a ray looks

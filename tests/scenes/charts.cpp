@@ -14,6 +14,9 @@ GeoPoint at(GeoPoint centre, double bearing_deg, double metres) {
   GeoPoint p;
   GeographicLib::Geodesic::WGS84().Direct(centre.latitude_deg, centre.longitude_deg, bearing_deg,
                                           metres, p.latitude_deg, p.longitude_deg);
+  // To 1 cm: the geodesic's last bits are libm's and differ from machine to machine.
+  p.latitude_deg = std::round(p.latitude_deg * 1e7) * 1e-7;
+  p.longitude_deg = std::round(p.longitude_deg * 1e7) * 1e-7;
   return p;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 std::vector<float> power_of(std::vector<LandInterval> land, LandModel model,
                             std::size_t cells = 1024) {
-  std::vector<float> scratch, power(cells, 0.0f);
-  add_land(land, model, lattice_path({60.0, 5.0}, 0x20000000u, model.cell_m), scratch, power);
+  std::vector<float> power(cells, 0.0f);
+  add_land(land, model, lattice_path({60.0, 5.0}, 0x20000000u, model.cell_m), power);
   return power;
 }
 
