@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace skerry::server {
@@ -29,6 +30,11 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
     return continues(at + 1) && continues(at + 2) && continues(at + 3) ? 4 : 0;
   }
   return 0;
+}
+
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 std::string printable(std::string_view text, std::size_t longest) {

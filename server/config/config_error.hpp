@@ -1,6 +1,7 @@
 // ConfigError: what is wrong with a configuration file, and where.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,5 +31,8 @@ std::string printable(std::string_view text, std::size_t longest = 60);
 // The number of bytes of the UTF-8 character that begins at `at`; 0 if none does (RFC 3629: no
 // overlong form, no surrogate, nothing above U+10FFFF).  Requires at < text.size().
 std::size_t utf8_length(std::string_view text, std::size_t at);
+
+// Characters of UTF-8 text.
+std::size_t character_count(std::string_view text);
 
 }  // namespace skerry::server

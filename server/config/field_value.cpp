@@ -44,12 +44,29 @@ struct Given {
   // "; allowed: ..." by the rule, or else by the type; empty for a number without bounds.
   std::string allowance() const {
     std::string allowed = allowed_by(rule_of(field));
-    if (allowed.empty() && field.cpp_type() == FieldDescriptor::CPPTYPE_UINT32) {
-      allowed = fmt::format("0 to {}", std::numeric_limits<std::uint32_t>::max());
-    } else if (allowed.empty() && field.cpp_type() == FieldDescriptor::CPPTYPE_UINT64) {
-      allowed = fmt::format("0 to {}", std::numeric_limits<std::uint64_t>::max());
-    }
+    if (allowed.empty()) allowed = range_of_type();
     return allowed.empty() ? "" : "; allowed: " + allowed;
+  }
+
+ private:
+  template <typename Whole>
+  static std::string range_of() {
+    return fmt::format("{} to {}", std::numeric_limits<Whole>::min(),
+                       std::numeric_limits<Whole>::max());
+  }
+  std::string range_of_type() const {
+    switch (field.cpp_type()) {
+      case FieldDescriptor::CPPTYPE_INT32:
+        return range_of<std::int32_t>();
+      case FieldDescriptor::CPPTYPE_INT64:
+        return range_of<std::int64_t>();
+      case FieldDescriptor::CPPTYPE_UINT32:
+        return range_of<std::uint32_t>();
+      case FieldDescriptor::CPPTYPE_UINT64:
+        return range_of<std::uint64_t>();
+      default:
+        return {};
+    }
   }
 };
 
@@ -95,20 +112,50 @@ double number_of(const Given& given) {
   return value;
 }
 
-std::uint64_t whole_number_of(const Given& given, std::uint64_t largest) {
-  const double approximate = number_of(given);
+// Decimal, or hexadecimal after 0x, which is how seeds are often written.
+template <typename Whole>
+Whole whole_number_of(const Given& given) {
   std::string_view text = given.node.text;
-  if (text[0] == '+') text.remove_prefix(1);
-  const std::size_t digits = text[0] == '-' ? 1 : 0;
-  if (text.find_first_not_of("0123456789", digits) != std::string_view::npos) {
-    given.refuse(fmt::format("{} is not a whole number{}", given.shown(), given.allowance()));
+  int base = 10;
+  if (given.node.kind == YamlNode::Kind::plain && text.substr(0, 2) == "0x") {
+    base = 16;
+    text.remove_prefix(2);
+    if (text.find_first_not_of("0123456789abcdefABCDEF") != std::string_view::npos ||
+        text.empty()) {
+      given.refuse_kind();
+    }
+  } else {
+    number_of(given);
+    if (text[0] == '+') text.remove_prefix(1);
+    if (text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) != std::string_view::npos) {
+      given.refuse(fmt::format("{} is not a whole number{}", given.shown(), given.allowance()));
+    }
+    if (text == "-0") text = "0";
   }
-  if (approximate < 0.0) given.refuse_range();
-  text.remove_prefix(digits);  // "-0"
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || value > largest) given.refuse_range();
+  Whole value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  // A negative number for an unsigned field is invalid_argument here.
+  if (error != std::errc()) given.refuse_range();
+  if (!permits(rule_of(given.field), static_cast<double>(value))) given.refuse_range();
   return value;
+}
+
+double bounded_number_of(const Given& given) {
+  const double value = number_of(given);
+  if (!permits(rule_of(given.field), value)) given.refuse_range();
+  return value;
+}
+
+float float_of(const Given& given) {
+  const double value = bounded_number_of(given);
+  if (std::fabs(value) > std::numeric_limits<float>::max()) given.refuse_range();
+  return static_cast<float>(value);
+}
+
+int enum_number_of(const Given& given) {
+  const auto* const value = given.field.enum_type()->FindValueByName(given.node.text);
+  if (given.node.kind != YamlNode::Kind::plain || value == nullptr) given.refuse_kind();
+  return value->number();
 }
 
 bool truth_of(const Given& given) {
@@ -130,6 +177,11 @@ const std::string& text_of(const Given& given) {
   if (text.empty() && rule_of(given.field).required()) {
     given.refuse("is empty; allowed: at least one character");
   }
+  const std::size_t characters = character_count(text);
+  if (!permits(rule_of(given.field), static_cast<double>(characters))) {
+    given.refuse(
+        fmt::format("\"{}\" has {} characters{}", given.shown(), characters, given.allowance()));
+  }
   // parse_yaml() let only UTF-8 through, but quoted text can spell control characters.
   if (printable(text, kMaxTextValueBytes) != text) {
     given.refuse(
@@ -139,6 +191,13 @@ const std::string& text_of(const Given& given) {
 }
 
 }  // namespace
+
+void require_readable(const FieldDescriptor& field) {
+  if (field.is_map() || field.type() == FieldDescriptor::TYPE_BYTES ||
+      field.type() == FieldDescriptor::TYPE_GROUP) {
+    refuse_type(field);
+  }
+}
 
 const config::FieldRule& rule_of(const FieldDescriptor& field) {
   return field.options().GetExtension(config::rule);
@@ -162,19 +221,28 @@ std::string allowed_by(const config::FieldRule& rule) {
 std::string expected_by(const FieldDescriptor& field) {
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
+    case FieldDescriptor::CPPTYPE_FLOAT:
       return "a number";
+    case FieldDescriptor::CPPTYPE_INT32:
+    case FieldDescriptor::CPPTYPE_INT64:
     case FieldDescriptor::CPPTYPE_UINT32:
     case FieldDescriptor::CPPTYPE_UINT64:
       return "a whole number";
     case FieldDescriptor::CPPTYPE_BOOL:
       return "true or false";
+    case FieldDescriptor::CPPTYPE_ENUM: {
+      std::string names;
+      for (int i = 0; i < field.enum_type()->value_count(); ++i) {
+        names += (i == 0 ? "one of " : ", ") + field.enum_type()->value(i)->name();
+      }
+      return names;
+    }
     case FieldDescriptor::CPPTYPE_STRING:
       return "text";
     case FieldDescriptor::CPPTYPE_MESSAGE:
       return "keys and values";
-    default:
-      refuse_type(field);
   }
+  refuse_type(field);
 }
 
 std::string given_by(const YamlNode& node) {
@@ -203,23 +271,22 @@ void set_value(const YamlNode& node, const FieldDescriptor& field, const std::st
   };
   using R = google::protobuf::Reflection;
   switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE: {
-      const double value = number_of(given);
-      if (!permits(rule_of(field), value)) given.refuse_range();
-      return put(&R::SetDouble, &R::AddDouble, value);
-    }
-    case FieldDescriptor::CPPTYPE_UINT32: {
-      const auto value = whole_number_of(given, std::numeric_limits<std::uint32_t>::max());
-      if (!permits(rule_of(field), static_cast<double>(value))) given.refuse_range();
-      return put(&R::SetUInt32, &R::AddUInt32, static_cast<std::uint32_t>(value));
-    }
-    case FieldDescriptor::CPPTYPE_UINT64: {
-      const auto value = whole_number_of(given, std::numeric_limits<std::uint64_t>::max());
-      if (!permits(rule_of(field), static_cast<double>(value))) given.refuse_range();
-      return put(&R::SetUInt64, &R::AddUInt64, value);
-    }
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return put(&R::SetDouble, &R::AddDouble, bounded_number_of(given));
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return put(&R::SetFloat, &R::AddFloat, float_of(given));
+    case FieldDescriptor::CPPTYPE_INT32:
+      return put(&R::SetInt32, &R::AddInt32, whole_number_of<std::int32_t>(given));
+    case FieldDescriptor::CPPTYPE_INT64:
+      return put(&R::SetInt64, &R::AddInt64, whole_number_of<std::int64_t>(given));
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return put(&R::SetUInt32, &R::AddUInt32, whole_number_of<std::uint32_t>(given));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return put(&R::SetUInt64, &R::AddUInt64, whole_number_of<std::uint64_t>(given));
     case FieldDescriptor::CPPTYPE_BOOL:
       return put(&R::SetBool, &R::AddBool, truth_of(given));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return put(&R::SetEnumValue, &R::AddEnumValue, enum_number_of(given));
     case FieldDescriptor::CPPTYPE_STRING:
       return put(&R::SetString, &R::AddString, text_of(given));
     default:
@@ -235,6 +302,14 @@ void set_default(const FieldDescriptor& field, Message& out) {
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
       return reflection.SetDouble(&out, &field, value);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return reflection.SetFloat(&out, &field, static_cast<float>(value));
+    case FieldDescriptor::CPPTYPE_INT32:
+      return reflection.SetInt32(&out, &field, static_cast<std::int32_t>(value));
+    case FieldDescriptor::CPPTYPE_INT64:
+      return reflection.SetInt64(&out, &field, static_cast<std::int64_t>(value));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return reflection.SetEnumValue(&out, &field, static_cast<int>(value));
     case FieldDescriptor::CPPTYPE_UINT32:
       return reflection.SetUInt32(&out, &field, static_cast<std::uint32_t>(value));
     case FieldDescriptor::CPPTYPE_UINT64:

@@ -14,27 +14,30 @@ namespace skerry::server {
 
 inline constexpr std::size_t kMaxTextValueBytes = 4096;
 
+// Error: std::logic_error for a type that YAML files do not hold (bytes, maps).
+void require_readable(const google::protobuf::FieldDescriptor& field);
+
 // What the schema says of a field beyond its type.
 const config::FieldRule& rule_of(const google::protobuf::FieldDescriptor& field);
 
 // "12 to 60 turns/min", "4, 8 per cell", "at least 2 m"; empty if the rule bounds nothing.
 std::string allowed_by(const config::FieldRule& rule);
 
-// "a number", "a whole number", "text", "true or false", "a list", "keys and values".
+// "a number", "a whole number", "text", "true or false", "one of SLOW, FAST", "keys and values".
 std::string expected_by(const google::protobuf::FieldDescriptor& field);
 
 // "75", "the text "fast"", "a list", "keys and values", "nothing".
 std::string given_by(const YamlNode& node);
 
 // Sets `field` of `out` (adds to it if it is repeated) to the value of `node`.  Numbers are decimal
-// and finite, whole ones without a point; true and false are spelled so; text is at most
-// kMaxTextValueBytes without control characters.
-// Error: ConfigError if the value is not of the field's type or the field's rule forbids it;
-// std::logic_error if the schema uses a type other than double, uint32, uint64, bool and string.
+// and finite, whole ones without a point, or hexadecimal after 0x; true, false and enums are
+// spelled as in the schema; text is at most kMaxTextValueBytes without control characters, and a
+// rule's bounds are on its characters.  Requires a readable field that is no message.
+// Error: ConfigError if the value is not of the field's type or the field's rule forbids it.
 void set_value(const YamlNode& node, const google::protobuf::FieldDescriptor& field,
                const std::string& path, const YamlSource& source, google::protobuf::Message& out);
 
-// Sets `field` to its rule's default, if it has one.  Requires a single number or bool.
+// Sets `field` to its rule's default, if it has one.  Requires a single number, bool or enum.
 void set_default(const google::protobuf::FieldDescriptor& field, google::protobuf::Message& out);
 
 }  // namespace skerry::server

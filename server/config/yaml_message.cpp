@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -25,6 +26,36 @@ std::string joined(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
+bool is_section(const FieldDescriptor& field) {
+  return field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && !field.is_repeated() &&
+         !field.has_optional_keyword();
+}
+
+// Whether defaults can make all of an absent section.  `within` are the messages around it.
+bool can_be_filled(const Descriptor& section, std::vector<const Descriptor*>& within) {
+  if (std::find(within.begin(), within.end(), &section) != within.end()) return false;
+  within.push_back(&section);
+  bool can = true;
+  for (int i = 0; can && i < section.field_count(); ++i) {
+    const FieldDescriptor& field = *section.field(i);
+    can = !rule_of(field).required() &&
+          (!is_section(field) || can_be_filled(*field.message_type(), within));
+  }
+  within.pop_back();
+  return can;
+}
+
+void fill_absent(const FieldDescriptor& field, Message& out) {
+  set_default(field, out);
+  if (!is_section(field)) return;
+  std::vector<const Descriptor*> within{out.GetDescriptor()};
+  if (!can_be_filled(*field.message_type(), within)) return;
+  Message& section = *out.GetReflection()->MutableMessage(&out, &field);
+  for (int i = 0; i < section.GetDescriptor()->field_count(); ++i) {
+    fill_absent(*section.GetDescriptor()->field(i), section);
+  }
+}
+
 class MessageReader {
  public:
   MessageReader(const std::string& file_name, YamlSource& source)
@@ -36,21 +67,22 @@ class MessageReader {
       throw source_.error(path, "expected keys and values, given " + given_by(node));
     }
     std::map<const FieldDescriptor*, TextPlace> seen;
-    for (const auto& [key, value] : node.pairs) {
+    for (std::size_t i = 0; i < node.keys.size(); ++i) {
+      const YamlNode& key = node.keys[i];
       const FieldDescriptor& field = field_of(key, path, *out.GetDescriptor());
       const auto [earlier, first] = seen.emplace(&field, key.place);
       if (!first) {
         fail(key, joined(path, field.name()),
              fmt::format("given twice; first in line {}", earlier->second.line));
       }
-      read_field(value, field, joined(path, field.name()), out);
+      read_field(node.items[i], field, joined(path, field.name()), out);
     }
     const Descriptor& schema = *out.GetDescriptor();
     for (int i = 0; i < schema.field_count(); ++i) {
       const FieldDescriptor& field = *schema.field(i);
       if (seen.count(&field) != 0) continue;
       if (rule_of(field).required()) refuse_missing(node, field, path);
-      set_default(field, out);
+      fill_absent(field, out);
     }
   }
 
@@ -87,6 +119,7 @@ class MessageReader {
 
   void read_field(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
                   Message& out) {
+    require_readable(field);
     source_.add(path, node.place);
     if (!field.is_repeated()) {
       read_value(node, field, path, out);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace skerry::server {
 namespace {
@@ -22,7 +23,7 @@ class Places {
   explicit Places(std::string_view text) : text_(text) {
     for (std::size_t at = 0; at < text.size(); ++at) {
       if (at % kStride == 0) characters_before_.push_back(characters_);
-      characters_ += begins_character(text[at]);
+      characters_ += static_cast<int>(character_count(text.substr(at, 1)));
       if (text[at] == '\n') starts_.push_back(at + 1);
     }
   }
@@ -45,14 +46,11 @@ class Places {
   // more than one on a short line.
   static constexpr std::size_t kStride = 64;
 
-  static bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
-
   int characters_before(std::size_t byte) const {
     const std::size_t stride = byte / kStride;
     if (stride == characters_before_.size()) return characters_;
     const std::string_view rest = text_.substr(stride * kStride, byte % kStride);
-    return characters_before_[stride] +
-           static_cast<int>(std::count_if(rest.begin(), rest.end(), begins_character));
+    return characters_before_[stride] + static_cast<int>(character_count(rest));
   }
 
   std::string_view text_;
@@ -166,7 +164,8 @@ class TreeBuilder : public YAML::EventHandler {
     } else if (!parent.key) {
       parent.key = std::move(value);
     } else {
-      parent.node.pairs.emplace_back(std::move(*parent.key), std::move(value));
+      parent.node.keys.push_back(std::move(*parent.key));
+      parent.node.items.push_back(std::move(value));
       parent.key.reset();
     }
   }
@@ -207,6 +206,8 @@ YamlNode parse_yaml(const std::string& text, const std::string& file_name) {
   if (body.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     body.remove_prefix(kByteOrderMark.size());
   }
+  // yaml-cpp takes the end of the text for the end of a quoted value if a line ends before it.
+  body = body.substr(0, body.find_last_not_of(" \t\r\n") + 1);
   const Places places(body);
   require_text(body, file_name, places);
   TreeBuilder builder(file_name, places);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "server/config/config_error.hpp"
@@ -14,15 +13,15 @@ struct YamlNode {
 
   Kind kind = Kind::null;
   TextPlace place;
-  std::string text;                                  // of plain and quoted
-  std::vector<YamlNode> items;                       // of a list
-  std::vector<std::pair<YamlNode, YamlNode>> pairs;  // of a map, in order, as written
+  std::string text;             // of plain and quoted
+  std::vector<YamlNode> keys;   // of a map, in order, as written
+  std::vector<YamlNode> items;  // of a list; of a map, the values of its keys
 };
 
 // What a text may hold.  Far above any sensible scenario (1000 targets of 1000 waypoints do not
-// fit, 1000 of 20 do: ScenarioFile.AThousandTargetsOfTwentyWaypointsFit) and small enough that the
-// worst text found, a mebibyte of opening brackets, costs 250 MB for a second; a thousand targets
-// cost 60 MB.
+// fit, 1000 of 20 do: YamlText.AThousandTargetsOfTwentyWaypointsFit) and small enough that the
+// worst text found, a mebibyte of opening brackets, costs 250 MB for half a second; the thousand
+// targets cost 20 MB.
 inline constexpr std::size_t kMaxYamlBytes = 1 << 20;
 inline constexpr std::size_t kMaxYamlNodes = 150'000;  // values and keys
 inline constexpr std::size_t kMaxYamlDepth = 32;       // lists and maps within each other

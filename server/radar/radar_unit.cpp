@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 #include <pthread.h>
-#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <condition_variable>
@@ -12,6 +13,11 @@
 
 namespace skerry::server {
 namespace {
+
+// An antenna does not wait for a web page: its thread goes before others where the system lets it
+// (as root or with CAP_SYS_NICE), and is an ordinary one where not.
+constexpr int kNiceness = -10;
+void go_before_others() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness); }
 
 // Sleeps until `deadline` or a stop, whichever comes first.
 class Sleeper {
@@ -50,6 +56,7 @@ RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService
 void RadarUnit::start(const Epoch& epoch) {
   thread_ = std::jthread([this, epoch](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), fmt::format("radar-{}", config_.radar).c_str());
+    go_before_others();
     run(stop, epoch);
   });
 }

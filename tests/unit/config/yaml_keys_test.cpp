@@ -12,7 +12,8 @@ namespace {
 
 constexpr const char* kKnownKeys =
     "known keys: bounded, at_least, at_most, number, count, choice, whole, big, flag, text, "
-    "numbers, words, parts, part, inner, scale";
+    "numbers, words, parts, part, inner, scale, signed_whole, "
+    "signed_big, single, pace, short_text, section, own_section";
 
 TEST(YamlKeys, ThatAreUnknownAreErrorsWithASuggestion) {
   EXPECT_EQ(

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "server/config/yaml_tree.hpp"
+#include "server/world/scenario.pb.h"
 #include "tests/unit/config/loading.hpp"
 
 namespace skerry::server {
@@ -24,6 +25,8 @@ TEST(YamlText, ThatIsNoYamlSaysWhere) {
             "t.yaml:3:2: not YAML: end of map not found; it begins at 1:1");
   EXPECT_EQ(refusal("number: 1\n\ttext: a").substr(0, 21), "t.yaml:2:1: not YAML:");
   EXPECT_EQ(refusal("number: 1\n text: a").substr(0, 21), "t.yaml:2:6: not YAML:");
+  EXPECT_EQ(refusal("text: \"a\nnumber: 1\n\n"), "t.yaml:2:10: not YAML: illegal EOF in scalar");
+  EXPECT_EQ(refusal("text: 'a\n"), "t.yaml:1:9: not YAML: illegal EOF in scalar");
   EXPECT_EQ(refusal("text: @a"), "t.yaml:1:7: not YAML: unknown token");
 }
 
@@ -58,7 +61,8 @@ TEST(YamlText, IsNotTooDeep) {
   const std::string expected = "too deep: more than 32 lists and maps within each other";
   EXPECT_EQ(refusal(nested(kMaxYamlDepth + 1)), "t.yaml:1:257: " + expected);
   for (const char* bracket : {"[", "{", "- ", "? ", "{a: ", "[["}) {
-    EXPECT_NE(refusal(repeated(bracket, 100'000)).find(expected), std::string::npos) << bracket;
+    EXPECT_NE(refusal(repeated(bracket, 100'000) + "1").find(expected), std::string::npos)
+        << bracket;
   }
 }
 
@@ -75,6 +79,17 @@ TEST(YamlText, HoldsNotTooManyValues) {
   EXPECT_EQ(loaded(entries(kMaxYamlNodes - 3)).numbers_size(), 149'997);
   EXPECT_EQ(refusal(entries(kMaxYamlNodes - 2)),
             "t.yaml:149999:3: too much: more than 150000 keys and values");
+}
+
+TEST(YamlText, AThousandTargetsOfTwentyWaypointsFit) {
+  std::string text = "name: Test\nown_ships: [{name: a, position: {lat: 0, lon: 0}}]\ntargets:\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += fmt::format(
+        "  - name: Target {}\n    position: {{lat: 60.425, lon: 5.040}}\n    speed_kn: 12.5\n"
+        "    length_m: 92\n    beam_m: 15\n    height_m: 18\n    waypoints:\n{}",
+        i, repeated("      - {lat: 60.456, lon: 5.050}\n", 20));
+  }
+  EXPECT_EQ(loaded<scenario::Scenario>(text).targets(999).waypoints_size(), 20);
 }
 
 TEST(YamlText, IsUtf8WithoutControlCharacters) {

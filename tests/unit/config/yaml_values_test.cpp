@@ -1,6 +1,7 @@
 // Values of each type: what is taken, what is refused and with which words.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -136,8 +137,8 @@ TEST(YamlValues, OfTheWrongTypeSayWhatWasExpectedAndWhatWasGiven) {
 }
 
 TEST(YamlValues, ThatOnlyLookLikeNumbersAreNone) {
-  for (const std::string text : {"0x10", "1_000", "5 m", "1,5", "--1", "+-1", "1e", "12:30",
-                                 "1.2.3", "\xD9\xA1", ".", "e5"}) {
+  for (const std::string text :
+       {"1_000", "5 m", "1,5", "--1", "+-1", "1e", "12:30", "1.2.3", "\xD9\xA1", ".", "e5"}) {
     EXPECT_EQ(refusal("words: [a]\nnumber: " + text + "\n"),
               "t.yaml:2:9: number: expected a number, given " + text);
   }
@@ -158,9 +159,65 @@ TEST(YamlValues, OfTextAreOneLineOfBoundedLength) {
             "t.yaml:1:14: part.name: is empty; allowed: at least one character");
 }
 
+TEST(YamlValues, OfSignedNumbersFloatsAndEnumsAreRead) {
+  const test::EveryKind all = loaded(
+      "signed_whole: -2147483648\nsigned_big: -9223372036854775808\nsingle: -3e38\npace: FAST");
+  EXPECT_EQ(all.signed_whole(), std::numeric_limits<std::int32_t>::min());
+  EXPECT_EQ(all.signed_big(), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(all.single(), -3e38f);
+  EXPECT_EQ(all.pace(), test::FAST);
+  EXPECT_EQ(loaded("text: a").signed_whole(), -3);
+  EXPECT_EQ(loaded("text: a").single(), 0.5f);
+  EXPECT_EQ(refusal("signed_whole: 2147483648"),
+            "t.yaml:1:15: signed_whole: 2147483648 is out of range; allowed: -2147483648 to "
+            "2147483647");
+  EXPECT_EQ(refusal("signed_big: -9223372036854775809"),
+            "t.yaml:1:13: signed_big: -9223372036854775809 is out of range; allowed: "
+            "-9223372036854775808 to 9223372036854775807");
+  EXPECT_EQ(refusal("single: 4e38"), "t.yaml:1:9: single: 4e38 is out of range");
+  EXPECT_EQ(refusal("pace: fast"), "t.yaml:1:7: pace: expected one of SLOW, FAST, given fast");
+  EXPECT_EQ(refusal("pace: 1"), "t.yaml:1:7: pace: expected one of SLOW, FAST, given 1");
+}
+
+TEST(YamlValues, OfWholeNumbersMayBeHexadecimal) {
+  EXPECT_EQ(loaded("big: 0xDEADbeef").big(), 0xDEADBEEFu);
+  EXPECT_EQ(loaded("big: 0xffffffffffffffff").big(), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(refusal("whole: 0x100000000"),
+            "t.yaml:1:8: whole: 0x100000000 is out of range; allowed: 0 to 4294967295");
+  for (const std::string text : {"0x", "0xg", "0x-1", "-0x1", "0x1.8"}) {
+    EXPECT_EQ(refusal("whole: " + text), "t.yaml:1:8: whole: expected a whole number, given " +
+                                             text + "; allowed: 0 to 4294967295");
+  }
+  EXPECT_EQ(refusal("number: 0x1"), "t.yaml:1:9: number: expected a number, given 0x1");
+}
+
+TEST(YamlValues, OfTextAreBoundedInCharacters) {
+  EXPECT_EQ(loaded("short_text: \xC3\xA6\xC3\xB8\xC3\xA5").short_text(),
+            "\xC3\xA6\xC3\xB8\xC3\xA5");
+  EXPECT_EQ(refusal("short_text: \xC3\xA6\xC3\xB8\xC3\xA5!"),
+            "t.yaml:1:13: short_text: \"\xC3\xA6\xC3\xB8\xC3\xA5!\" has 4 characters; allowed: at "
+            "most 3 characters");
+}
+
+TEST(YamlValues, OfAnAbsentSectionAreItsDefaultsUnlessItIsOptional) {
+  const test::EveryKind all = loaded("text: a");
+  EXPECT_EQ(all.section().port(), 7410u);
+  EXPECT_EQ(all.section().inner().pace(), test::FAST);
+  EXPECT_FALSE(all.has_own_section());
+  EXPECT_FALSE(all.has_part()) << "it has a required key";
+  EXPECT_FALSE(all.has_inner()) << "it holds itself";
+  const test::EveryKind given = loaded("section: {inner: {pace: SLOW}}\nown_section: {}");
+  EXPECT_EQ(given.section().port(), 7410u);
+  EXPECT_EQ(given.section().inner().pace(), test::SLOW);
+  EXPECT_EQ(given.own_section().port(), 7410u);
+}
+
 TEST(YamlValues, OfATypeThatTheReaderDoesNotKnowAreAFaultOfTheSchema) {
-  test::Unreadable out;
-  EXPECT_THROW(load_yaml("single: 1", "t.yaml", out), std::logic_error);
+  test::UnreadableBytes bytes;
+  EXPECT_THROW(load_yaml("raw: a", "t.yaml", bytes), std::logic_error);
+  test::UnreadableMap map;
+  EXPECT_THROW(load_yaml("by_name: {a: 1}", "t.yaml", map), std::logic_error);
+  EXPECT_THROW(load_yaml("by_name: [{key: a, value: 1}]", "t.yaml", map), std::logic_error);
 }
 
 }  // namespace

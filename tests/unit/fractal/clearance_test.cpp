@@ -15,7 +15,7 @@ namespace {
 
 TEST(Clearance, AloneAnEdgeHasAllTheRoomThereIs) {
   const std::vector<ShoreEdge> edges{{{0, 0}, {100, 0}, 1, 2}};
-  EXPECT_FLOAT_EQ(Clearance(edges).half_angle_tan(0), kMaxHalfAngleTan);
+  EXPECT_NEAR(Clearance(edges).half_angle_tan(0), kMaxHalfAngleTan, 1e-7);
 }
 
 TEST(Clearance, TwoBanksOfAChannelShareIt) {

@@ -1,0 +1,68 @@
+// A reader of scenario files: what it refuses names its place, what it accepts can be sailed.
+#include <cmath>
+#include <string>
+
+#include "server/config/config_error.hpp"
+#include "server/config/yaml_message.hpp"
+#include "server/world/scenario.hpp"
+#include "server/world/world.hpp"
+#include "tests/fuzz/fuzz_require.hpp"
+
+namespace {
+
+using namespace skerry;
+using namespace skerry::server;
+
+// "f:LINE:COLUMN: ..." in one line of printable text, the place within `text` or just behind it.
+void check_refusal(const std::string& what, const std::string& text) {
+  unsigned long line = 0, column = 0;
+  int length = 0;
+  const int read = std::sscanf(what.c_str(), "f:%lu:%lu: %n", &line, &column, &length);
+  fuzz::require(read == 2 && length > 0, "a refusal names file, line and column");
+  fuzz::require(what.size() > static_cast<std::size_t>(length), "and says why");
+  fuzz::require(printable(what, what.size()) == what, "in printable text");
+  fuzz::require(what.size() < 20'000, "of bounded length");
+
+  std::size_t lines = 1, start = 0;
+  for (std::size_t at = 0; at < text.size() && lines < line; ++at) {
+    if (text[at] != '\n') continue;
+    ++lines;
+    start = at + 1;
+  }
+  fuzz::require(line >= 1 && lines == line, "the line is one of the text");
+  const std::string rest = text.substr(start, text.find('\n', start) - start);
+  fuzz::require(column >= 1 && column <= character_count(rest) + 1, "the column one of the line");
+}
+
+bool on_earth(const ShipState& ship) {
+  return std::fabs(ship.position.latitude_deg) <= 90.0 && ship.position.longitude_deg >= -180.0 &&
+         ship.position.longitude_deg < 180.0 && ship.heading_deg >= 0.0 && ship.heading_deg < 360.0;
+}
+
+void check_voyage(const scenario::Scenario& scenario) {
+  World world(scenario);
+  for (int tick = 0; tick < 3; ++tick) {
+    const WorldState state = world.state();
+    for (const ShipState& ship : state.own_ships)
+      fuzz::require(on_earth(ship), "own ship on Earth");
+    for (const ShipState& ship : state.targets) fuzz::require(on_earth(ship), "target on Earth");
+    world.step();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(data, data + size);
+  scenario::Scenario scenario;
+  try {
+    scenario = parse_scenario(text, "f");
+  } catch (const ConfigError& error) {
+    check_refusal(error.what(), text);
+    return 0;
+  }
+  fuzz::require(parse_scenario(text, "f").SerializeAsString() == scenario.SerializeAsString(),
+                "a text reads the same twice");
+  check_voyage(scenario);
+  return 0;
+}
