@@ -55,13 +55,14 @@ void SpokeRenderer::ray_power(const Scene& scene, std::uint64_t ray, std::span<f
   RayScratch scratch;
   const double dt = in_seconds(ray_clock_.time_of(ray) - scene.time);
   const auto in_turn = static_cast<std::uint32_t>(ray % model_.rays_per_turn);
-  ray_returns(scene, hulls_in_sight(scene, dt, model_), model_,
+  ray_returns(scene, hulls_in_sight(scene, dt, 0.0, model_), model_,
               RelativeBearing::of_spoke(in_turn, model_.rays_per_turn).units(), dt, scratch, power);
 }
 
 void SpokeRenderer::make_rays(const Scene& scene, std::uint64_t begin, std::uint64_t end) {
   const double middle = in_seconds(ray_clock_.time_of((begin + end) / 2) - scene.time);
-  const HullsInSight hulls = hulls_in_sight(scene, middle, model_);
+  const double span = static_cast<double>(end - begin + 1) * ray_clock_.seconds_per_spoke();
+  const HullsInSight hulls = hulls_in_sight(scene, middle, span, model_);
   parallel_(static_cast<std::size_t>(end - begin), [&](std::size_t k) {
     const std::uint64_t ray = begin + k;
     Row& row = rows_[ray % rows_.size()];

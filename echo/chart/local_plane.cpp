@@ -40,7 +40,8 @@ PlanePoint LocalPlane::to_plane(GeoPoint point) const {
   const double up = cos_lat_ * dx + sin_lat_ * dz;
 
   const double flat2 = east * east + north * north;
-  if (flat2 == 0.0) return {0.0, 0.0};
+  // The anchor itself, or the opposite end of the Earth: as far as can be, in any direction.
+  if (flat2 == 0.0) return {0.0, up < 0.0 ? 2e7 : 0.0};
   // Arc over chord c on a circle of the section's curvature k (Euler):
   // s = c (1 + (ck)^2/24 + 3 (ck)^4/640).
   const double k = (north * north * meridian_curvature_ + east * east * normal_curvature_) / flat2;

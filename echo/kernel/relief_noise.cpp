@@ -27,7 +27,7 @@ inline __attribute__((always_inline)) float corner(std::uint32_t x) {
 }
 inline __attribute__((always_inline)) std::int32_t whole_below(float x) {
   const auto t = static_cast<std::int32_t>(x);
-  return static_cast<float>(t) > x ? t - 1 : t;
+  return t - static_cast<std::int32_t>(static_cast<float>(t) > x);
 }
 
 SKERRY_KERNEL_BODY add_octave_body(OctavePath p, std::uint32_t first, float* __restrict out,

@@ -34,8 +34,8 @@ Receiver::Receiver(const ScanGeometry& geometry, const ViewControls& controls)
     offsets_[i] = static_cast<float>(-steps_per_db *
                                      (threshold_db(controls.gain) + stc_db(controls.sea, range)));
   }
-  rain_cells_ =
-      std::clamp<std::size_t>(static_cast<std::size_t>(kDifferentiatorLength / cell), 2, 256);
+  rain_cells_ = std::clamp<std::size_t>(static_cast<std::size_t>(kDifferentiatorLength / cell), 2,
+                                        geometry.cells);
   noise_octaves_ = static_cast<float>(threshold_db(controls.gain) / kDecibelsPerOctave);
 }
 
@@ -57,7 +57,8 @@ void Receiver::receive(std::span<const float> power, NoiseKey noise,
 void Receiver::differentiate(std::span<float> octaves) const {
   const auto weight = static_cast<float>(rain_weight_);
   const float share = 1.0f / static_cast<float>(rain_cells_);
-  std::vector<float> history(rain_cells_, 0.0f);
+  thread_local std::vector<float> history;
+  history.assign(rain_cells_, 0.0f);
   float sum = 0.0f;
   std::size_t slot = 0;
   for (float& value : octaves) {

@@ -1,6 +1,7 @@
 #include "echo/returns/coast_crossings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "echo/kernel/exact_math.hpp"
 
@@ -30,21 +31,68 @@ void find_crossings(const CoastPicture& coast, const PolarIndex& index, const Ra
   });
 }
 
-void land_along(const std::vector<Crossing>& crossings, bool centre_ashore, double range_m,
+namespace {
+
+constexpr double kSamePlace = 1e-6;  // metres
+
+// Calls visit(crossing) for those that count, nearest first.
+template <typename Visit>
+void for_each_counting(const std::vector<Crossing>& crossings, double range_m, Visit&& visit) {
+  for (std::size_t i = 0; i < crossings.size() && crossings[i].range_m < range_m; ++i) {
+    const Crossing& c = crossings[i];
+    if (c.range_m <= kSamePlace) continue;
+    if (i + 1 < crossings.size() && crossings[i + 1].into_land != c.into_land &&
+        crossings[i + 1].range_m - c.range_m <= kSamePlace) {
+      ++i;
+      continue;
+    }
+    visit(c);
+  }
+}
+
+}  // namespace
+
+void land_along(const std::vector<Crossing>& crossings, bool ashore, double range_m,
                 std::vector<LandInterval>& land) {
   land.clear();
   int depth = 0, least = 0;
-  for (const Crossing& c : crossings) least = std::min(least, depth += c.into_land ? 1 : -1);
-  depth = crossings.empty() ? (centre_ashore ? 1 : 0) : -least;
+  bool any = false;
+  for_each_counting(crossings, range_m, [&](const Crossing& c) {
+    any = true;
+    least = std::min(least, depth += c.into_land ? 1 : -1);
+  });
+  depth = any ? -least : (ashore ? 1 : 0);
   double begin = 0.0;
-  for (const Crossing& c : crossings) {
-    if (c.range_m >= range_m) break;
+  for_each_counting(crossings, range_m, [&](const Crossing& c) {
     const int before = depth;
     depth += c.into_land ? 1 : -1;
     if (before == 0 && depth > 0) begin = c.range_m;
     if (before > 0 && depth == 0) land.push_back({begin, c.range_m});
-  }
+  });
   if (depth > 0 && begin < range_m) land.push_back({begin, range_m});
+}
+
+double complete_range(const CoastPicture& coast, PlanePoint own_ship) {
+  const PlanePoint off = own_ship - coast.centre;
+  return coast.range_m + coast.slack_m -
+         std::sqrt(off.east_m * off.east_m + off.north_m * off.north_m);
+}
+
+bool is_ashore(const CoastPicture& coast, const PolarIndex& index, PlanePoint own_ship) {
+  std::vector<Crossing> crossings;
+  std::vector<LandInterval> land;
+  const double reach = complete_range(coast, own_ship);
+  bool met = false;
+  for (std::uint32_t k = 0; k < 64; ++k) {
+    find_crossings(coast, index, {own_ship, k << 26}, crossings);
+    bool counts = false;
+    for_each_counting(crossings, reach, [&](const Crossing&) { counts = true; });
+    if (!counts) continue;
+    met = true;
+    land_along(crossings, false, reach, land);
+    if (land.empty() || land.front().begin_m > 0.0) return false;
+  }
+  return met || coast.centre_ashore;
 }
 
 }  // namespace skerry::echo

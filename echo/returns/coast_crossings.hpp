@@ -32,9 +32,18 @@ struct Ray {
 void find_crossings(const CoastPicture& coast, const PolarIndex& index, const Ray& ray,
                     std::vector<Crossing>& crossings);
 
-// The stretches of land along a ray up to `range_m`.  Where a ray meets nothing, all of it is what
-// the picture's centre is.
-void land_along(const std::vector<Crossing>& crossings, bool centre_ashore, double range_m,
+// The stretches of land along a ray up to `range_m`, which must not exceed complete_range().
+// Crossings farther out are left out of account (the near shore of what they belong to may not be
+// there), and so are two opposite ones at one place and any on the very spot.  A ray that first
+// leaves land began on it; one that meets nothing is all land or none, as `ashore` says.
+void land_along(const std::vector<Crossing>& crossings, bool ashore, double range_m,
                 std::vector<LandInterval>& land);
+
+// As far as this from `own_ship` the picture has all coast there is.
+double complete_range(const CoastPicture& coast, PlanePoint own_ship);
+
+// Whether `own_ship` lies on land, by the refined coast: all of the 64 rays that meet a shore begin
+// on land.  Where none meets any, by the picture's centre.
+bool is_ashore(const CoastPicture& coast, const PolarIndex& index, PlanePoint own_ship);
 
 }  // namespace skerry::echo

@@ -40,7 +40,7 @@ void scatterers_of(const Hull& hull, PlanePoint own_ship, double dt, double ante
                        aspect_factor(aspect) * (1.0 - hidden / hull.height_m);
 
   const int along =
-      std::clamp(static_cast<int>(hull.length_m / std::max(resolution_m, 1.0)) + 2, 4, 20);
+      std::clamp(static_cast<int>(hull.length_m / std::max(resolution_m, 1.0)) + 2, 4, 80);
   const int across = hull.beam_m > resolution_m ? 3 : 1;
   double weight_sum = 0.0;
   for (int i = 0; i < along; ++i) {

@@ -27,7 +27,8 @@ struct Scatterer {
 
 // What a hull looks like from `own_ship` at `dt` seconds after the scene's time: scatterers along
 // both rails and the centre line, closer together than the radar can tell apart (`resolution_m`),
-// at most 64, the strongest at the house; each dimmed by what the horizon hides of the height.
+// (at most 80 along, so 400 m at 5 m), the strongest at the house; each dimmed by what the horizon
+// hides of the height.
 void scatterers_of(const Hull& hull, PlanePoint own_ship, double dt, double antenna_height_m,
                    double frequency_hz, double resolution_m, std::vector<Scatterer>& out);
 

@@ -122,7 +122,8 @@ void add_land(std::span<const LandInterval> land, const LandModel& model, const 
   }
 }
 
-LatticePath lattice_path(GeoPoint own_ship, std::uint32_t true_bearing_units, double cell_m) {
+LatticePath lattice_path(GeoPoint own_ship, PlanePoint sailed, std::uint32_t true_bearing_units,
+                         double cell_m) {
   const SinCos lat = sin_cos_degrees(own_ship.latitude_deg);
   const SinCos bearing = sin_cos_units(true_bearing_units);
   constexpr double kMetresPerDegree = kEarthRadius * std::numbers::pi / 180.0;
@@ -139,8 +140,9 @@ LatticePath lattice_path(GeoPoint own_ship, std::uint32_t true_bearing_units, do
   path.east1 = bearing.sin * squeeze * cell_m;
   path.east2 = bearing.sin * bearing.cos * tan_lat / kEarthRadius * squeeze * cell_m * cell_m;
   // From the own ship to the middle of cell 0.
-  path.north0 = own_ship.latitude_deg * kMetresPerDegree + 0.5 * path.north1;
-  path.east0 = own_ship.longitude_deg * kMetresPerDegree * east_scale + 0.5 * path.east1;
+  path.north0 = own_ship.latitude_deg * kMetresPerDegree + sailed.north_m + 0.5 * path.north1;
+  path.east0 = own_ship.longitude_deg * kMetresPerDegree * east_scale + sailed.east_m * squeeze +
+               0.5 * path.east1;
   return path;
 }
 

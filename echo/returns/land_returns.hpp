@@ -34,10 +34,12 @@ double land_height(double inland_m, double broad_noise, double fine_noise);
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
               std::span<float> power);
 
-// The lattice path of a ray with that true bearing from `own_ship`: north and east in metres of an
-// Earth-fixed grid, quadratic in range.  Error: third order, 0.3 m at 12 NM and 60 deg latitude.
-// Longitudes are scaled by the power of two nearest below cos(latitude of the own ship), so the
-// land's texture (never the coast) is another one on crossing 60, 75.5 ... deg.
-LatticePath lattice_path(GeoPoint own_ship, std::uint32_t true_bearing_units, double cell_m);
+// The lattice path of a ray with that true bearing from `own_ship` after she has `sailed`: north
+// and east in metres of an Earth-fixed grid, quadratic in range.  Error: third order, 0.3 m at 12
+// NM and 60 deg latitude. Longitudes are scaled by the power of two nearest below cos(latitude of
+// the own ship), so the land's texture (never the coast) is another one on crossing 60, 75.5 ...
+// deg of latitude and 180 deg of longitude.
+LatticePath lattice_path(GeoPoint own_ship, PlanePoint sailed, std::uint32_t true_bearing_units,
+                         double cell_m);
 
 }  // namespace skerry::echo

@@ -27,12 +27,14 @@ bool add_hulls(const Scene& scene, const HullsInSight& hulls, const RayModel& mo
                std::vector<Scatterer>& scatterers, std::span<float> power) {
   bool any = false;
   const double ray_units = 4294967296.0 / model.rays_per_turn;
+  const double resolution =
+      std::max(0.5 * model.cell_m, 0.4 * 0.5 * kLightSpeed * model.pulse.length_s);
   for (const HullsInSight::Entry& entry : hulls.entries) {
     const auto off = static_cast<std::int32_t>(bearing_units - entry.middle_units);
     if (static_cast<std::uint32_t>(std::abs(static_cast<std::int64_t>(off))) > entry.reach_units)
       continue;
     scatterers_of(scene.hulls[entry.hull], own_ship, dt, model.set.antenna_height_m,
-                  model.set.frequency_hz, 0.5 * model.cell_m, scatterers);
+                  model.set.frequency_hz, resolution, scatterers);
     for (const Scatterer& s : scatterers) {
       // A point between two rays is shared by them in proportion to nearness.
       const auto away = static_cast<std::int32_t>(units_of(s.bearing_radians) - bearing_units);
@@ -49,7 +51,7 @@ bool add_hulls(const Scene& scene, const HullsInSight& hulls, const RayModel& mo
 
 }  // namespace
 
-HullsInSight hulls_in_sight(const Scene& scene, double dt, const RayModel& model) {
+HullsInSight hulls_in_sight(const Scene& scene, double dt, double span, const RayModel& model) {
   HullsInSight in_sight;
   const double reach = model.cell_m * model.cells;
   for (std::uint32_t i = 0; i < scene.hulls.size(); ++i) {
@@ -57,8 +59,10 @@ HullsInSight hulls_in_sight(const Scene& scene, double dt, const RayModel& model
     const PlanePoint p =
         hull.centre + hull.velocity * dt - scene.own_ship - scene.own_velocity * dt;
     const double range = std::sqrt(p.east_m * p.east_m + p.north_m * p.north_m);
-    // Half the length and half the beam, and a metre or two of movement during the sector.
-    const double radius = 0.5 * (hull.length_m + hull.beam_m) + 5.0;
+    // Half the length and half the beam, and the way made to either side of `dt`.
+    const PlanePoint v = hull.velocity - scene.own_velocity;
+    const double way = 0.5 * span * std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m);
+    const double radius = 0.5 * (hull.length_m + hull.beam_m) + 1.0 + way;
     if (range - radius > reach) continue;
     // asin(x) <= 1.0472 x for x <= 1/2; nearer than that it may lie anywhere.
     const double half = range <= 2.0 * radius ? std::numbers::pi : 1.0472 * radius / range;
@@ -81,13 +85,16 @@ bool ray_returns(const Scene& scene, const HullsInSight& hulls, const RayModel& 
   const double unit_snr = unit_signal_to_noise(model.set, model.pulse);
 
   find_crossings(*scene.coast, *scene.index, {own_ship, plane_units}, scratch.crossings);
-  land_along(scratch.crossings, scene.coast->centre_ashore, model.cell_m * model.cells,
+  land_along(scratch.crossings, scene.ashore,
+             std::min(model.cell_m * model.cells, complete_range(*scene.coast, own_ship)),
              scratch.land);
   if (!scratch.land.empty()) {
     const LandModel land{model.cell_m, model.set.antenna_height_m,
                          2.0 * std::numbers::pi / model.rays_per_turn, unit_snr,
                          static_cast<std::uint32_t>(mixed(scene.seed, 0x1A9D))};
-    add_land(scratch.land, land, lattice_path(scene.own_ship_geo, true_units, model.cell_m), power);
+    add_land(scratch.land, land,
+             lattice_path(scene.own_ship_geo, scene.own_velocity * dt, true_units, model.cell_m),
+             power);
   }
   const bool any_hull = add_hulls(scene, hulls, model, plane_units, own_ship, dt, unit_snr,
                                   scratch.scatterers, power);

@@ -29,8 +29,8 @@ struct RayScratch {
   std::vector<float> stretch;
 };
 
-// Hulls that may lie under the rays about to be made; filled once per sector so that a ray looks
-// only at the ships near its bearing.
+// Hulls that may lie under the rays made within half of `span` seconds before and after `dt`;
+// filled once per sector so that a ray looks only at the ships near its bearing.
 struct HullsInSight {
   struct Entry {
     std::uint32_t hull;
@@ -39,7 +39,7 @@ struct HullsInSight {
   };
   std::vector<Entry> entries;
 };
-HullsInSight hulls_in_sight(const Scene& scene, double dt, const RayModel& model);
+HullsInSight hulls_in_sight(const Scene& scene, double dt, double span, const RayModel& model);
 
 // Mean signal-to-noise ratio per cell of the ray at `relative_units` from the bow, `dt` seconds
 // after the scene's time; pulse length included.  Returns false, and leaves `power` zero, where

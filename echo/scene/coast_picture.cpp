@@ -40,6 +40,7 @@ CoastPreparer::CoastPreparer(CoastChart chart, GeoPoint anchor, double dimension
   std::vector<PlanePoint> laid;
   for (const CoastRing& ring : chart_.rings) {
     const std::size_t n = ring.vertices.size();
+    if (n < 3) continue;  // bounds nothing
     laid.resize(n);
     for (std::size_t i = 0; i < n; ++i) laid[i] = plane_.to_plane(ring.vertices[i]);
     for (std::size_t i = 0; i < n; ++i) {

@@ -34,6 +34,7 @@ struct Scene {
   GeoPoint own_ship_geo;
   PlanePoint own_ship;
   PlanePoint own_velocity;   // m/s in the plane
+  bool ashore = false;       // the own ship lies on land (coast_crossings.hpp, is_ashore)
   double heading_deg = 0.0;  // true
   double turn_rate_deg_s = 0.0;
   double true_north_deg = 0.0;  // of the plane, at the own ship

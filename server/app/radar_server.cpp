@@ -86,9 +86,9 @@ RadarServer::RadarServer(const scenario::Scenario& scenario, echo::GshhgReader c
       const RadarConfig config =
           config_of(radar, index, static_cast<std::size_t>(i), scenario.seed());
       radars_.push_back(std::make_unique<Mount>(ship.name(), config, timeline_, *coast_, workers));
-      coast_->prepare_now(
-          index, radars_.back()->unit.wish(state->own_ships[static_cast<std::size_t>(i)].position,
-                                           config.controls));
+      coast_->prepare_now(index,
+                          radars_.back()->unit.wish(state->own_ships[static_cast<std::size_t>(i)],
+                                                    config.controls));
       ++index;
     }
   }

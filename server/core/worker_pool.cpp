@@ -2,9 +2,12 @@
 
 namespace skerry::server {
 
-WorkerPool::WorkerPool(std::size_t workers) {
+WorkerPool::WorkerPool(std::size_t workers, std::function<void()> at_start) {
   for (std::size_t i = 0; i < workers; ++i) {
-    threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+    threads_.emplace_back([this, at_start](const std::stop_token& stop) {
+      if (at_start) at_start();
+      work(stop);
+    });
   }
 }
 

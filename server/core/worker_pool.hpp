@@ -15,7 +15,8 @@ namespace skerry::server {
 class WorkerPool {
  public:
   // `workers` threads besides the caller; 0 is the default of a server with few radars.
-  explicit WorkerPool(std::size_t workers);
+  // Each thread first calls `at_start`.
+  explicit WorkerPool(std::size_t workers, std::function<void()> at_start = {});
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;

@@ -22,7 +22,9 @@ double distance(PlanePoint a, PlanePoint b) {
 
 }  // namespace
 
-double index_slack_for(double range_m) { return std::max(10.0, range_m / 400.0); }
+double index_slack_for(double range_m, double speed_mps) {
+  return std::max({10.0, range_m / 400.0, 4.0 * std::fabs(speed_mps)});
+}
 
 CoastService::CoastService(echo::GshhgReader reader, std::size_t radars, std::uint64_t seed)
     : reader_(std::move(reader)), seed_(seed) {
@@ -50,7 +52,7 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
   if (!fresh) picture = slot.preparer->prepare(wish.own_ship, wish.resolution);
   slot.made_for = wish.resolution;
   const PlanePoint own_ship = picture->plane.to_plane(wish.own_ship);
-  const double slack = index_slack_for(wish.resolution.range_m);
+  const double slack = index_slack_for(wish.resolution.range_m, wish.speed_mps);
   slot.in_sight.set(
       CoastInSight{picture, std::make_shared<const echo::PolarIndex>(*picture, own_ship, slack),
                    own_ship, slack});

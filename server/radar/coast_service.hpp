@@ -18,6 +18,7 @@ namespace skerry::server {
 // What a radar wants to see: the coast around a place, as fine as it can tell apart.
 struct CoastWish {
   GeoPoint own_ship;
+  double speed_mps = 0.0;
   echo::RadarResolution resolution;
 };
 
@@ -31,8 +32,9 @@ struct CoastInSight {
 };
 using CoastInSightPtr = std::shared_ptr<const CoastInSight>;
 
-// How far an own ship may sail before the index is made anew: a longer way costs each ray more.
-double index_slack_for(double range_m);
+// How far an own ship may sail before the index is made anew: a longer way costs each ray more, a
+// shorter one than a few seconds' makes the coast thread late.
+double index_slack_for(double range_m, double speed_mps);
 
 // Loads chart windows, refines the coast and indexes it on a thread of its own ("coast"), one wish
 // per radar outstanding: a newer wish replaces one not yet begun.  The radar goes on with what it

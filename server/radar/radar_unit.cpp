@@ -19,6 +19,9 @@ namespace {
 constexpr int kNiceness = -10;
 void go_before_others() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness); }
 
+// How long a coast asked for may take before it is asked for again.
+constexpr Duration kPatience = std::chrono::seconds(5);
+
 // Sleeps until `deadline` or a stop, whichever comes first.
 class Sleeper {
  public:
@@ -41,7 +44,7 @@ RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService
       timeline_(timeline),
       coast_(coast),
       channel_(channel),
-      workers_(workers),
+      workers_(workers, go_before_others),
       clock_(config.rpm, config.geometry.spokes_per_turn),
       renderer_(config.set, config.geometry, clock_, config.radar,
                 [this](std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -66,39 +69,49 @@ void RadarUnit::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-CoastWish RadarUnit::wish(const GeoPoint& own_ship, const echo::ViewControls& controls) const {
-  return {own_ship,
+CoastWish RadarUnit::wish(const ShipState& own_ship, const echo::ViewControls& controls) const {
+  return {own_ship.position,
+          own_ship.speed_mps,
           {controls.range_scale.length().in_metres(),
            config_.geometry.cell_size(controls.range_scale).in_metres(),
            360.0 / config_.geometry.spokes_per_turn}};
 }
 
 // Asks for coast when the own ship has used up half of what it has, or when the range scale has
-// changed; once for each that it gets.
+// changed; again only when that has not come within kPatience (the chart could not be read).
 void RadarUnit::look_after_coast(const WorldState& state, const echo::ViewControls& controls) {
   const CoastInSightPtr coast = coast_.latest(config_.radar);
   const bool rescaled = !(controls.range_scale == asked_scale_);
-  if (coast == asked_after_ && !rescaled) return;
-  const GeoPoint own_ship = state.own_ships[config_.own_ship].position;
-  const PlanePoint at = coast->picture->plane.to_plane(own_ship);
+  if (coast == asked_after_ && !rescaled && state.time - asked_at_ < kPatience) return;
+  const ShipState& own_ship = state.own_ships[config_.own_ship];
+  const PlanePoint at = coast->picture->plane.to_plane(own_ship.position);
   const auto away = [&](PlanePoint from) {
     return std::hypot(at.east_m - from.east_m, at.north_m - from.north_m);
   };
-  if (!rescaled && away(coast->index_centre) <= 0.5 * coast->index_slack_m &&
+  const bool covers = coast->picture->range_m >= controls.range_scale.length().in_metres();
+  if (!rescaled && covers && away(coast->index_centre) <= 0.5 * coast->index_slack_m &&
       away(coast->picture->centre) <= 0.5 * coast->picture->slack_m) {
     return;
   }
   asked_after_ = coast;
   asked_scale_ = controls.range_scale;
+  asked_at_ = state.time;
   coast_.ask(config_.radar, wish(own_ship, controls));
 }
 
 SectorPtr RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
-  const echo::ViewControls controls = *controls_.get();
-  renderer_.set_controls(controls);
+  echo::ViewControls controls = *controls_.get();
   const WorldStatePtr state = timeline_.at(clock_.time_of(first));
+  if (clock_.time_of(first) - state->time > 3 * World::kTick) return nullptr;
   look_after_coast(*state, controls);
   const CoastInSightPtr coast = coast_.latest(config_.radar);
+  // A longer range is shown when its coast is there, a moment after it was asked for.
+  if (coast->picture->range_m < controls.range_scale.length().in_metres() &&
+      state->time - asked_at_ < kPatience) {
+    controls.range_scale = shown_scale_;
+  }
+  shown_scale_ = controls.range_scale;
+  renderer_.set_controls(controls);
   coast_edges_.store(coast->picture->edge_count(), std::memory_order_relaxed);
   renderer_.render(*scenes_.build(state, coast), first, kSectorSpokes, video_);
 
@@ -131,7 +144,7 @@ SectorPtr RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
 
 void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
   asked_after_ = nullptr;
-  asked_scale_ = config_.controls.range_scale;
+  asked_scale_ = shown_scale_ = config_.controls.range_scale;
   Sleeper sleeper;
   double mean_ns = 0.0;
   const Duration sector_length = clock_.time_of(kSectorSpokes) - clock_.time_of(0);
@@ -145,6 +158,10 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
       continue;
     }
     const SectorPtr sector = make_sector(first, epoch);
+    if (!sector) {
+      sectors_skipped_.fetch_add(1, std::memory_order_relaxed);
+      continue;
+    }
     const auto made = std::chrono::steady_clock::now();
     channel_.publish(*sector);
 

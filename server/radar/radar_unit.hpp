@@ -57,6 +57,7 @@ class RadarUnit {
             VideoChannel& channel, std::size_t workers);
   ~RadarUnit() { stop(); }
 
+  // Once in a unit's life.
   void start(const Epoch& epoch);
   void stop();
 
@@ -67,10 +68,11 @@ class RadarUnit {
   RadarCounters counters() const;
 
   // What the unit asks of the coast for those controls at that place.
-  CoastWish wish(const GeoPoint& own_ship, const echo::ViewControls& controls) const;
+  CoastWish wish(const ShipState& own_ship, const echo::ViewControls& controls) const;
 
  private:
   void run(const std::stop_token& stop, const Epoch& epoch);
+  // nullptr where the world is too far behind to be shown.
   SectorPtr make_sector(std::uint64_t first, const Epoch& epoch);
   void look_after_coast(const WorldState& state, const echo::ViewControls& controls);
 
@@ -87,6 +89,8 @@ class RadarUnit {
   std::uint64_t sequence_ = 0;
   CoastInSightPtr asked_after_;  // what was there at the last wish
   RangeScale asked_scale_;
+  ScenarioTime asked_at_;
+  RangeScale shown_scale_;  // of the last sector
 
   std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
   std::atomic<std::int64_t> lateness_max_ns_{0};

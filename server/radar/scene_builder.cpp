@@ -5,6 +5,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/returns/coast_crossings.hpp"
 
 namespace skerry::server {
 namespace {
@@ -55,11 +56,12 @@ echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSigh
   if (coast != coast_) own_index_ = nullptr;
   scene->index = own_index_ ? own_index_ : coast->index;
   if (!serves(*scene->index)) {
-    const double slack = std::max(index_slack_for(picture.range_m),
-                                  4.0 * kSceneLife * length_of(scene->own_velocity));
+    const double slack = index_slack_for(picture.range_m, length_of(scene->own_velocity));
     own_index_ = std::make_shared<const echo::PolarIndex>(picture, scene->own_ship, slack);
     scene->index = own_index_;
   }
+
+  scene->ashore = echo::is_ashore(picture, *scene->index, scene->own_ship);
 
   // Identities count targets first, so that a ship keeps hers whoever looks.
   std::uint64_t identity = echo::mixed(seed_, 0x5817);

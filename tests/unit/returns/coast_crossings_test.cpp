@@ -47,6 +47,22 @@ TEST(LandAlong, OverlappingLandIsOneStretch) {
   EXPECT_EQ(l[0].end_m, 50.0);
 }
 
+// The far shore of an island whose near shore lies beyond the picture says nothing.
+TEST(LandAlong, CrossingsBeyondTheRangeDoNotCount) {
+  EXPECT_TRUE(land({{160, false}}, false).empty());
+  EXPECT_EQ(land({{20, true}, {30, false}, {160, false}}, false).size(), 1u);
+}
+
+TEST(LandAlong, OppositeCrossingsAtOnePlaceCancel) {
+  EXPECT_TRUE(land({{20, false}, {20, true}}, false).empty());
+  EXPECT_TRUE(land({{20, false}, {20 + 1e-9, true}}, false).empty());
+}
+
+TEST(LandAlong, CrossingsOnTheSpotDoNotCount) {
+  EXPECT_TRUE(land({{0, true}}, false).empty());
+  EXPECT_EQ(land({{0, false}, {30, false}}, false)[0].end_m, 30.0);
+}
+
 TEST(LandAlong, LandEndsAtTheRangeScale) {
   EXPECT_EQ(land({{60, true}, {160, false}}, false)[0].end_m, 100.0);
   EXPECT_TRUE(land({{160, true}, {190, false}}, false).empty());

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "echo/chart/land_mask.hpp"
 #include "echo/fractal/dimension.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/returns/coast_crossings.hpp"
@@ -266,6 +267,43 @@ INSTANTIATE_TEST_SUITE_P(SevenScales, LeadingEdgeOfTheWorld, testing::ValuesIn(k
                          [](const auto& scale) {
                            return "Nm" + std::to_string(static_cast<int>(scale.param * 1000));
                          });
+
+// No ray of a ship afloat begins on land, whatever lies beyond the range or was left out of the
+// picture: that would be a radial line of false land.
+TEST(LeadingEdge, NoRayFromAShipAfloatBeginsOnLand) {
+  int positions = 0, rays = 0;
+  std::vector<Crossing> crossings;
+  std::vector<LandInterval> land;
+  for (double nm : {0.75, 1.5, 3.0, 6.0, 12.0}) {
+    const RangeScale scale = *RangeScale::find(nm);
+    for (int k = 0; k < 24; ++k) {
+      const GeoPoint own_ship{60.16 + 0.012 * k,
+                              4.85 + 0.4 * as_unit(mixed(7, static_cast<std::uint64_t>(k)))};
+      const auto chart = scenes::world_chart(own_ship, scale.length() * 1.1 + nautical_miles(6));
+      if (!chart) GTEST_SKIP() << "no chart installed";
+      // Well afloat: no shore near enough to be moved past her by refinement.
+      if (is_land(*chart, own_ship)) continue;
+      const auto scene = scenes::scene_at(*chart, own_ship, scale, {});
+      bool near = false;
+      for (const PlanePoint& v : scene->coast->vertices)
+        near = near || std::hypot(v.east_m, v.north_m) < 30.0;
+      if (near) continue;
+      EXPECT_FALSE(scene->ashore);
+      ++positions;
+      for (std::uint32_t ray = 0; ray < 4096; ++ray) {
+        find_crossings(*scene->coast, *scene->index, {scene->own_ship, ray << 20}, crossings);
+        land_along(
+            crossings, scene->ashore,
+            std::min(scale.length().in_metres(), complete_range(*scene->coast, scene->own_ship)),
+            land);
+        rays += !land.empty() && land.front().begin_m == 0.0;
+      }
+    }
+  }
+  std::printf("%d positions, %d false radials\n", positions, rays);
+  EXPECT_GT(positions, 40);
+  EXPECT_EQ(rays, 0);
+}
 
 // The video's first echo stands in the cell of the crossing, wherever neither the transmitter nor
 // the horizon hides it.

@@ -14,7 +14,7 @@ namespace {
 std::vector<float> power_of(std::vector<LandInterval> land, LandModel model,
                             std::size_t cells = 1024) {
   std::vector<float> power(cells, 0.0f);
-  add_land(land, model, lattice_path({60.0, 5.0}, 0x20000000u, model.cell_m), power);
+  add_land(land, model, lattice_path({60.0, 5.0}, {}, 0x20000000u, model.cell_m), power);
   return power;
 }
 
@@ -73,13 +73,13 @@ TEST(LandReturns, TheLatticePathIsFixedToTheEarth) {
   double worst = 0.0;
   for (double bearing = 0.0; bearing < 360.0; bearing += 15.0) {
     const auto units = static_cast<std::uint32_t>(bearing / 360.0 * 4294967296.0);
-    const LatticePath path = lattice_path(a, units, 10.0);
+    const LatticePath path = lattice_path(a, {}, units, 10.0);
     for (double i : {100.0, 1000.0, 2222.0}) {
       GeoPoint p;
       GeographicLib::Geodesic(6371000.0, 0.0)
           .Direct(a.latitude_deg, a.longitude_deg, bearing, (i + 0.5) * 10.0, p.latitude_deg,
                   p.longitude_deg);
-      const LatticePath there = lattice_path(p, 0, 0.0);
+      const LatticePath there = lattice_path(p, {}, 0, 0.0);
       worst = std::max(worst,
                        std::hypot(path.north0 + i * (path.north1 + i * path.north2) - there.north0,
                                   path.east0 + i * (path.east1 + i * path.east2) - there.east0));

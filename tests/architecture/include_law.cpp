@@ -1,0 +1,314 @@
+#include "tests/architecture/include_law.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace skerry::architecture {
+namespace {
+
+// An entry that ends in '/' is all of a folder, any other one file.
+using Places = std::vector<std::string_view>;
+
+struct Room {
+  std::string_view folder;
+  Places may_include;  // besides itself
+};
+
+// Lower never includes higher.  A new folder gets a row here when it gets its first file.
+const std::vector<Room>& table() {
+  static const std::vector<Room> rooms = {
+      // The vocabulary.
+      {"protocol/quantity", {}},
+      {"protocol/video", {"protocol/quantity/"}},
+      // Bytes <-> values.
+      {"protocol/wire", {"protocol/quantity/", "protocol/video/"}},
+      {"protocol/asterix",
+       {"protocol/quantity/", "protocol/video/", "protocol/wire/wire_error.hpp",
+        "protocol/wire/byte_order.hpp"}},
+      // The echo: from loops over cells up to whole spokes.
+      {"echo/kernel", {"protocol/quantity/"}},
+      {"echo/chart", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
+      {"echo/fractal", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
+      {"echo/scene",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/fractal/"}},
+      {"echo/returns", {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/"}},
+      {"echo/receiver", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
+      {"echo", {"protocol/quantity/", "protocol/video/", "echo/"}},
+      // The server: radar and net do not know each other, app joins them.
+      {"server/core", {"protocol/"}},
+      {"server/config", {"protocol/"}},
+      {"server/world", {"protocol/", "server/config/"}},
+      {"server/radar", {"protocol/", "echo/", "server/core/", "server/world/"}},
+      {"server/net", {"protocol/", "server/core/"}},
+      {"server/app", {"protocol/", "echo/", "server/"}},
+      // Clients know the protocol, never the server nor how an echo is made.
+      {"clients/common", {"protocol/"}},
+      {"clients/cli", {"protocol/", "clients/common/"}},
+      {"clients/examples", {"protocol/", "clients/common/"}},
+  };
+  return rooms;
+}
+
+// Rooms that build on the standard library alone.
+constexpr std::array<std::string_view, 3> kStandardLibraryOnly = {"protocol/quantity",
+                                                                  "protocol/video", "echo/kernel"};
+
+// Headers of other projects, and who may name them.
+struct Owned {
+  std::string_view header;
+  Places owners;
+  std::string_view instead;
+};
+const std::vector<Owned>& owned_headers() {
+  static const std::vector<Owned> owned = {
+      {"boost/",
+       {"server/net/asio.hpp", "clients/common/asio.hpp"},
+       "include that file, which puts <utility> before Asio"},
+      {"GeographicLib/",
+       {"echo/chart/", "server/world/"},
+       "use echo/chart/local_plane.hpp or server/world"},
+      {"netcdf.h", {"echo/chart/"}, "use echo/chart/gshhg_reader.hpp"},
+      {"yaml-cpp/", {"server/config/"}, "use server/config/yaml_message.hpp"},
+      {"CLI/", {"server/app/", "clients/cli/"}, "pass the options in as values"},
+      {"png.h", {"clients/common/"}, "use clients/common/picture_file.hpp"},
+      {"spdlog/", {"server/"}, "return the error; the server logs it"},
+      {"google/protobuf/",
+       {"protocol/wire/", "server/", "clients/"},
+       "use the types of protocol/quantity and protocol/video"},
+      {"gtest/", {}, "put it under tests/"},
+      {"gmock/", {}, "put it under tests/"},
+      {"benchmark/", {}, "put it under tests/bench"},
+  };
+  return owned;
+}
+
+struct Banned {
+  std::string_view word;
+  Places where;  // nowhere given: everywhere
+  std::string_view reason;
+};
+const std::vector<Banned>& banned_words() {
+  static const std::vector<Banned> banned = {
+      {"views::", {}, "clang 14 cannot parse it: write the loop or use a std::ranges algorithm"},
+      {"source_location", {}, "clang 14 cannot parse it: pass the name in"},
+      {"_clock::now(", {"protocol/", "echo/"}, "no clocks down here: time is passed in"},
+      {"std::random_device",
+       {"protocol/", "echo/"},
+       "use the pure functions of echo/kernel/hash.hpp"},
+      {"std::mt19937", {"protocol/", "echo/"}, "use the pure functions of echo/kernel/hash.hpp"},
+  };
+  return banned;
+}
+
+constexpr std::size_t kMostLines = 400, kMostTestLines = 600;
+constexpr std::array<std::string_view, 5> kTopFolders = {"protocol", "echo", "server", "clients",
+                                                         "tests"};
+constexpr std::array<std::string_view, 8> kSourceEndings = {".hpp", ".cpp",  ".proto", ".js",
+                                                            ".mjs", ".html", ".css",   ".txt"};
+
+bool is_among(std::string_view path, const Places& places) {
+  return std::any_of(places.begin(), places.end(), [&](std::string_view place) {
+    return place.ends_with('/') ? path.starts_with(place) : path == place;
+  });
+}
+
+std::string_view without_template_ending(std::string_view path) {
+  return path.ends_with(".in") ? path.substr(0, path.size() - 3) : path;
+}
+
+bool is_cpp(std::string_view path) {
+  const auto name = without_template_ending(path);
+  return name.ends_with(".hpp") || name.ends_with(".cpp");
+}
+
+// "echo/kernel" of "echo/kernel/isa.hpp", "echo" of "echo/spoke_renderer.hpp".
+std::string_view room_of(std::string_view path) {
+  const auto first = path.find('/');
+  const auto second = path.find('/', first + 1);
+  return path.substr(0, second == std::string_view::npos ? first : second);
+}
+
+std::string_view trimmed(std::string_view line) {
+  const auto from = line.find_first_not_of(" \t");
+  return from == std::string_view::npos ? std::string_view{} : line.substr(from);
+}
+
+// What an #include or a .proto's import names.
+struct Inclusion {
+  std::string_view path;
+  bool quoted = false;
+};
+std::optional<Inclusion> inclusion_in(std::string_view line, bool proto) {
+  line = trimmed(line);
+  if (proto) {
+    if (!line.starts_with("import ")) return std::nullopt;
+  } else {
+    if (!line.starts_with('#')) return std::nullopt;
+    line = trimmed(line.substr(1));
+    if (!line.starts_with("include")) return std::nullopt;
+  }
+  const auto open = line.find_first_of("\"<");
+  if (open == std::string_view::npos) return std::nullopt;
+  const auto close = line.find_first_of("\">", open + 1);
+  if (close == std::string_view::npos) return std::nullopt;
+  return Inclusion{line.substr(open + 1, close - open - 1), line[open] == '"'};
+}
+
+class FileCheck {
+ public:
+  FileCheck(std::string_view path, std::string_view text)
+      : path_(path), text_(text), room_(room_of(path)), in_tests_(path.starts_with("tests/")) {}
+
+  std::vector<Breach> run() {
+    if (!in_tests_ && (is_cpp(path_) || is_proto())) find_row();
+    bool guarded = false;
+    std::size_t begin = 0;
+    while (begin < text_.size()) {
+      const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+      const std::string_view line = text_.substr(begin, end - begin);
+      begin = end + 1;
+      ++line_;
+      guarded = guarded || line.starts_with("#pragma once");
+      if (in_tests_) continue;
+      if (const auto inclusion = inclusion_in(line, is_proto())) check_inclusion(*inclusion);
+      if (is_cpp(path_)) check_words(line.substr(0, line.find("//")));
+    }
+    check_length();
+    if (without_template_ending(path_).ends_with(".hpp") && !guarded) {
+      line_ = 1;
+      add("has no #pragma once; every header has one");
+    }
+    return std::move(breaches_);
+  }
+
+ private:
+  bool is_proto() const { return path_.ends_with(".proto"); }
+
+  void add(std::string text) { breaches_.push_back({std::string(path_), line_, std::move(text)}); }
+
+  void find_row() {
+    for (const Room& room : table()) {
+      if (room.folder == room_) row_ = &room;
+    }
+    if (row_) return;
+    line_ = 1;
+    add(
+        fmt::format("{} has no row in the layer table; add one to tests/architecture/"
+                    "include_law.cpp that says what it may include",
+                    room_));
+    line_ = 0;
+  }
+
+  void check_inclusion(const Inclusion& inclusion) {
+    const auto top = inclusion.path.substr(0, inclusion.path.find('/'));
+    const bool ours = inclusion.path.find('/') != std::string_view::npos &&
+                      std::find(kTopFolders.begin(), kTopFolders.end(), top) != kTopFolders.end();
+    if (ours) {
+      check_layer(inclusion.path);
+    } else if (inclusion.quoted && !is_proto()) {
+      add(
+          fmt::format("includes \"{}\"; our headers are named from the repository's root, others "
+                      "stand in <>",
+                      inclusion.path));
+    } else {
+      check_owner(inclusion.path);
+    }
+  }
+
+  void check_layer(std::string_view included) {
+    if (!row_ || room_of(included) == room_ || is_among(included, row_->may_include)) return;
+    add(
+        fmt::format("includes {}; {} may include itself{}{} and nothing else of ours. Move what "
+                    "both need to a lower layer, or pass it in as a value or a function",
+                    included, room_, row_->may_include.empty() ? "" : ", ",
+                    fmt::join(row_->may_include, ", ")));
+  }
+
+  void check_owner(std::string_view included) {
+    const bool standard = included.find_first_of("/.") == std::string_view::npos;
+    if (!standard && std::find(kStandardLibraryOnly.begin(), kStandardLibraryOnly.end(), room_) !=
+                         kStandardLibraryOnly.end()) {
+      add(
+          fmt::format("includes <{}>; {} builds on the standard library alone. Do it in a higher "
+                      "layer",
+                      included, room_));
+      return;
+    }
+    for (const Owned& owned : owned_headers()) {
+      const bool is_it = owned.header.ends_with('/') ? included.starts_with(owned.header)
+                                                     : included == owned.header;
+      if (!is_it || is_among(path_, owned.owners)) continue;
+      add(fmt::format("includes <{}>, which only {} may; {}", included,
+                      owned.owners.empty() ? std::string("tests")
+                                           : fmt::format("{}", fmt::join(owned.owners, " and ")),
+                      owned.instead));
+    }
+  }
+
+  void check_words(std::string_view code) {
+    for (const Banned& banned : banned_words()) {
+      if (code.find(banned.word) == std::string_view::npos) continue;
+      if (!banned.where.empty() && !is_among(path_, banned.where)) continue;
+      add(fmt::format("uses {}; {}", banned.word, banned.reason));
+    }
+  }
+
+  void check_length() {
+    const std::size_t most = in_tests_ ? kMostTestLines : kMostLines;
+    if (line_ <= most) return;
+    add(fmt::format("has {} lines, more than {}; split it by idea", line_, most));
+  }
+
+  std::string_view path_, text_, room_;
+  bool in_tests_;
+  const Room* row_ = nullptr;
+  std::size_t line_ = 0;
+  std::vector<Breach> breaches_;
+};
+
+}  // namespace
+
+std::string listed(const std::vector<Breach>& breaches) {
+  std::string out;
+  for (const Breach& breach : breaches) {
+    out += fmt::format("{}:{}: {}\n", breach.file, breach.line, breach.text);
+  }
+  return out;
+}
+
+std::vector<Breach> breaches_of(std::string_view path, std::string_view text) {
+  return FileCheck(path, text).run();
+}
+
+std::vector<std::string> source_files(const std::filesystem::path& root) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string_view top : kTopFolders) {
+    for (auto it = fs::recursive_directory_iterator(root / top);
+         it != fs::recursive_directory_iterator(); ++it) {
+      const std::string name = it->path().filename().string();
+      if (it->is_directory()) {
+        if (name == "node_modules" || name.starts_with('.')) it.disable_recursion_pending();
+        continue;
+      }
+      const auto plain = without_template_ending(name);
+      const bool source = std::any_of(kSourceEndings.begin(), kSourceEndings.end(),
+                                      [&](std::string_view end) { return plain.ends_with(end); });
+      if (source) files.push_back(fs::relative(it->path(), root).generic_string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> rooms() {
+  std::vector<std::string> names;
+  for (const Room& room : table()) names.emplace_back(room.folder);
+  return names;
+}
+
+}  // namespace skerry::architecture

@@ -1,0 +1,83 @@
+#include "tests/bench/child_server.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace skerry::bench {
+namespace {
+
+// What the server needs of 'tcp PORT http PORT'; 0 if it said something else or nothing.
+std::uint16_t read_tcp_port(int from_server) {
+  FILE* const said = ::fdopen(from_server, "r");
+  if (!said) return 0;
+  unsigned tcp = 0, http = 0;
+  const bool read = std::fscanf(said, "tcp %u http %u", &tcp, &http) == 2;
+  std::fclose(said);
+  return read ? static_cast<std::uint16_t>(tcp) : std::uint16_t{0};
+}
+
+}  // namespace
+
+ChildServer::ChildServer() {
+  std::array<int, 2> pipe{};
+  if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe to skerryd");
+  pid_ = ::fork();
+  if (pid_ < 0) throw std::runtime_error("no process for skerryd");
+  if (pid_ == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // a bench that is killed leaves no server behind
+    ::dup2(pipe[1], STDOUT_FILENO);
+    ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
+    ::close(pipe[0]);
+    ::close(pipe[1]);
+    ::execl(SKERRYD_PROGRAM, SKERRYD_PROGRAM, "--tcp-port", "0", "--http-port", "0", "--no-udp",
+            "--no-cat240", "--print-ports", nullptr);
+    ::_exit(127);
+  }
+  ::close(pipe[1]);
+  tcp_port_ = read_tcp_port(pipe[0]);
+  if (tcp_port_ == 0) {
+    stop();
+    throw std::runtime_error(SKERRYD_PROGRAM
+                             " did not print its ports: run it with --print-ports to see why");
+  }
+}
+
+ChildServer::~ChildServer() { stop(); }
+
+void ChildServer::stop() {
+  ::kill(pid_, SIGTERM);
+  ::waitpid(pid_, nullptr, 0);
+}
+
+double ChildServer::cpu_seconds() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  // The name, field 2, may hold blanks; it ends with the last ')'.  utime is field 14.
+  std::istringstream rest(line.substr(line.rfind(')') + 1));
+  std::string skipped;
+  for (int field = 3; field < 14; ++field) rest >> skipped;
+  double user = 0.0, system = 0.0;
+  rest >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+double ChildServer::resident_mib() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("VmRSS:", 0) == 0) return std::stod(line.substr(6)) / 1024.0;
+  }
+  return 0.0;
+}
+
+}  // namespace skerry::bench

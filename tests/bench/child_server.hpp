@@ -1,0 +1,31 @@
+// ChildServer: a skerryd of its own, on free ports of loopback.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+
+namespace skerry::bench {
+
+// Starts on construction, on the built-in scenario; is asked to stop, and waited for, on
+// destruction.
+// Error: std::runtime_error if it cannot be started or ends before it listens.
+class ChildServer {
+ public:
+  ChildServer();
+  ~ChildServer();
+  ChildServer(const ChildServer&) = delete;
+  ChildServer& operator=(const ChildServer&) = delete;
+
+  std::uint16_t tcp_port() const { return tcp_port_; }
+  double cpu_seconds() const;   // user and system, of all threads so far
+  double resident_mib() const;  // VmRSS
+
+ private:
+  void stop();
+
+  pid_t pid_ = 0;
+  std::uint16_t tcp_port_ = 0;
+};
+
+}  // namespace skerry::bench
