@@ -38,7 +38,7 @@ void bench_crossings(benchmark::State& state, const NamedScene& named) {
     for (std::uint32_t ray = 0; ray < model.rays_per_turn; ++ray) {
       echo::find_crossings(*scene.coast, *scene.index, {scene.own_ship, ray_units(ray, model)},
                            crossings);
-      echo::land_along(crossings, scene.coast->centre_ashore, model.cell_m * model.cells, land);
+      echo::land_along(crossings, scene.ashore, model.cell_m * model.cells, land);
       benchmark::DoNotOptimize(land.data());
       found += crossings.size();
     }
@@ -57,16 +57,15 @@ void bench_add_land(benchmark::State& state, const NamedScene& named) {
   for (std::uint32_t ray = 0; ray < model.rays_per_turn; ++ray) {
     echo::find_crossings(*scene.coast, *scene.index, {scene.own_ship, ray_units(ray, model)},
                          crossings);
-    echo::land_along(crossings, scene.coast->centre_ashore, model.cell_m * model.cells,
-                     ashore[ray]);
+    echo::land_along(crossings, scene.ashore, model.cell_m * model.cells, ashore[ray]);
   }
   std::vector<float> power(model.cells);
   Meter meter(state, cells_per_turn(model));
   for (auto _ : state) {
     for (std::uint32_t ray = 0; ray < model.rays_per_turn; ++ray) {
-      echo::add_land(ashore[ray], land,
-                     echo::lattice_path(scene.own_ship_geo, ray_units(ray, model), model.cell_m),
-                     power);
+      echo::add_land(
+          ashore[ray], land,
+          echo::lattice_path(scene.own_ship_geo, {}, ray_units(ray, model), model.cell_m), power);
       benchmark::DoNotOptimize(power.data());
     }
   }
@@ -86,7 +85,7 @@ void bench_hulls(benchmark::State& state, const NamedScene& named) {
     echo::HullsInSight hulls;
     looked_at = 0;
     for (std::uint32_t ray = 0; ray < model.rays_per_turn; ++ray) {
-      if (ray % kSector == 0) hulls = echo::hulls_in_sight(scene, 0.1, model);
+      if (ray % kSector == 0) hulls = echo::hulls_in_sight(scene, 0.1, 0.02, model);
       for (const echo::HullsInSight::Entry& entry : hulls.entries) {
         const std::uint32_t off = ray_units(ray, model) - entry.middle_units;
         if (std::min(off, 0u - off) > entry.reach_units) continue;
@@ -104,7 +103,7 @@ void bench_hulls(benchmark::State& state, const NamedScene& named) {
 
 void bench_ray_returns(benchmark::State& state, const NamedScene& named) {
   const echo::RayModel model = ray_model_of(named);
-  const echo::HullsInSight hulls = echo::hulls_in_sight(*named.scene, 0.1, model);
+  const echo::HullsInSight hulls = echo::hulls_in_sight(*named.scene, 0.1, 0.02, model);
   echo::RayScratch scratch;
   std::vector<float> power(model.cells);
   Meter meter(state, cells_per_turn(model));

@@ -22,6 +22,7 @@ echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale sc
   const echo::SinCos course = echo::sin_cos_degrees(heading_deg);
   scene->own_velocity = {6.0 * course.sin, 6.0 * course.cos};
   scene->index = std::make_shared<const echo::PolarIndex>(*scene->coast, scene->own_ship, 50.0);
+  scene->ashore = echo::is_ashore(*scene->coast, *scene->index, scene->own_ship);
   scene->hulls = std::move(hulls);
   return scene;
 }

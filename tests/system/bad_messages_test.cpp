@@ -105,12 +105,13 @@ TEST_F(BadMessages, MayFollowASubscription) {
 
 TEST_F(BadMessages, OfHttpGetAnHttpErrorAndThePageIsStillServed) {
   const std::uint16_t port = server_.http_port();
-  const auto first_line = [](const std::string& answer) { return answer.substr(0, answer.find('\r')); };
+  const auto first_line = [](const std::string& answer) {
+    return answer.substr(0, answer.find('\r'));
+  };
   EXPECT_NE(first_line(server::http_exchange(port, "garbage\r\n\r\n")).find(" 400 "),
             std::string::npos);
-  EXPECT_NE(first_line(server::http_exchange(
-                           port, "GET / HTTP/1.1\r\nHost: localhost\r\nX: " +
-                                     std::string(64 * 1024, 'x') + "\r\n\r\n"))
+  EXPECT_NE(first_line(server::http_exchange(port, "GET / HTTP/1.1\r\nHost: localhost\r\nX: " +
+                                                       std::string(64 * 1024, 'x') + "\r\n\r\n"))
                 .find(" 431 "),
             std::string::npos);
   EXPECT_NE(first_line(server::http_get(port, "/../../etc/passwd")).find(" 400 "),

@@ -91,8 +91,9 @@ bool ChildProcess::read_more() {
   pollfd readable{.fd = out_, .events = POLLIN, .revents = 0};
   const auto patience = std::chrono::milliseconds(kPatience);
   if (::poll(&readable, 1, static_cast<int>(patience.count())) == 0) {
-    throw std::runtime_error("the program is silent and does not end; it has written to its log:\n" +
-                             text_of_file(folder_.path("err")));
+    throw std::runtime_error(
+        "the program is silent and does not end; it has written to its log:\n" +
+        text_of_file(folder_.path("err")));
   }
   std::array<char, 4096> bytes;
   const ssize_t size = ::read(out_, bytes.data(), bytes.size());

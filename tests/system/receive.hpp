@@ -12,7 +12,6 @@
 #include <utility>
 #include <variant>
 
-
 #include "clients/common/scan.hpp"
 #include "clients/common/spoke_client.hpp"
 #include "tests/system/running_server.hpp"
