@@ -100,38 +100,55 @@ TEST(TwoOwnShips, MakeTheSameCoastOfTheChart) {
 // A turn of one radar beside the coast.
 class TurnOnCoast {
  public:
-  TurnOnCoast(const client::Scan& scan, const CoastOnEarth& coast)
-      : scan_(scan), coast_(coast, header(0).own_ship, 200.0) {}
+  TurnOnCoast(const client::Scan& scan, const CoastOnEarth& coast) : scan_(scan) {
+    const CoastSeenFrom seen(coast, header(0).own_ship, 200.0);
+    shores_.resize(scan.spokes.size());
+    for (std::size_t i = 0; i < scan.spokes.size(); ++i) {
+      for (int step = -kReach; step <= kReach; ++step) {
+        shores_[i].push_back(seen.first_shore(header(i).own_ship,
+                                              header(i).bearing() + degrees(step * kStepDegrees)));
+      }
+    }
+  }
 
   // Over the square spokes, by how much the video's first strong cell and the coast are apart.
   std::vector<double> range_errors() const {
     std::vector<double> errors;
     for (std::size_t i = 0; i < scan_.spokes.size(); ++i) {
       const auto video = first_strong(i);
-      const auto coast = square_shore(i);
-      if (video && coast) errors.push_back(*video - *coast);
+      if (video && is_square(i)) errors.push_back(*video - nearest_shore(i, 0, kHalfBeam));
     }
     return errors;
   }
 
-  // The angle by which the picture must be turned to fit the coast best.
+  // The angle by which the picture must be turned to fit the coast best: to have it, nearest shore
+  // in the beam for first strong cell, on most spokes, to two cells.
   double best_turn_degrees() const {
-    double best = 0.0;
-    int most = -1;
-    for (int step = -24; step <= 24; ++step) {
-      const double turn = step * 0.125;
-      const int fits = fitting(turn);
-      if (fits > most || (fits == most && std::fabs(turn) < std::fabs(best))) {
+    std::vector<std::optional<double>> video;
+    for (std::size_t i = 0; i < scan_.spokes.size(); ++i) video.push_back(first_strong(i));
+    int best = 0, most = -1;
+    for (int step = -kMostTurn; step <= kMostTurn; ++step) {
+      int fits = 0;
+      for (std::size_t i = 0; i < video.size(); ++i) {
+        if (!video[i]) continue;
+        if (std::fabs(nearest_shore(i, step, kHalfBeam) - *video[i]) < 2.0 * cell_m()) ++fits;
+      }
+      if (fits > most || (fits == most && std::abs(step) < std::abs(best))) {
         most = fits;
-        best = turn;
+        best = step;
       }
     }
-    return best;
+    return best * kStepDegrees;
   }
 
   double cell_m() const { return header(0).cell_size().in_metres(); }
 
  private:
+  // Bearings beside a spoke's own, in steps.
+  static constexpr int kHalfBeam = 4, kSquare = 6, kMostTurn = 20;
+  static constexpr int kReach = kMostTurn + kHalfBeam;
+  static constexpr double kStepDegrees = 0.5 * kBeamDegrees / kHalfBeam;
+
   const SpokeHeader& header(std::size_t spoke) const { return scan_.spokes[spoke]->header; }
 
   // The middle of the first of two strong cells: receiver noise is alone.
@@ -146,44 +163,22 @@ class TurnOnCoast {
     return std::nullopt;
   }
 
-  double shore(std::size_t spoke, double turn) const {
-    return coast_.first_shore(header(spoke).own_ship, header(spoke).bearing() + degrees(turn));
+  // Within so many steps of the spoke turned by `turn` steps.
+  double nearest_shore(std::size_t spoke, int turn, int steps) const {
+    const auto middle = shores_[spoke].begin() + kReach + turn;
+    return *std::min_element(middle - steps, middle + steps + 1);
   }
 
-  // The nearest shore in the beam around that spoke turned by so much.
-  double shore_in_beam(std::size_t spoke, double turn) const {
-    double nearest = INFINITY;
-    for (double off = -0.5 * kBeamDegrees; off <= 0.5 * kBeamDegrees; off += 0.15) {
-      nearest = std::min(nearest, shore(spoke, turn + off));
-    }
-    return nearest;
-  }
-
-  // The same, if the shore keeps its range to a cell over one and a half beams.
-  std::optional<double> square_shore(std::size_t spoke) const {
-    double nearest = INFINITY, farthest = 0.0;
-    for (double off = -0.75 * kBeamDegrees; off <= 0.75 * kBeamDegrees; off += 0.15) {
-      const double range = shore(spoke, off);
-      nearest = std::min(nearest, range);
-      farthest = std::max(farthest, range);
-    }
-    if (!(farthest - nearest <= cell_m())) return std::nullopt;
-    if (farthest > header(spoke).range_scale.length().in_metres()) return std::nullopt;
-    return shore_in_beam(spoke, 0.0);
-  }
-
-  // Spokes on which the nearest coast in the beam is where the video has it, to two cells.
-  int fitting(double turn) const {
-    int fits = 0;
-    for (std::size_t i = 0; i < scan_.spokes.size(); ++i) {
-      const auto video = first_strong(i);
-      if (video && std::fabs(shore_in_beam(i, turn) - *video) < 2.0 * cell_m()) ++fits;
-    }
-    return fits;
+  // Whether the coast keeps its range to a cell over one and a half beams.
+  bool is_square(std::size_t spoke) const {
+    const auto middle = shores_[spoke].begin() + kReach;
+    const auto [nearest, farthest] = std::minmax_element(middle - kSquare, middle + kSquare + 1);
+    return *farthest < header(spoke).range_scale.length().in_metres() &&
+           *farthest - *nearest <= cell_m();
   }
 
   const client::Scan& scan_;
-  CoastSeenFrom coast_;
+  std::vector<std::vector<double>> shores_;  // by spoke and step, metres
 };
 
 TEST(TwoOwnShips, HaveTwoPicturesOfOneCoast) {
@@ -212,8 +207,7 @@ TEST(TwoOwnShips, HaveTwoPicturesOfOneCoast) {
   for (const client::Scan& scan : scans) {
     const TurnOnCoast turn(scan, coast);
     std::vector<double> errors = turn.range_errors();
-    for (double p : {0.0, .05, .1, .25, .5, .75, .9, .95, 1.0})
-      for (double& error : errors) error = std::fabs(error);
+    for (double& error : errors) error = std::fabs(error);
     const double p90 = percentile(errors, 0.9);
     const double best = turn.best_turn_degrees();
     std::printf(

@@ -48,7 +48,8 @@ TEST(Receiver, GainLiftsAnEchoByItsDecibels) {
     const auto v = video_of(Receiver(kGeometry, controls(6, gain)), echo);
     return std::accumulate(v.begin(), v.end(), 0.0) / 1024.0 * kDynamicRangeDb / 256.0;
   };
-  EXPECT_NEAR(level(60.0) - level(40.0), threshold_db(40.0) - threshold_db(60.0), kDynamicRangeDb / 256.0);
+  EXPECT_NEAR(level(60.0) - level(40.0), threshold_db(40.0) - threshold_db(60.0),
+              kDynamicRangeDb / 256.0);
 }
 
 TEST(Receiver, StcFollowsTheCubeOfRangeAndEndsWhereItSays) {
