@@ -6,8 +6,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tests/system/running_server.hpp"
 

@@ -4,6 +4,9 @@
 #include <signal.h>
 
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/system/receive.hpp"
 #include "tests/system/small_scenario.hpp"

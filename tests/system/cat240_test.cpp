@@ -1,10 +1,13 @@
 // CAT240 as it leaves the running server: the same spokes as on the native stream, whether our own
 // decoder or Wireshark's reads them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <map>
 #include <span>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "clients/common/datagram_socket.hpp"
 #include "protocol/asterix/cat240.hpp"

@@ -7,6 +7,9 @@
 
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tests/system/receive.hpp"
 #include "tests/system/small_scenario.hpp"

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "clients/common/udp_spoke_receiver.hpp"
 #include "tests/system/receive.hpp"

@@ -12,7 +12,10 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "protocol/video/scan_geometry.hpp"
 #include "tests/system/load_console.hpp"

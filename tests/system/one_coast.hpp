@@ -1,6 +1,8 @@
 // The coast of a chart as places on Earth, and where a radar anywhere should see it.
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "echo/returns/coast_crossings.hpp"

@@ -22,7 +22,7 @@ own_ships:
     speed_kn: 12
     speed_time_constant_s: 1
     turn_time_constant_s: 1
-    max_rate_of_turn_deg_min: 360
+    max_rate_of_turn_deg_min: 720
     radars:
       - {name: Eight bits, spokes: 512, cells: 512, bits: 8, rpm: 60, range_nm: 6}
       - {name: Four bits, spokes: 512, cells: 512, bits: 4, rpm: 60, range_nm: 6}

@@ -14,6 +14,10 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "server/world/scenario.hpp"
 #include "tests/scenes/charts.hpp"
