@@ -97,10 +97,10 @@ RadarServer::RadarServer(const scenario::Scenario& scenario, echo::GshhgReader c
 RadarServer::~RadarServer() { stop(); }
 
 void RadarServer::start() {
-  epoch_ = {std::chrono::steady_clock::now(),
-            std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
+  const Epoch epoch{std::chrono::steady_clock::now(),
+                    std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
   coast_->start();
-  for (auto& radar : radars_) radar->unit.start(epoch_);
+  for (auto& radar : radars_) radar->unit.start(epoch);
 }
 
 void RadarServer::stop() {
@@ -209,7 +209,7 @@ wire::Status RadarServer::status() const {
   wire::Status status;
   status.set_server(kServerName);
   status.set_scenario(scenario_name_);
-  const auto up = std::chrono::steady_clock::now() - epoch_.steady;
+  const auto up = std::chrono::steady_clock::now() - made_;
   status.set_scenario_s(in_seconds(timeline_.latest()->time.time_since_epoch()));
   status.set_uptime_s(std::chrono::duration<double>(up).count());
   status.set_resident_mib(resident_mib());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,7 +44,7 @@ class RadarServer : public RadarHost {
   std::vector<std::unique_ptr<Mount>> radars_;
   std::atomic<std::uint64_t> settings_version_{1};
   std::mutex apply_mutex_;  // one Set at a time, so that two do not lose each other's values
-  Epoch epoch_{};
+  const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace skerry::server

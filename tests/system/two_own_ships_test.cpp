@@ -149,7 +149,7 @@ class TurnOnCoast {
 
  private:
   // Bearings beside a spoke's own, in steps.
-  static constexpr int kHalfBeam = 4, kSquare = 6, kMostTurn = 20;
+  static constexpr int kHalfBeam = 3, kSquare = 4, kMostTurn = 12;
   static constexpr int kReach = kMostTurn + kHalfBeam;
   static constexpr double kStepDegrees = 0.5 * kBeamDegrees / kHalfBeam;
 
@@ -173,7 +173,7 @@ class TurnOnCoast {
     return *std::min_element(middle - steps, middle + steps + 1);
   }
 
-  // Whether the coast keeps its range to a cell over one and a half beams.
+  // Whether the coast keeps its range to a cell over four thirds of the beam.
   bool is_square(std::size_t spoke) const {
     const auto middle = shores_[spoke].begin() + kReach;
     const auto [nearest, farthest] = std::minmax_element(middle - kSquare, middle + kSquare + 1);
@@ -207,7 +207,8 @@ TEST(TwoOwnShips, HaveTwoPicturesOfOneCoast) {
   const double reach = far.range_scale.length().in_metres() +
                        between(scans[0].spokes[0]->header.own_ship, far.own_ship);
   // All that either radar can see, finer than it can tell.
-  const CoastOnEarth coast = on_earth(*picture_at(far.own_ship, scenario.seed(), reach, 5.0, 0.02));
+  const CoastOnEarth coast =
+      on_earth(*picture_at(far.own_ship, scenario.seed(), reach, 10.0, 0.05));
   for (const client::Scan& scan : scans) {
     const TurnOnCoast turn(scan, coast);
     std::vector<double> errors = turn.range_errors();
