@@ -74,7 +74,8 @@ bool PolarIndex::serves(PlanePoint own_ship) const {
 }
 
 std::span<const std::uint32_t> PolarIndex::candidates(std::uint32_t bearing_units) const {
-  const std::uint32_t bucket = bearing_units / static_cast<std::uint32_t>(0x100000000ull / kBuckets);
+  const std::uint32_t bucket =
+      bearing_units / static_cast<std::uint32_t>(0x100000000ull / kBuckets);
   return {edges_.data() + starts_[bucket], starts_[bucket + 1] - starts_[bucket]};
 }
 
