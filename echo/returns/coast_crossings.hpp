@@ -12,10 +12,13 @@ namespace skerry::echo {
 struct Crossing {
   double range_m;
   bool into_land;
+  std::uint8_t shore = 0;  // index into CoastPicture::shores
 };
 
+// A stretch of land, and what shore it has where it begins and ends; 0 where it has none in sight.
 struct LandInterval {
   double begin_m, end_m;
+  std::uint8_t begin_shore = 0, end_shore = 0;
 };
 
 // A ray from `own_ship` toward `bearing_units` (clockwise from the plane's north).

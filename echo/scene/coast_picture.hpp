@@ -10,9 +10,19 @@
 #include "echo/chart/coast_chart.hpp"
 #include "echo/chart/local_plane.hpp"
 #include "echo/fractal/clearance.hpp"
-#include "echo/fractal/koch_edge.hpp"
+#include "echo/fractal/edge_refiner.hpp"
+#include "echo/scene/coast_rules.hpp"
+#include "echo/scene/structures.hpp"
 
 namespace skerry::echo {
+
+// What a stretch of refined coast is, as the echo needs it.
+struct PictureShore {
+  CoastType type = CoastType::unknown;
+  bool seam = false;      // land ends here without a coast (EdgeKind::seam)
+  float height_m = 0.0f;  // of the face over high water; 0: as the type has it
+  friend bool operator==(const PictureShore&, const PictureShore&) = default;
+};
 
 // The coast in range, as runs of vertices in a plane, land on the left of each run.  Immutable.
 struct CoastPicture {
@@ -23,6 +33,13 @@ struct CoastPicture {
   bool centre_ashore = false;  // the centre lies on land
   std::vector<PlanePoint> vertices;
   std::vector<std::uint32_t> run_starts;  // run r is vertices [run_starts[r], run_starts[r+1])
+  std::vector<PictureShore> shores = {PictureShore{}};  // at most 256 kinds; [0] is PictureShore{}
+  std::vector<std::uint8_t> edge_shores = {};           // by first vertex; empty: shores[0] for all
+  std::shared_ptr<const Structures> structures = nullptr;    // null: none in range
+  std::shared_ptr<const ElevationGrid> elevation = nullptr;  // null: relief is synthesised
+  std::uint8_t shore_of(std::uint32_t edge) const {
+    return edge_shores.empty() ? std::uint8_t{0} : edge_shores[edge];
+  }
   std::uint32_t edge_count() const {
     return static_cast<std::uint32_t>(vertices.size() -
                                       (run_starts.empty() ? 0 : run_starts.size() - 1));
@@ -39,16 +56,12 @@ struct RadarResolution {
   friend bool operator==(const RadarResolution&, const RadarResolution&) = default;
 };
 
-// Default roughness: similarity dimension 1.15, between the coasts of South Africa (1.02) and
-// western Britain (1.25).  Held by Dimension.OfTheDefaultCoastIsAsStated.
-inline constexpr double kDefaultDimension = 1.15;
-
 // A chart window laid into a plane, from which pictures are made as the own ship moves.
 // Thread: one at a time.
 class CoastPreparer {
  public:
-  // `dimension` in [1, 1.17]; `seed` makes another coast between the same chart vertices.
-  CoastPreparer(CoastChart chart, GeoPoint anchor, double dimension, std::uint64_t seed);
+  // Error: std::invalid_argument as require_valid() for the styles of `rules`.
+  CoastPreparer(CoastChart chart, GeoPoint anchor, const CoastRules& rules);
 
   // True while pictures for that position and range are exact: the chart window holds them and the
   // plane's anchor is near enough (kMaxAnchorDistance).
@@ -62,13 +75,10 @@ class CoastPreparer {
   static double slack_for(double range_m);
 
  private:
-  void refine(const CoastPiece& piece, Roughness roughness, const RadarResolution& resolution,
-              PlanePoint centre, double slack, std::vector<PlanePoint>& out) const;
-
   CoastChart chart_;
   LocalPlane plane_;
-  double apex_factor_;
-  std::uint64_t seed_;
+  CoastRules rules_;
+  std::vector<EdgeRefiner> refiners_;  // by CoastType
   std::vector<ShoreEdge> edges_;
   std::optional<Clearance> clearance_;
 };

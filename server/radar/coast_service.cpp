@@ -41,7 +41,7 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
   if (laid_anew) {
     slot.preparer = std::make_unique<echo::CoastPreparer>(
         reader_.load(wish.own_ship, window_radius(wish.resolution.range_m)), wish.own_ship,
-        echo::kDefaultDimension, seed_);
+        echo::CoastRules{.seed = seed_});
   }
   // Half of the picture's slack is left for the way sailed until the next wish is served.
   CoastInSightPtr before = slot.in_sight.get();

@@ -38,7 +38,7 @@ struct Window {
     if (!loaded) loaded = scenes::world_chart(scenes::kBergen, window_radius(scale)).value();
     return *loaded;
   }
-  echo::CoastPreparer preparer() { return {chart(), scenes::kBergen, echo::kDefaultDimension, 1}; }
+  echo::CoastPreparer preparer() { return {chart(), scenes::kBergen, echo::CoastRules{.seed = 1}}; }
 };
 
 void bench_load(benchmark::State& state, const echo::GshhgReader& reader, Window& window) {
@@ -53,8 +53,8 @@ void bench_lay(benchmark::State& state, Window& window) {
   for (auto _ : state) {
     echo::CoastChart copy = chart;
     const double begun = thread_seconds();
-    const echo::CoastPreparer preparer(std::move(copy), scenes::kBergen, echo::kDefaultDimension,
-                                       1);
+    const echo::CoastPreparer preparer(std::move(copy), scenes::kBergen,
+                                       echo::CoastRules{.seed = 1});
     benchmark::DoNotOptimize(&preparer);
     state.SetIterationTime(thread_seconds() - begun);
   }

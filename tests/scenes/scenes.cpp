@@ -10,7 +10,7 @@ echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale sc
                         const ScanGeometry& geometry, std::vector<echo::Hull> hulls,
                         double heading_deg) {
   auto scene = std::make_shared<echo::Scene>();
-  echo::CoastPreparer preparer(std::move(chart), own_ship, echo::kDefaultDimension, 1);
+  echo::CoastPreparer preparer(std::move(chart), own_ship, echo::CoastRules{.seed = 1});
   scene->coast =
       preparer.prepare(own_ship, {scale.length().in_metres(), geometry.cell_size(scale).in_metres(),
                                   360.0 / geometry.spokes_per_turn});

@@ -51,7 +51,7 @@ echo::CoastPicturePtr picture_at(GeoPoint own_ship, std::uint64_t seed, double r
                                  double cell_m, double spoke_degrees) {
   auto chart = scenes::world_chart(own_ship, metres(1.25 * range_m + 10000.0));
   if (!chart) throw std::runtime_error("no chart is installed");
-  return echo::CoastPreparer(std::move(*chart), own_ship, echo::kDefaultDimension, seed)
+  return echo::CoastPreparer(std::move(*chart), own_ship, echo::CoastRules{.seed = seed})
       .prepare(own_ship, {range_m, cell_m, spoke_degrees});
 }
 

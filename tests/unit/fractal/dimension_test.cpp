@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "echo/fractal/coast_style.hpp"
 #include "echo/fractal/koch_edge.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/coast_picture.hpp"
@@ -33,7 +34,7 @@ TEST(Dimension, AskedForIsTheOneGot) {
 // about a third as long as their edge, so the growth has steps; edges of lengths spread over a
 // factor of three smooth them out.
 TEST(Dimension, OfTheDefaultCoastIsAsStated) {
-  const Roughness roughness{kMaxHalfAngleTan, apex_factor_for_dimension(kDefaultDimension)};
+  const Roughness roughness{kMaxHalfAngleTan, apex_factor_for_dimension(CoastStyle{}.dimension)};
   const auto count = [&](auto&& self, const CoastPiece& p, double shortest) -> double {
     const double length = std::hypot(p.to.east_m - p.from.east_m, p.to.north_m - p.from.north_m);
     if (length <= shortest) return 1.0;
@@ -52,8 +53,8 @@ TEST(Dimension, OfTheDefaultCoastIsAsStated) {
     return sum;
   };
   const double d = std::log2(total(0.002 / 32) / total(0.002)) / 5.0;
-  std::printf("dimension by counting pieces: %.4f, asked for %.4f\n", d, kDefaultDimension);
-  EXPECT_NEAR(d, kDefaultDimension, 0.02);
+  std::printf("dimension by counting pieces: %.4f, asked for %.4f\n", d, CoastStyle{}.dimension);
+  EXPECT_NEAR(d, CoastStyle{}.dimension, 0.02);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class ReferenceCoast {
                  const RadarResolution& resolution)
       : picture_(picture),
         resolution_(resolution),
-        apex_(apex_factor_for_dimension(kDefaultDimension)) {
+        apex_(apex_factor_for_dimension(CoastStyle{}.dimension)) {
     std::map<std::uint64_t, PlanePoint> exact;
     std::vector<ShoreEdge> in_plane, by_geodesic;
     for (const CoastRing& ring : chart.rings) {
@@ -152,7 +152,7 @@ Worst compare(const CoastChart& chart, GeoPoint anchor, GeoPoint own_ship, Range
   const RadarResolution resolution{scale.length().in_metres(),
                                    geometry.cell_size(scale).in_metres(),
                                    360.0 / geometry.spokes_per_turn};
-  CoastPreparer preparer(chart, anchor, kDefaultDimension, 1);
+  CoastPreparer preparer(chart, anchor, echo::CoastRules{.seed = 1});
   const auto picture = preparer.prepare(own_ship, resolution);
   const PlanePoint at = picture->plane.to_plane(own_ship);
   const PolarIndex index(*picture, at, 30.0);

@@ -29,7 +29,7 @@ Vertices vertices_of(const CoastPicture& picture, double within_m) {
 
 TEST(CoastPicture, AFinerPictureKeepsEveryVertexOfACoarserOne) {
   CoastPreparer preparer(scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 80, 3),
-                         scenes::kBergen, kDefaultDimension, 1);
+                         scenes::kBergen, echo::CoastRules{.seed = 1});
   Vertices before;
   for (double nm : {6.0, 3.0, 1.5, 0.75, 0.25}) {
     const auto picture = preparer.prepare(scenes::kBergen, resolution(nm));
@@ -45,7 +45,7 @@ TEST(CoastPicture, AFinerPictureKeepsEveryVertexOfACoarserOne) {
 
 TEST(CoastPicture, IsTheSameCoastSeenFromElsewhere) {
   CoastPreparer preparer(scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 80, 3),
-                         scenes::kBergen, kDefaultDimension, 1);
+                         scenes::kBergen, echo::CoastRules{.seed = 1});
   const auto here = preparer.prepare(scenes::kBergen, resolution(3));
   const auto there = preparer.prepare({60.28, 5.16}, resolution(3));
   // Near both, both stop at half a cell; only at the edges of their slack do they differ.
@@ -58,8 +58,8 @@ TEST(CoastPicture, IsTheSameCoastSeenFromElsewhere) {
 
 TEST(CoastPicture, AnotherAnchorMovesNoVertexByMoreThanMillimetres) {
   const auto chart = scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 80, 3);
-  CoastPreparer one(chart, scenes::kBergen, kDefaultDimension, 1);
-  CoastPreparer two(chart, {60.32, 5.10}, kDefaultDimension, 1);
+  CoastPreparer one(chart, scenes::kBergen, echo::CoastRules{.seed = 1});
+  CoastPreparer two(chart, {60.32, 5.10}, echo::CoastRules{.seed = 1});
   const auto a = one.prepare(scenes::kBergen, resolution(1.5));
   const auto b = two.prepare(scenes::kBergen, resolution(1.5));
   const auto count = static_cast<double>(a->vertices.size());
@@ -88,7 +88,7 @@ TEST(CoastPicture, AnotherAnchorMovesNoVertexByMoreThanMillimetres) {
 
 TEST(CoastPicture, DetailStopsAtTheRadarsResolution) {
   CoastPreparer preparer(scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 80, 3),
-                         scenes::kBergen, kDefaultDimension, 1);
+                         scenes::kBergen, echo::CoastRules{.seed = 1});
   std::size_t before = 0;
   for (std::uint32_t cells : {256u, 1024u, 4096u}) {
     const auto picture = preparer.prepare(scenes::kBergen, resolution(3, cells, 8192));
@@ -101,7 +101,7 @@ TEST(CoastPicture, DetailStopsAtTheRadarsResolution) {
 TEST(CoastPicture, BergenIsRefinedAtEveryRangeScale) {
   auto chart = scenes::world_chart(scenes::kBergen, nautical_miles(125));
   if (!chart) GTEST_SKIP() << "no chart installed";
-  CoastPreparer preparer(std::move(*chart), scenes::kBergen, kDefaultDimension, 1);
+  CoastPreparer preparer(std::move(*chart), scenes::kBergen, echo::CoastRules{.seed = 1});
   for (double nm : RangeScale::kNauticalMiles) {
     const auto picture = preparer.prepare(scenes::kBergen, resolution(nm));
     std::printf("Bergen %g NM: %u edges\n", nm, picture->edge_count());
@@ -115,7 +115,7 @@ TEST(CoastPicture, BergenIsRefinedAtEveryRangeScale) {
 
 TEST(CoastPicture, ServesOnlyWhereTheChartReaches) {
   CoastPreparer preparer(scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 5, 3),
-                         scenes::kBergen, kDefaultDimension, 1);
+                         scenes::kBergen, echo::CoastRules{.seed = 1});
   EXPECT_TRUE(preparer.serves(scenes::kBergen, nautical_miles(6).in_metres()));
   EXPECT_FALSE(preparer.serves(scenes::kBergen, nautical_miles(12).in_metres()));
   EXPECT_FALSE(preparer.serves({60.40, 5.05}, nautical_miles(0.25).in_metres()));

@@ -1,0 +1,52 @@
+// EdgeRefiner: one chart edge grown into a coast.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "echo/fractal/coast_style.hpp"
+#include "protocol/quantity/geo_point.hpp"
+
+namespace skerry::echo {
+
+// An edge of the chart and the room it has.  Everything that grows out of it stays in the rhombus
+// whose diagonal it is, of half-angle atan(half_angle_tan) at its ends (clearance.hpp).
+struct GrowingEdge {
+  PlanePoint from, to;  // land on the left
+  std::uint64_t seed = 0;
+  double half_angle_tan = 0.0;
+};
+
+// Where refinement may stop, for a radar at `centre` that can be anywhere within `slack_m` of it.
+struct DetailLimit {
+  PlanePoint centre;
+  double slack_m = 0.0;
+  double range_m = 1e12;       // beyond it nothing is refined
+  double cell_m = 1.0;         // size of a range cell
+  double spoke_radians = 0.0;  // angle between spokes
+  // How far something must stand out from the straight line a - b to be made, metres: a tenth of a
+  // cell or of a spoke's arc at the nearest place, whichever is more, at least 0.05; infinite out
+  // of range.
+  double visible_m(PlanePoint a, PlanePoint b) const;
+};
+
+// Thread: immutable, any number.
+class EdgeRefiner {
+ public:
+  // Error: std::invalid_argument as require_valid().
+  explicit EdgeRefiner(const CoastStyle& style);
+
+  const CoastStyle& style() const { return style_; }
+  // Appends the vertices after edge.from, edge.to last.
+  // Guarantees (edge_refiner_test): vertices made for one limit are among those made for any finer
+  // one and never move; a pure function of its arguments; stays in the rhombus; never crosses or
+  // touches itself.
+  void refine(const GrowingEdge& edge, const DetailLimit& limit,
+              std::vector<PlanePoint>& out) const;
+
+ private:
+  CoastStyle style_;
+  double apex_factor_ = 0.0;  // Koch
+};
+
+}  // namespace skerry::echo
