@@ -34,6 +34,7 @@ const std::vector<Room>& table() {
       {"echo/chart", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
       {"echo/chart/gdal", {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/"}},
       {"echo/fractal", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
+      {"echo/fractal/as_printed", {"protocol/quantity/", "echo/kernel/", "echo/fractal/"}},
       // Dimension, spectrum and statistics of curves and pictures.
       {"echo/measure", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
       {"echo/scene",
@@ -43,6 +44,9 @@ const std::vector<Room>& table() {
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/scene/"}},
       {"echo/receiver", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
       {"echo", {"protocol/quantity/", "protocol/video/", "echo/"}},
+      // The echo for other programs: a C library, and the tool that fits and judges coasts.
+      {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},
+      {"echo/coast_tool", {"protocol/quantity/", "protocol/video/", "echo/", "clients/common/"}},
       // The server: radar and net do not know each other, app joins them.
       {"server/core", {"protocol/"}},
       {"server/config", {"protocol/"}},
