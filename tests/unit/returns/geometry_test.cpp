@@ -10,7 +10,9 @@
 #include <numbers>
 
 #include "echo/chart/land_mask.hpp"
+#include "echo/fractal/clearance.hpp"
 #include "echo/fractal/dimension.hpp"
+#include "echo/fractal/koch_edge.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/returns/radar_equation.hpp"
