@@ -12,12 +12,13 @@ namespace {
 double dot(PlanePoint a, PlanePoint b) { return a.east_m * b.east_m + a.north_m * b.north_m; }
 double cross(PlanePoint a, PlanePoint b) { return a.east_m * b.north_m - a.north_m * b.east_m; }
 
-double point_to_segment(PlanePoint p, PlanePoint a, PlanePoint b) {
+// Square of the distance.
+double point_to_segment2(PlanePoint p, PlanePoint a, PlanePoint b) {
   const PlanePoint ab = b - a, ap = p - a;
   const double length2 = dot(ab, ab);
   const double t = length2 > 0.0 ? std::clamp(dot(ap, ab) / length2, 0.0, 1.0) : 0.0;
   const PlanePoint d = ap - ab * t;
-  return std::sqrt(dot(d, d));
+  return dot(d, d);
 }
 
 bool boxes_meet(const ShoreEdge& p, const ShoreEdge& q) {
@@ -26,6 +27,20 @@ bool boxes_meet(const ShoreEdge& p, const ShoreEdge& q) {
   };
   return meet(p.from.east_m, p.to.east_m, q.from.east_m, q.to.east_m) &&
          meet(p.from.north_m, p.to.north_m, q.from.north_m, q.to.north_m);
+}
+
+struct Box {
+  double east0, east1, north0, north1;
+};
+Box box_of(const ShoreEdge& e) {
+  return {std::min(e.from.east_m, e.to.east_m), std::max(e.from.east_m, e.to.east_m),
+          std::min(e.from.north_m, e.to.north_m), std::max(e.from.north_m, e.to.north_m)};
+}
+
+// Farther apart than `reach` along one axis.
+bool apart(const Box& p, const Box& q, double reach) {
+  return (q.east0 - p.east1 > reach) | (p.east0 - q.east1 > reach) | (q.north0 - p.north1 > reach) |
+         (p.north0 - q.north1 > reach);
 }
 
 // The boxes decide for segments on one line, where the signs are rounding noise.
@@ -54,9 +69,9 @@ std::uint64_t ShoreEdge::seed() const { return mixed(from_id, to_id); }
 
 double segment_distance(const ShoreEdge& p, const ShoreEdge& q) {
   if (crosses(p, q)) return 0.0;
-  return std::min(
-      std::min(point_to_segment(p.from, q.from, q.to), point_to_segment(p.to, q.from, q.to)),
-      std::min(point_to_segment(q.from, p.from, p.to), point_to_segment(q.to, p.from, p.to)));
+  return std::sqrt(std::min(
+      std::min(point_to_segment2(p.from, q.from, q.to), point_to_segment2(p.to, q.from, q.to)),
+      std::min(point_to_segment2(q.from, p.from, p.to), point_to_segment2(q.to, p.from, p.to))));
 }
 
 Clearance::Clearance(std::span<const ShoreEdge> edges) : edges_(edges), known_(edges.size(), -1) {
@@ -79,15 +94,30 @@ Clearance::Clearance(std::span<const ShoreEdge> edges) : edges_(edges), known_(e
 
   const auto for_each_square = [&](const ShoreEdge& e, auto&& visit) {
     const auto column = [&](double east) {
-      return static_cast<std::int32_t>((east - origin_.east_m) / square_m_);
+      return static_cast<std::int32_t>(
+          std::clamp((east - origin_.east_m) / square_m_, 0.0, static_cast<double>(columns_ - 1)));
     };
     const auto row = [&](double north) {
       return static_cast<std::int32_t>((north - origin_.north_m) / square_m_);
     };
     const auto [c0, c1] = std::minmax({column(e.from.east_m), column(e.to.east_m)});
     const auto [r0, r1] = std::minmax({row(e.from.north_m), row(e.to.north_m)});
+    // A long edge passes through few of its box's squares: in each row those between where it comes
+    // in and goes out, and one more on either side for the rounding.
+    const double rise = e.to.north_m - e.from.north_m;
+    const bool steep = r0 < r1 && c0 < c1 && std::fabs(rise) >= 1.0;
+    const double slope = steep ? (e.to.east_m - e.from.east_m) / rise : 0.0;
     for (std::int32_t r = r0; r <= r1; ++r) {
-      for (std::int32_t c = c0; c <= c1; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
+      std::int32_t first = c0, last = c1;
+      if (steep) {
+        const double up = origin_.north_m + r * square_m_ - e.from.north_m;
+        const auto [in, out] = std::minmax(
+            {column(e.from.east_m + up * slope), column(e.from.east_m + (up + square_m_) * slope)});
+        first = std::max(c0, in - 1);
+        last = std::min(c1, out + 1);
+      }
+      for (std::int32_t c = first; c <= last; ++c)
+        visit(static_cast<std::size_t>(r * columns_ + c));
     }
   };
   square_start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
@@ -114,7 +144,8 @@ double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
   // Nothing farther away than this can bind: 0.47 d >= tan(30 deg) * length / 2.
   const double reach = length * kMaxHalfAngleTan / (2.0 * 0.47);
   const auto square = [&](double offset, std::int32_t count) {
-    return std::clamp(static_cast<std::int32_t>(std::floor(offset / square_m_)), 0, count - 1);
+    return static_cast<std::int32_t>(
+        std::clamp(offset / square_m_, 0.0, static_cast<double>(count - 1)));
   };
   const auto [east0, east1] = std::minmax(e.from.east_m, e.to.east_m);
   const auto [north0, north1] = std::minmax(e.from.north_m, e.to.north_m);
@@ -123,6 +154,7 @@ double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
   const std::int32_t r0 = square(north0 - reach - origin_.north_m, rows_);
   const std::int32_t r1 = square(north1 + reach - origin_.north_m, rows_);
 
+  const Box box = box_of(e);
   double tan = kMaxHalfAngleTan;
   for (std::int32_t r = r0; r <= r1; ++r) {
     for (std::int32_t c = c0; c <= c1; ++c) {
@@ -130,15 +162,17 @@ double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
       for (std::uint32_t k = square_start_[s]; k < square_start_[s + 1]; ++k) {
         if (square_edges_[k] == index) continue;
         const ShoreEdge& f = edges_[square_edges_[k]];
+        // What is farther away than the nearest so far decides nothing.
+        if (apart(box, box_of(f), 1.0001 * tan * length / (2.0 * 0.47))) continue;
         const bool ff = f.from_id == e.from_id, ft = f.to_id == e.from_id;
         const bool tf = f.from_id == e.to_id, tt = f.to_id == e.to_id;
         if (ff) tan = std::min(tan, half_angle_between(e.to - e.from, f.to - f.from));
         if (ft) tan = std::min(tan, half_angle_between(e.to - e.from, f.from - f.to));
         if (tf) tan = std::min(tan, half_angle_between(e.from - e.to, f.to - f.from));
         if (tt) tan = std::min(tan, half_angle_between(e.from - e.to, f.from - f.to));
-        if (!(ff || ft || tf || tt)) {
-          tan = std::min(tan, 2.0 * 0.47 * segment_distance(e, f) / length);
-        }
+        if (ff || ft || tf || tt) continue;
+        tan = std::min(tan, 2.0 * 0.47 * segment_distance(e, f) / length);
+        if (tan <= 0.0) return 0.0;
       }
     }
   }

@@ -27,7 +27,7 @@ std::string_view name_of(CoastMethod method) {
     case CoastMethod::regular_koch:
       return "koch";
     case CoastMethod::random_koch:
-      return "random-koch";
+      return "random_koch";
     case CoastMethod::midpoint:
       return "midpoint";
     case CoastMethod::weierstrass:

@@ -25,9 +25,12 @@ enum class SeriesPhases : std::uint8_t {
 // How a coast is refined in `corrected` mode (echo/fractal/edge_refiner.hpp).
 struct CoastStyle {
   CoastMethod method = CoastMethod::random_koch;
-  // Fractal dimension asked for, 1 .. the method's greatest_dimension().  H = 2 - dimension.
+  // Fractal dimension asked for, 1 .. the method's greatest_dimension().  Koch: the similarity
+  // dimension of an edge with all the room there is (half-angle 30 deg).  Midpoint and Weierstrass:
+  // 2 - H, as the variogram of an edge's offsets has it, whatever the room.  1 is straight.
   double dimension = 1.15;
-  // Factor on the amplitude that dimension and edge length imply, 0 .. 4.
+  // Factor on the amplitude that dimension, edge length and room imply, 0 .. 4.  Koch: on the
+  // height of the apexes, up to what the room allows.
   double amplitude = 1.0;
   double gamma = 1.5;  // weierstrass: ratio of wave numbers, 1.05 .. 8
   SeriesPhases phases = SeriesPhases::random;
@@ -38,7 +41,7 @@ struct CoastStyle {
 // random Koch, 1.5 for midpoint and Weierstrass.
 double greatest_dimension(CoastMethod method);
 
-// "straight", "koch", "random-koch", "midpoint", "weierstrass".
+// "straight", "koch", "random_koch", "midpoint", "weierstrass".
 std::string_view name_of(CoastMethod method);
 
 // Error: std::invalid_argument naming the parameter, its value and the range allowed.

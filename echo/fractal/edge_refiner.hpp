@@ -1,7 +1,11 @@
 // EdgeRefiner: one chart edge grown into a coast.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <vector>
 
 #include "echo/fractal/coast_style.hpp"
@@ -19,7 +23,7 @@ struct GrowingEdge {
 
 // Where refinement may stop, for a radar at `centre` that can be anywhere within `slack_m` of it.
 struct DetailLimit {
-  PlanePoint centre;
+  PlanePoint centre = {};
   double slack_m = 0.0;
   double range_m = 1e12;       // beyond it nothing is refined
   double cell_m = 1.0;         // size of a range cell
@@ -27,10 +31,27 @@ struct DetailLimit {
   // How far something must stand out from the straight line a - b to be made, metres: a tenth of a
   // cell or of a spoke's arc at the nearest place, whichever is more, at least 0.05; infinite out
   // of range.
-  double visible_m(PlanePoint a, PlanePoint b) const;
+  double visible_m(PlanePoint a, PlanePoint b) const {
+    return visible_about((a + b) * 0.5, 0.6 * length_of(b - a));
+  }
+  // The same for something that lies within `reach_m` of `middle`.
+  double visible_about(PlanePoint middle, double reach_m) const {
+    const double nearest = std::max(0.0, length_of(middle - centre) - reach_m - slack_m);
+    if (nearest > range_m) return std::numeric_limits<double>::infinity();
+    return std::max(least_visible_m(), 0.1 * nearest * spoke_radians);
+  }
+  // Of all places.
+  double least_visible_m() const { return std::max(0.1 * cell_m, 0.05); }
+
+ private:
+  static double length_of(PlanePoint v) {
+    return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m);
+  }
 };
 
-// Thread: immutable, any number.
+class EdgeMethod;
+
+// Thread: immutable, any number.  Copies share their tables.
 class EdgeRefiner {
  public:
   // Error: std::invalid_argument as require_valid().
@@ -46,7 +67,7 @@ class EdgeRefiner {
 
  private:
   CoastStyle style_;
-  double apex_factor_ = 0.0;  // Koch
+  std::shared_ptr<const EdgeMethod> method_;
 };
 
 }  // namespace skerry::echo

@@ -29,6 +29,34 @@ TEST(Dimension, AskedForIsTheOneGot) {
   }
 }
 
+TEST(Dimension, GreatestOfEveryMethodCanBeHad) {
+  EXPECT_NEAR(
+      koch_dimension(apex_factor_for_dimension(greatest_dimension(CoastMethod::random_koch))),
+      greatest_dimension(CoastMethod::random_koch), 0.001);
+  const double greatest = greatest_dimension(CoastMethod::regular_koch);
+  EXPECT_NEAR(regular_koch_dimension(regular_apex_factor_for_dimension(greatest)), greatest, 1e-9);
+  EXPECT_NEAR(regular_koch_dimension(kMaxRegularApexFactor), 1.2533, 5e-5);
+}
+
+TEST(Dimension, OfRegularKochIsTheClosedForm) {
+  // physics.md B8.
+  EXPECT_NEAR(regular_koch_dimension(0.8), 1.1812, 5e-5);
+  EXPECT_NEAR(regular_koch_dimension(0.95), 1.2407, 5e-5);
+  EXPECT_NEAR(regular_koch_dimension(1.0), std::log(4.0) / std::log(3.0), 1e-9);
+  for (double d = 1.0; d <= 1.25; d += 0.05) {
+    EXPECT_NEAR(regular_koch_dimension(regular_apex_factor_for_dimension(d)), d, 1e-6);
+  }
+}
+
+TEST(Dimension, SelfSimilarSpreadIsThatOfTheTable) {
+  // physics.md B8, Gaussian r.
+  const double table[][2] = {{1.02, .0835}, {1.05, .1325}, {1.10, .1877},
+                             {1.15, .2295}, {1.20, .2640}, {1.25, .2936},
+                             {1.30, .3194}, {1.40, .3626}, {1.50, .3975}};
+  for (const auto& [d, spread] : table) EXPECT_NEAR(self_similar_spread(d), spread, 5e-5);
+  EXPECT_EQ(self_similar_spread(1.0), 0.0);
+}
+
 // The number of pieces a curve needs when all longer than e are split grows as e^-D: measured over
 // five octaves of e on 600 curves that are not among the seeds of the expectation.  All pieces are
 // about a third as long as their edge, so the growth has steps; edges of lengths spread over a

@@ -137,6 +137,53 @@ TEST(KochEdge, ACurveNeverCrossesOrTouchesItself) {
   std::printf("%d segments, nearest approach %.3g of the shorter one\n", segments, nearest);
 }
 
+// The curve of von Koch is (4/3)^n long after n splits.
+TEST(KochEdge, RegularWithAFullApexIsFourThirdsAsLongEveryLevel) {
+  for (const double bearing : {0.0, 1.0, 2.5}) {
+    std::vector<CoastPiece> pieces{
+        {{3, 4}, {3 + 100 * std::sin(bearing), 4 + 100 * std::cos(bearing)}, 1}};
+    for (int level = 1; level <= 7; ++level) {
+      std::vector<CoastPiece> finer;
+      double length = 0.0;
+      for (const CoastPiece& piece : pieces) {
+        CoastPiece four[4];
+        split_regular(piece, {kMaxHalfAngleTan, 1.0}, four);
+        for (const CoastPiece& q : four) {
+          finer.push_back(q);
+          length += std::sqrt(dot(q.to - q.from, q.to - q.from));
+        }
+      }
+      pieces = std::move(finer);
+      EXPECT_NEAR(length / 100.0, std::pow(4.0 / 3.0, level), 1e-9);
+    }
+  }
+}
+
+TEST(KochEdge, RegularPiecesStayInTheEnvelopeApartAndOnOneSide) {
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+    const double tan = kMaxHalfAngleTan * as_unit(mixed(seed, 100));
+    const double apex = kMaxRegularApexFactor * as_unit(mixed(seed, 101));
+    const double angle = 6.283 * as_unit(mixed(seed, 102));
+    const CoastPiece edge{
+        {12.0, -7.0}, {12.0 + 50.0 * std::cos(angle), -7.0 + 50.0 * std::sin(angle)}, seed};
+    CoastPiece pieces[4];
+    split_regular(edge, {tan, apex}, pieces);
+    const Rhombus whole = rhombus_of(edge, tan);
+    for (int i = 0; i < 4; ++i) {
+      const Rhombus part = rhombus_of(pieces[i], tan);
+      EXPECT_EQ(pieces[i].seed, seed);
+      for (const PlanePoint& c : part.corner) worst = std::max(worst, outside(whole, c));
+      for (int j = 0; j < i; ++j) {
+        ASSERT_TRUE(apart(part, rhombus_of(pieces[j], tan), 1e-9));
+      }
+    }
+    const double height = cross(edge.to - edge.from, pieces[1].to - edge.from);
+    EXPECT_TRUE((seed & 1u) ? height >= 0.0 : height <= 0.0);
+  }
+  EXPECT_LE(worst, 1e-9);
+}
+
 TEST(KochEdge, DeeperLevelsNeverMoveAnOlderVertex) {
   std::vector<PlanePoint> coarse{{0, 0}}, fine{{0, 0}};
   refine({{0, 0}, {700, 300}, 3}, 3, {kMaxHalfAngleTan, 0.9}, coarse);
