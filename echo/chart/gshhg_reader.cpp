@@ -59,6 +59,8 @@ std::filesystem::path GshhgReader::find_finest(
                   looked.empty() ? "(no directory)" : looked));
 }
 
+std::string GshhgReader::describe() const { return file_->source(); }
+
 CoastChart GshhgReader::load(GeoPoint centre, Length radius) const {
   if (!(std::abs(centre.latitude_deg) <= 90.0) || !std::isfinite(centre.longitude_deg) ||
       !(radius.in_metres() >= 0.0))

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "echo/chart/coast_chart.hpp"
+#include "echo/chart/chart_source.hpp"
 #include "protocol/quantity/length.hpp"
 
 namespace skerry::echo {
@@ -16,7 +16,7 @@ class GshhgFile;
 // those, everywhere.  Full detail has a vertex every 100 to 200 m and lies within about 400 m of
 // where a radar finds the coast; piers and moles are absent.
 // Thread: load() from any thread; all readers share one lock while they read.
-class GshhgReader {
+class GshhgReader final : public ChartSource {
  public:
   // The file binned_GSHHS_f.nc or one of its coarser brothers.
   // Error: std::runtime_error naming the file, the variable, and what was wrong.
@@ -30,7 +30,7 @@ class GshhgReader {
 
   GshhgReader(GshhgReader&&) noexcept;
   GshhgReader& operator=(GshhgReader&&) noexcept;
-  ~GshhgReader();
+  ~GshhgReader() override;
 
   // All coast within `radius` of `centre`, any place on Earth, antimeridian and poles included.
   // Rings are those of the file's bins (gshhg_bin.hpp): whole bins are loaded, so there is coast
@@ -39,7 +39,8 @@ class GshhgReader {
   // the whole Earth in full detail is 11 million vertices.
   // Error: std::invalid_argument for a centre off the globe or a radius below 0;
   // std::runtime_error for a damaged file.
-  CoastChart load(GeoPoint centre, Length radius) const;
+  CoastChart load(GeoPoint centre, Length radius) const override;
+  std::string describe() const override;  // "GSHHG 2.3.7 full"
 
  private:
   explicit GshhgReader(std::unique_ptr<const GshhgFile> file);

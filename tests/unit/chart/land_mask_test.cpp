@@ -47,6 +47,24 @@ TEST(LandMask, AcrossTheAntimeridian) {
     EXPECT_FALSE(is_land(chart, {-16.5, longitude})) << longitude;
 }
 
+TEST(LandMask, AroundAPole) {
+  std::vector<GeoPoint> parallel;
+  for (int longitude = -180; longitude < 180; longitude += 40)
+    parallel.push_back({70.0, 1.0 * longitude});
+  std::vector<GeoPoint> south = parallel, lake = parallel;
+  for (GeoPoint& v : south) v.latitude_deg = -75.0;
+  for (GeoPoint& v : lake) v.latitude_deg = 85.0;
+  // Land is on the left: north of a ring that runs east, south of one that runs west.
+  CoastChart chart = chart_of({parallel, reversed(south), reversed(lake)});
+  chart.rings[2].level = 2;
+  for (const double longitude : {-180.0, -100.0, 0.0, 13.0, 179.9}) {
+    EXPECT_EQ(winding_number(chart, {75.0, longitude}), 1) << longitude;
+    EXPECT_EQ(winding_number(chart, {88.0, longitude}), 0) << longitude << ", in the lake";
+    EXPECT_EQ(winding_number(chart, {0.0, longitude}), 0) << longitude;
+    EXPECT_EQ(winding_number(chart, {-80.0, longitude}), 1) << longitude;
+  }
+}
+
 TEST(LandMask, ExactlyBelowAVertexIsCountedOnce) {
   const CoastChart chart = chart_of({{{5, 0}, {0, 1}, {5, 2}, {10, 1}}});
   EXPECT_TRUE(is_land(chart, {5, 1}));    // below the northern vertex
