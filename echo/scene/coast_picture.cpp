@@ -1,47 +1,57 @@
 #include "echo/scene/coast_picture.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "echo/chart/land_mask.hpp"
+#include "echo/fractal/clearance.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/scene/coast_edges.hpp"
+#include "echo/scene/edge_detail.hpp"
+#include "echo/scene/laid_objects.hpp"
+#include "echo/scene/picture_memory.hpp"
+#include "echo/scene/plane_geometry.hpp"
+#include "echo/scene/style_refiners.hpp"
 
 namespace skerry::echo {
-namespace {
 
-double length_of(PlanePoint v) { return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m); }
+struct CoastPreparer::Laid {
+  Laid(const CoastChart& chart, const LocalPlane& plane, const CoastRules& rules)
+      : coast(lay_edges(chart, plane, rules)),
+        objects(chart.objects, plane),
+        clearance(coast.edges),
+        refiners(coast.all_styles.size()) {
+    for (const CoastStyle& style : coast.all_styles) require_valid(style);
+  }
 
-double distance_to_segment(PlanePoint p, PlanePoint a, PlanePoint b) {
-  const PlanePoint ab = b - a, ap = p - a;
-  const double length2 = ab.east_m * ab.east_m + ab.north_m * ab.north_m;
-  const double along = ap.east_m * ab.east_m + ap.north_m * ab.north_m;
-  const double t = length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
-  return length_of(ap - ab * t);
-}
+  // Found when first wanted.
+  const EdgeRefiner& refiner(std::uint16_t style) {
+    if (!refiners[style]) refiners[style] = refiner_of(coast.all_styles[style]);
+    return *refiners[style];
+  }
 
-}  // namespace
+  CoastEdges coast;
+  LaidObjects objects;
+  Clearance clearance;
+  std::vector<std::shared_ptr<const EdgeRefiner>> refiners;  // by style
+  std::size_t most_vertices = 0;                             // of any picture
+  PictureMemory memory;
+  Effort effort;
+};
 
 CoastPreparer::CoastPreparer(CoastChart chart, GeoPoint anchor, const CoastRules& rules)
-    : chart_(std::move(chart)), plane_(anchor), rules_(rules) {
-  for (const CoastStyle& style : rules_.styles) refiners_.emplace_back(style);
-  std::vector<PlanePoint> laid;
-  for (const CoastRing& ring : chart_.rings) {
-    const std::size_t n = ring.vertices.size();
-    if (n < 3) continue;  // bounds nothing
-    laid.resize(n);
-    for (std::size_t i = 0; i < n; ++i) laid[i] = plane_.to_plane(ring.vertices[i]);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t j = i + 1 == n ? 0 : i + 1;
-      if (ring.edges[i] != EdgeKind::shoreline || ring.vertex_ids[i] == ring.vertex_ids[j])
-        continue;
-      edges_.push_back({laid[i], laid[j], ring.vertex_ids[i], ring.vertex_ids[j]});
-    }
-  }
-  clearance_.emplace(edges_);
-}
+    : chart_(std::move(chart)),
+      plane_(anchor),
+      seed_(rules.seed),
+      laid_(std::make_unique<Laid>(chart_, plane_, rules)) {}
+CoastPreparer::~CoastPreparer() = default;
+CoastPreparer::CoastPreparer(CoastPreparer&&) noexcept = default;
+CoastPreparer& CoastPreparer::operator=(CoastPreparer&&) noexcept = default;
 
 double CoastPreparer::slack_for(double range_m) { return std::max(20.0, 0.02 * range_m); }
+
+const CoastPreparer::Effort& CoastPreparer::last_effort() const { return laid_->effort; }
 
 bool CoastPreparer::serves(GeoPoint own_ship, double range_m) const {
   const double off = length_of(plane_.to_plane(own_ship));
@@ -52,41 +62,89 @@ bool CoastPreparer::serves(GeoPoint own_ship, double range_m) const {
 }
 
 CoastPicturePtr CoastPreparer::prepare(GeoPoint own_ship, const RadarResolution& resolution) {
-  auto picture = std::make_shared<CoastPicture>(CoastPicture{.plane = plane_,
-                                                             .centre = {},
-                                                             .vertices = {},
-                                                             .run_starts = {},
-                                                             .shores = {PictureShore{}},
-                                                             .edge_shores = {},
-                                                             .structures = nullptr,
-                                                             .elevation = chart_.elevation});
   const PlanePoint centre = plane_.to_plane(own_ship);
   const double slack = slack_for(resolution.range_m);
-  picture->centre = centre;
-  picture->slack_m = slack;
-  picture->range_m = resolution.range_m;
-  picture->centre_ashore = is_land(chart_, own_ship);
-
+  const double reach = resolution.range_m + slack;
+  auto picture = std::make_shared<CoastPicture>(
+      CoastPicture{.plane = plane_,
+                   .centre = centre,
+                   .slack_m = slack,
+                   .range_m = resolution.range_m,
+                   .centre_ashore = is_land(chart_, own_ship),
+                   .vertices = {},
+                   .run_starts = {},
+                   .shores = laid_->coast.kinds,
+                   .edge_shores = {},
+                   .structures = laid_->objects.within(centre, reach),
+                   .elevation = chart_.elevation});
   const DetailLimit limit{centre, slack, resolution.range_m, resolution.cell_m,
                           resolution.spoke_degrees * (std::numbers::pi / 180.0)};
+  const std::vector<ShoreEdge>& edges = laid_->coast.edges;
+  std::vector<PlanePoint>& vertices = picture->vertices;
+  // Room never written to costs nothing; moving what has been made does.
+  vertices.reserve(
+      std::max(laid_->most_vertices, std::min<std::size_t>(4 * edges.size(), 1u << 20)));
+  std::vector<PictureMemory::Place> places(edges.size());
+  Effort effort;
+  bool all_alike = true;      // of shores[0]
   std::uint32_t run_end = 0;  // index of the edge after the last one laid down
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    const ShoreEdge& edge = edges_[i];
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const ShoreEdge& edge = edges[i];
     const double length = length_of(edge.to - edge.from);
-    const double distance = distance_to_segment(centre, edge.from, edge.to);
-    if (distance - 0.29 * length > resolution.range_m + slack) continue;
+    const PlanePoint middle = (edge.from + edge.to) * 0.5;
+    // What grows out of an edge is at most 0.29 of its length away from it.
+    const double too_far = reach + 0.8 * length;
+    if (dot(middle - centre, middle - centre) > too_far * too_far ||
+        distance_to_segment(centre, edge.from, edge.to) - 0.29 * length > reach)
+      continue;
     const bool joins =
-        !picture->vertices.empty() && run_end == i && i > 0 && edges_[i - 1].to_id == edge.from_id;
+        !vertices.empty() && run_end == i && i > 0 && edges[i - 1].to_id == edge.from_id;
     if (!joins) {
-      picture->run_starts.push_back(static_cast<std::uint32_t>(picture->vertices.size()));
-      picture->vertices.push_back(edge.from);
+      picture->run_starts.push_back(static_cast<std::uint32_t>(vertices.size()));
+      vertices.push_back(edge.from);
     }
-    refiners_[0].refine(
-        {edge.from, edge.to, mixed(edge.seed(), rules_.seed), clearance_->half_angle_tan(i)}, limit,
-        picture->vertices);
     run_end = i + 1;
+    const auto begun = static_cast<std::uint32_t>(vertices.size());
+    const std::uint8_t shore = laid_->coast.shores[i];
+    const CoastStyle& style = laid_->coast.all_styles[laid_->coast.styles[i]];
+    EdgeDetail detail;
+    if (style.method != CoastMethod::straight && !picture->shores[shore].seam)
+      detail = detail_of(middle, length, limit);
+    const auto refine = [&](const DetailLimit& to) {
+      laid_->refiner(laid_->coast.styles[i])
+          .refine(
+              {edge.from, edge.to, mixed(edge.seed(), seed_), laid_->clearance.half_angle_tan(i)},
+              to, vertices);
+      ++effort.refined;
+    };
+    switch (detail.rule) {
+      case EdgeDetail::Rule::straight:
+        vertices.push_back(edge.to);
+        ++effort.straight;
+        break;
+      case EdgeDetail::Rule::by_piece:
+        refine(limit);
+        break;
+      case EdgeDetail::Rule::whole:
+        if (const auto known = laid_->memory.find(i, detail.cell_m); !known.empty()) {
+          vertices.insert(vertices.end(), known.begin(), known.end());
+          ++effort.reused;
+        } else {
+          refine(whole_edge_limit(detail.cell_m));
+        }
+        places[i] = {detail.cell_m, begun, static_cast<std::uint32_t>(vertices.size()) - begun};
+        break;
+    }
+    all_alike = all_alike && shore == 0;
+    if (!all_alike) {
+      picture->edge_shores.resize(vertices.size(), 0);
+      std::fill(picture->edge_shores.begin() + begun - 1, picture->edge_shores.end() - 1, shore);
+    }
   }
-  picture->run_starts.push_back(static_cast<std::uint32_t>(picture->vertices.size()));
+  picture->run_starts.push_back(static_cast<std::uint32_t>(vertices.size()));
+  laid_->effort = effort;
+  laid_->most_vertices = std::max(laid_->most_vertices, vertices.size());
+  laid_->memory.keep(picture, resolution, std::move(places));
   return picture;
 }
 

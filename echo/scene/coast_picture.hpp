@@ -3,26 +3,15 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "echo/chart/coast_chart.hpp"
 #include "echo/chart/local_plane.hpp"
-#include "echo/fractal/clearance.hpp"
-#include "echo/fractal/edge_refiner.hpp"
 #include "echo/scene/coast_rules.hpp"
+#include "echo/scene/picture_shore.hpp"
 #include "echo/scene/structures.hpp"
 
 namespace skerry::echo {
-
-// What a stretch of refined coast is, as the echo needs it.
-struct PictureShore {
-  CoastType type = CoastType::unknown;
-  bool seam = false;      // land ends here without a coast (EdgeKind::seam)
-  float height_m = 0.0f;  // of the face over high water; 0: as the type has it
-  friend bool operator==(const PictureShore&, const PictureShore&) = default;
-};
 
 // The coast in range, as runs of vertices in a plane, land on the left of each run.  Immutable.
 struct CoastPicture {
@@ -47,8 +36,7 @@ struct CoastPicture {
 };
 using CoastPicturePtr = std::shared_ptr<const CoastPicture>;
 
-// What the radar can tell apart, which decides where refinement stops: an edge is split while it is
-// longer than both half a cell and half a spoke's arc at its distance.
+// What the radar can tell apart, which decides where refinement stops (DetailLimit::visible_m).
 struct RadarResolution {
   double range_m = 0.0;  // range scale
   double cell_m = 1.0;
@@ -56,12 +44,18 @@ struct RadarResolution {
   friend bool operator==(const RadarResolution&, const RadarResolution&) = default;
 };
 
-// A chart window laid into a plane, from which pictures are made as the own ship moves.
+// A chart window laid into a plane, from which pictures are made as the own ship moves.  A picture
+// is a function of chart, anchor, rules, own ship and resolution alone; what was made before is
+// used again where it is the same (edge_detail.hpp, picture_memory.hpp), and changes nothing.
 // Thread: one at a time.
 class CoastPreparer {
  public:
-  // Error: std::invalid_argument as require_valid() for the styles of `rules`.
+  // Error: std::invalid_argument as require_valid() for the styles of `rules`, as lay_edges()
+  // (coast_edges.hpp) and LaidObjects for a chart that contradicts itself.
   CoastPreparer(CoastChart chart, GeoPoint anchor, const CoastRules& rules);
+  ~CoastPreparer();
+  CoastPreparer(CoastPreparer&&) noexcept;
+  CoastPreparer& operator=(CoastPreparer&&) noexcept;
 
   // True while pictures for that position and range are exact: the chart window holds them and the
   // plane's anchor is near enough (kMaxAnchorDistance).
@@ -69,18 +63,25 @@ class CoastPreparer {
 
   CoastPicturePtr prepare(GeoPoint own_ship, const RadarResolution& resolution);
 
+  // What the last picture cost, in chart edges.
+  struct Effort {
+    std::uint32_t straight = 0;  // nothing to be seen on them
+    std::uint32_t reused = 0;    // from an earlier picture
+    std::uint32_t refined = 0;
+  };
+  const Effort& last_effort() const;
+
   // The farthest the own ship may be from the plane's anchor, metres; LocalPlane's bound holds.
   static constexpr double kMaxAnchorDistance = 5000.0;
   // How far the own ship may move before a picture is made anew: 2 % of the range, at least 20 m.
   static double slack_for(double range_m);
 
  private:
+  struct Laid;
   CoastChart chart_;
   LocalPlane plane_;
-  CoastRules rules_;
-  std::vector<EdgeRefiner> refiners_;  // by CoastType
-  std::vector<ShoreEdge> edges_;
-  std::optional<Clearance> clearance_;
+  std::uint64_t seed_;
+  std::unique_ptr<Laid> laid_;
 };
 
 }  // namespace skerry::echo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,7 @@ class PolarIndex {
   PlanePoint own_ship_;
   double slack_m_;
   std::vector<std::uint32_t> starts_;
-  std::vector<std::uint32_t> edges_;
+  std::unique_ptr<std::uint32_t[]> edges_;
   std::vector<std::uint32_t> near_;
 };
 

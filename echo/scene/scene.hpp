@@ -7,6 +7,7 @@
 
 #include "echo/scene/coast_picture.hpp"
 #include "echo/scene/polar_index.hpp"
+#include "echo/scene/structure_index.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
 
@@ -40,6 +41,12 @@ struct Scene {
   double true_north_deg = 0.0;  // of the plane, at the own ship
 
   std::vector<Hull> hulls;
+
+  // Of coast->structures, serving the own ship's position; null: no structure echoes.
+  std::shared_ptr<const StructureIndex> structure_index = nullptr;
+
+  double water_level_m = 0.0;  // over the level of the chart's coastline (high water): -15 to 15
+  double wave_height_m = 0.0;  // significant, on the beaches: 0 to 15
 };
 using ScenePtr = std::shared_ptr<const Scene>;
 
