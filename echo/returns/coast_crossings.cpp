@@ -22,7 +22,7 @@ void find_crossings(const CoastPicture& coast, const PolarIndex& index, const Ra
     const double along_b = b.east_m * direction.sin + b.north_m * direction.cos;
     const double range = along_a + (along_b - along_a) * (right_a / (right_a - right_b));
     // Land is left of a -> b: an edge that runs to the right has it on the far side.
-    if (range >= 0.0) crossings.push_back({range, right_a < 0.0, coast.shore_of(vertex)});
+    if (range >= 0.0) crossings.push_back({range, right_a < 0.0, coast.shore_of(vertex), vertex});
   };
   for (std::uint32_t vertex : index.candidates(ray.bearing_units)) test(vertex);
   for (std::uint32_t vertex : index.near_edges()) test(vertex);
@@ -64,16 +64,19 @@ void land_along(const std::vector<Crossing>& crossings, bool ashore, double rang
   depth = any ? -least : (ashore ? 1 : 0);
   double begin = 0.0;
   std::uint8_t begin_shore = 0;
+  std::uint32_t begin_edge = 0;
   for_each_counting(crossings, range_m, [&](const Crossing& c) {
     const int before = depth;
     depth += c.into_land ? 1 : -1;
     if (before == 0 && depth > 0) {
       begin = c.range_m;
       begin_shore = c.shore;
+      begin_edge = c.edge;
     }
-    if (before > 0 && depth == 0) land.push_back({begin, c.range_m, begin_shore, c.shore});
+    if (before > 0 && depth == 0)
+      land.push_back({begin, c.range_m, begin_shore, c.shore, begin_edge});
   });
-  if (depth > 0 && begin < range_m) land.push_back({begin, range_m, begin_shore, 0});
+  if (depth > 0 && begin < range_m) land.push_back({begin, range_m, begin_shore, 0, begin_edge});
 }
 
 double complete_range(const CoastPicture& coast, PlanePoint own_ship) {

@@ -13,12 +13,14 @@ struct Crossing {
   double range_m;
   bool into_land;
   std::uint8_t shore = 0;  // index into CoastPicture::shores
+  std::uint32_t edge = 0;  // by first vertex
 };
 
 // A stretch of land, and what shore it has where it begins and ends; 0 where it has none in sight.
 struct LandInterval {
   double begin_m, end_m;
   std::uint8_t begin_shore = 0, end_shore = 0;
+  std::uint32_t begin_edge = 0;  // by first vertex; means nothing where begin_m is 0
 };
 
 // A ray from `own_ship` toward `bearing_units` (clockwise from the plane's north).

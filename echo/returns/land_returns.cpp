@@ -6,118 +6,60 @@
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/returns/radar_equation.hpp"
+#include "echo/returns/land_ray.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kGamma = 0.158;  // -8 dB
-constexpr double kBankHeight = 4.0;
 constexpr std::array<NoiseOctave, 2> kBroad = {{{2300.0, 0.6f}, {900.0, 0.4f}}};
 constexpr std::array<NoiseOctave, 4> kFine = {
     {{330.0, 0.45f}, {130.0, 0.3f}, {52.0, 0.17f}, {21.0, 0.08f}}};
 constexpr double kEarthRadius = 6371000.0;
 
-// The finest octaves a cell can show: at least two cells to a wavelength.
 std::span<const NoiseOctave> visible(std::span<const NoiseOctave> octaves, double cell_m) {
   std::size_t n = octaves.size();
   while (n > 1 && octaves[n - 1].wavelength_m < 2.0 * cell_m) --n;
   return octaves.first(n);
 }
 
-}  // namespace
-
-double land_height(double inland_m, double broad_noise, double fine_noise) {
-  const double rise = 95.0 * inland_m / (inland_m + 900.0) * (1.0 + 0.9 * broad_noise);
-  const double rough = std::min(0.16 * inland_m, 26.0);
-  return std::max(0.5, kBankHeight + rise + rough * fine_noise);
-}
-
-namespace {
-
-// The most land_height() can be that far inland.
-double greatest_height(double inland_m) { return land_height(inland_m, 1.0, 1.0); }
-
-// One ray across land, nearest cell first.
-class LandRay {
- public:
-  LandRay(const LandModel& model, const LatticePath& path, std::span<float> power)
-      : model_(model),
-        path_(path),
-        power_(power),
-        horizon_(std::sqrt(2.0 * kEffectiveEarth * model.antenna_height_m)) {}
-
-  // Cells first .. last of a stretch, none more than kChunk.
-  void add(const LandInterval& stretch, std::size_t first, std::size_t last) {
-    if (hidden(stretch, first, last)) return;
-    float broad[kChunk], fine[kChunk];
-    const std::size_t count = last - first + 1;
-    const auto first32 = static_cast<std::uint32_t>(first);
-    relief_noise(path_, visible(kBroad, model_.cell_m), model_.seed, first32, {broad, count});
-    relief_noise(path_, visible(kFine, model_.cell_m), model_.seed ^ 0x51F1Eu, first32,
-                 {fine, count});
-    for (std::size_t k = 0; k < count; ++k) {
-      add_cell(stretch, first + k, static_cast<double>(broad[k]), static_cast<double>(fine[k]));
-    }
-  }
-
-  static constexpr std::size_t kChunk = 32;
-
- private:
-  double middle_of(std::size_t cell) const {
-    return (static_cast<double>(cell) + 0.5) * model_.cell_m;
-  }
-  static double drop_at(double range) { return range * range / (2.0 * kEffectiveEarth); }
-  // The slope below which the sea's own curve or the land before hides everything at that range.
-  double hidden_below(double range) const {
-    const double sea_range = std::min(range, horizon_);
-    const double sea = -model_.antenna_height_m / sea_range - sea_range / (2.0 * kEffectiveEarth);
-    return std::max(shadow_, sea);
-  }
-
-  // Whether no cell of the chunk can show, however high its land: then nothing of it need be made.
-  bool hidden(const LandInterval& stretch, std::size_t first, std::size_t last) const {
-    const double near = middle_of(first), far = middle_of(last);
-    const double inland =
-        std::max(0.0, std::min(far - stretch.begin_m, stretch.end_m - near) + model_.cell_m);
-    const double above = greatest_height(inland) - model_.antenna_height_m - drop_at(near) + 1e-3;
-    return above / (above > 0.0 ? near : far) <= shadow_;
-  }
-
-  void add_cell(const LandInterval& stretch, std::size_t cell, double broad, double fine) {
-    const double middle = middle_of(cell);
+// Cells first .. last of a stretch, at most kLandChunk.
+void add_cells(LandRay& ray, const LandInterval& stretch, const LandModel& model,
+               const LatticePath& path, std::size_t first, std::size_t last) {
+  const double near = ray.middle_of(first), far = ray.middle_of(last);
+  const double most_inland =
+      std::max(0.0, std::min(far - stretch.begin_m, stretch.end_m - near) + model.cell_m);
+  if (ray.hides(land_height(most_inland, 1.0, 1.0), near, far)) return;
+  float broad[kLandChunk], fine[kLandChunk];
+  const std::size_t count = last - first + 1;
+  const auto first32 = static_cast<std::uint32_t>(first);
+  relief_noise(path, broad_octaves(model.cell_m), model.seed, first32, {broad, count});
+  relief_noise(path, fine_octaves(model.cell_m), model.seed ^ kFineSeed, first32, {fine, count});
+  for (std::size_t k = 0; k < count; ++k) {
+    const double middle = ray.middle_of(first + k);
     const double range = std::clamp(middle, stretch.begin_m, stretch.end_m);
     const double inland = std::min(range - stretch.begin_m, stretch.end_m - range);
-    const double height = land_height(std::max(0.0, inland), broad, fine);
-    const double below = hidden_below(middle);
-    const double slope = (height - model_.antenna_height_m - drop_at(middle)) / middle;
-    if (slope <= below) return;
-    const double shown = std::min(height, (slope - below) * middle);
-    shadow_ = slope;
-    const double cover = 1.0 + 0.8 * fine;
-    power_[cell] += static_cast<float>(model_.unit_signal_to_noise * kGamma * cover *
-                                       model_.ray_radians * shown / (middle * middle * middle));
+    const double height = land_height(std::max(0.0, inland), static_cast<double>(broad[k]),
+                                      static_cast<double>(fine[k]));
+    const double shown = ray.shown(height, middle);
+    if (shown > 0.0) ray.echo(first + k, shown, kLandGamma, cover_of(static_cast<double>(fine[k])));
   }
-
-  const LandModel& model_;
-  const LatticePath& path_;
-  std::span<float> power_;
-  double horizon_;
-  double shadow_ = -1e9;
-};
+}
 
 }  // namespace
+
+std::span<const NoiseOctave> broad_octaves(double cell_m) { return visible(kBroad, cell_m); }
+std::span<const NoiseOctave> fine_octaves(double cell_m) { return visible(kFine, cell_m); }
 
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
               std::span<float> power) {
-  LandRay ray(model, path, power);
+  LandRay ray(model, power);
   for (const LandInterval& stretch : land) {
     const auto first = static_cast<std::size_t>(stretch.begin_m / model.cell_m);
     if (first >= power.size()) break;
     const std::size_t last =
         std::min(power.size() - 1, static_cast<std::size_t>(stretch.end_m / model.cell_m));
-    for (std::size_t cell = first; cell <= last; cell += LandRay::kChunk) {
-      ray.add(stretch, cell, std::min(last, cell + LandRay::kChunk - 1));
+    for (std::size_t cell = first; cell <= last; cell += kLandChunk) {
+      add_cells(ray, stretch, model, path, cell, std::min(last, cell + kLandChunk - 1));
     }
   }
 }

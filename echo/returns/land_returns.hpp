@@ -5,6 +5,7 @@
 
 #include "echo/kernel/relief_noise.hpp"
 #include "echo/returns/coast_crossings.hpp"
+#include "echo/returns/shore_profile.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
@@ -18,11 +19,14 @@ struct LandModel {
   std::uint32_t seed = 0;
 };
 
-// Height of the land above the water at `inland_m` metres behind the shore, metres, given the two
-// noises of that place in [-1, 1]: a bank at the edge, a rise over the first half kilometre, and
-// roughness that grows inland.  Synthetic: no chart of GSHHG's kind has heights.
-// Kept so that the echo's thickness and patches are like recordings.md (c): MODEL.md section 5.
-double land_height(double inland_m, double broad_noise, double fine_noise);
+// The octaves of the land's two noises that cells of that size can show: at least two cells to a
+// wavelength.  Seeds: the model's, and for the fine ones kFineSeed with it.
+std::span<const NoiseOctave> broad_octaves(double cell_m);
+std::span<const NoiseOctave> fine_octaves(double cell_m);
+inline constexpr std::uint32_t kFineSeed = 0x51F1E;
+
+// Cells that are made, or found hidden, in one go.
+inline constexpr std::size_t kLandChunk = 32;
 
 // Adds to power[i] the mean signal-to-noise ratio of the land in cell i for one ray of the beam.
 // Constant gamma: a piece of land returns gamma times the area it shows across the line of sight,

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/pulse_stretch.hpp"
 #include "echo/returns/land_returns.hpp"
 #include "echo/returns/radar_equation.hpp"
+#include "echo/returns/shore_returns.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
@@ -49,6 +51,30 @@ bool add_hulls(const Scene& scene, const HullsInSight& hulls, const RayModel& mo
   return any;
 }
 
+// Land of which more is known than where it is, or on which something stands.
+bool is_plain_land(const Scene& scene, const RayScratch& scratch, bool structures) {
+  if (structures || scene.coast->elevation) return false;
+  if (scene.coast->edge_shores.empty()) return true;
+  return std::all_of(scratch.land.begin(), scratch.land.end(),
+                     [&](const LandInterval& land) { return is_plain(land, scene.coast->shores); });
+}
+
+void add_charted_land(const Scene& scene, const LandModel& model, const Ray& ray,
+                      std::uint32_t true_units, double range_m, double dt, const LatticePath& path,
+                      GroundProfile* profile, RayScratch& scratch, std::span<float> power) {
+  const ShoreWater water{scene.water_level_m, scene.wave_height_m,
+                         in_seconds(scene.time.time_since_epoch()) + dt, model.seed};
+  lay_shores(scratch.land, *scene.coast, ray, model.ray_radians, model.cell_m, range_m, water, path,
+             scratch.shores);
+  std::optional<ChartedRelief> relief;
+  if (scene.coast->elevation) {
+    relief.emplace(
+        ChartedRelief{*scene.coast->elevation,
+                      GroundTrack(scene.own_ship_geo, scene.own_velocity * dt, true_units)});
+  }
+  add_shores(scratch.shores, model, water, path, relief ? &*relief : nullptr, profile, power);
+}
+
 }  // namespace
 
 HullsInSight hulls_in_sight(const Scene& scene, double dt, double span, const RayModel& model) {
@@ -84,21 +110,39 @@ bool ray_returns(const Scene& scene, const HullsInSight& hulls, const RayModel& 
   const PlanePoint own_ship = scene.own_ship + scene.own_velocity * dt;
   const double unit_snr = unit_signal_to_noise(model.set, model.pulse);
 
-  find_crossings(*scene.coast, *scene.index, {own_ship, plane_units}, scratch.crossings);
-  land_along(scratch.crossings, scene.ashore,
-             std::min(model.cell_m * model.cells, complete_range(*scene.coast, own_ship)),
-             scratch.land);
+  const Ray ray{own_ship, plane_units};
+  const double range = std::min(model.cell_m * model.cells, complete_range(*scene.coast, own_ship));
+  find_crossings(*scene.coast, *scene.index, ray, scratch.crossings);
+  land_along(scratch.crossings, scene.ashore, range, scratch.land);
+  const StructureModel built{model.cell_m, model.set.antenna_height_m, unit_snr,
+                             static_cast<std::uint32_t>(0x100000000ull / model.rays_per_turn)};
+  bool structures = false;
+  if (scene.structure_index) {
+    find_structures(*scene.structure_index, ray, built, scratch.structures);
+    structures = scratch.structures.any();
+  }
   if (!scratch.land.empty()) {
     const LandModel land{model.cell_m, model.set.antenna_height_m,
                          2.0 * std::numbers::pi / model.rays_per_turn, unit_snr,
                          static_cast<std::uint32_t>(mixed(scene.seed, 0x1A9D))};
-    add_land(scratch.land, land,
-             lattice_path(scene.own_ship_geo, scene.own_velocity * dt, true_units, model.cell_m),
-             power);
+    const LatticePath path =
+        lattice_path(scene.own_ship_geo, scene.own_velocity * dt, true_units, model.cell_m);
+    if (is_plain_land(scene, scratch, structures)) {
+      add_land(scratch.land, land, path, power);
+    } else {
+      if (structures) scratch.ground.clear(power.size());
+      add_charted_land(scene, land, ray, true_units, range, dt, path,
+                       structures ? &scratch.ground : nullptr, scratch, power);
+    }
   }
-  const bool any_hull = add_hulls(scene, hulls, model, plane_units, own_ship, dt, unit_snr,
-                                  scratch.scatterers, power);
-  if (scratch.land.empty() && !any_hull) return false;
+  bool any = !scratch.land.empty();
+  if (structures) {
+    any |= add_structures(*scene.structure_index, scratch.structures, ray, built,
+                          scratch.land.empty() ? nullptr : &scratch.ground, power);
+  }
+  any |= add_hulls(scene, hulls, model, plane_units, own_ship, dt, unit_snr, scratch.scatterers,
+                   power);
+  if (!any) return false;
   const double blind = 0.5 * kLightSpeed * (model.pulse.length_s + kRecovery);
   const auto blind_cells = std::min(power.size(), static_cast<std::size_t>(blind / model.cell_m));
   stretch_pulse(power, 0.5 * kLightSpeed * model.pulse.length_s / model.cell_m, scratch.stretch);

@@ -7,6 +7,7 @@
 
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/returns/hull_returns.hpp"
+#include "echo/returns/structure_returns.hpp"
 #include "echo/scene/radar_set.hpp"
 #include "echo/scene/scene.hpp"
 
@@ -25,6 +26,9 @@ struct RayModel {
 struct RayScratch {
   std::vector<Crossing> crossings;
   std::vector<LandInterval> land;
+  std::vector<ShoreStretch> shores;
+  GroundProfile ground;
+  NearStructures structures;
   std::vector<Scatterer> scatterers;
   std::vector<float> stretch;
 };

@@ -12,10 +12,12 @@
 #include "echo/chart/land_mask.hpp"
 #include "echo/fractal/clearance.hpp"
 #include "echo/fractal/dimension.hpp"
+#include "echo/fractal/edge_refiner.hpp"
 #include "echo/fractal/koch_edge.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/returns/radar_equation.hpp"
+#include "echo/scene/edge_detail.hpp"
 #include "echo/spoke_renderer.hpp"
 #include "protocol/quantity/bearing.hpp"
 #include "tests/scenes/scenes.hpp"
@@ -66,9 +68,7 @@ class ReferenceCoast {
  public:
   ReferenceCoast(const CoastChart& chart, const CoastPicture& picture, GeoPoint own_ship,
                  const RadarResolution& resolution)
-      : picture_(picture),
-        resolution_(resolution),
-        apex_(apex_factor_for_dimension(CoastStyle{}.dimension)) {
+      : apex_(apex_factor_for_dimension(CoastStyle{}.dimension)) {
     std::map<std::uint64_t, PlanePoint> exact;
     std::vector<ShoreEdge> in_plane, by_geodesic;
     for (const CoastRing& ring : chart.rings) {
@@ -103,8 +103,16 @@ class ReferenceCoast {
         continue;
       }
       const std::uint64_t seed = mixed(in_plane[e].seed(), 1);
-      grow({in_plane[e].from, in_plane[e].to, seed}, {room_in_plane.half_angle_tan(e), apex_},
-           {u, v, seed}, {room.half_angle_tan(e), apex_}, slack);
+      const CoastPiece plane{in_plane[e].from, in_plane[e].to, seed}, by_geodesic_piece{u, v, seed};
+      const double length =
+          std::hypot(plane.to.east_m - plane.from.east_m, plane.to.north_m - plane.from.north_m);
+      const DetailLimit radar{picture.centre, slack, resolution.range_m, resolution.cell_m,
+                              resolution.spoke_degrees * std::numbers::pi / 180.0};
+      const EdgeDetail detail = detail_of((plane.from + plane.to) * 0.5, length, radar);
+      limit_ = detail.rule == EdgeDetail::Rule::whole ? whole_edge_limit(detail.cell_m) : radar;
+      if (detail.rule == EdgeDetail::Rule::straight) limit_.range_m = -1.0;
+      grow(plane, {room_in_plane.half_angle_tan(e), apex_}, by_geodesic_piece,
+           {room.half_angle_tan(e), apex_});
     }
   }
 
@@ -113,16 +121,11 @@ class ReferenceCoast {
 
  private:
   void grow(const CoastPiece& plane, Roughness plane_rough, const CoastPiece& exact,
-            Roughness rough, double slack) {
+            Roughness rough) {
     const double length =
         std::hypot(plane.to.east_m - plane.from.east_m, plane.to.north_m - plane.from.north_m);
-    const PlanePoint middle = (plane.from + plane.to) * 0.5 - picture_.centre;
-    const double nearest =
-        std::max(0.0, std::hypot(middle.east_m, middle.north_m) - 0.6 * length - slack);
-    const double arc = nearest * resolution_.spoke_degrees * std::numbers::pi / 180.0;
-    const double straight = std::max({0.5 * resolution_.cell_m, 0.5 * arc, 0.25});
-    if (nearest > resolution_.range_m ||
-        0.5 * length * plane_rough.half_angle_tan * apex_ <= 0.2 * straight) {
+    if (0.5 * length * plane_rough.half_angle_tan * apex_ <=
+        limit_.visible_m(plane.from, plane.to)) {
       const auto polar = [](PlanePoint p) {
         return Polar{std::hypot(p.east_m, p.north_m), std::atan2(p.east_m, p.north_m)};
       };
@@ -133,12 +136,11 @@ class ReferenceCoast {
     CoastPiece a[4], b[4];
     split(plane, plane_rough, a);
     split(exact, rough, b);
-    for (int i = 0; i < 4; ++i) grow(a[i], plane_rough, b[i], rough, slack);
+    for (int i = 0; i < 4; ++i) grow(a[i], plane_rough, b[i], rough);
   }
 
-  const CoastPicture& picture_;
-  RadarResolution resolution_;
   double apex_;
+  DetailLimit limit_;  // of the edge at hand
   std::vector<std::pair<Polar, Polar>> edges_;
 };
 
