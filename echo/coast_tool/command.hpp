@@ -1,0 +1,27 @@
+// What the commands of `skerry-coast` share: how they are made and how they end.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace skerry::echo {
+
+inline constexpr int kExitOk = 0;
+inline constexpr int kExitFailure = 1;  // it could not be done
+inline constexpr int kExitUsage = 2;    // the command line cannot be understood
+
+// A subcommand and what it does once it has been parsed; run() returns the exit code.
+// Error: run() may throw; main() reports what() and ends with kExitFailure.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+Command make_fit_command(CLI::App& app);
+
+// Writes the error and what to try to stderr; gives kExitFailure.
+int report(const std::string& text, const std::string& advice = {});
+
+}  // namespace skerry::echo

@@ -1,0 +1,60 @@
+#include "echo/coast_tool/console.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+#include "echo/coast_tool/command.hpp"
+
+namespace skerry::echo {
+
+int report(const std::string& text, const std::string& advice) {
+  fmt::print(stderr, "skerry coast: {}\n", text);
+  if (!advice.empty()) fmt::print(stderr, "{}\n", advice);
+  return kExitFailure;
+}
+
+void watch_pipe() { std::signal(SIGPIPE, SIG_IGN); }
+
+void write_out(std::string_view text) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (whole && std::fflush(stdout) == 0) return;
+  if (errno == EPIPE) throw ReaderGone{};
+  throw std::runtime_error(
+      fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+}
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+  const auto fail = [&] {
+    throw std::runtime_error(
+        fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
+  };
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "wb"), std::fclose);
+  if (!out) fail();
+  if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size()) fail();
+  if (std::fclose(out.release()) != 0) fail();
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
+  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  shown_ = false;
+}
+
+void Progress::show(const std::string& text) {
+  if (!terminal_) return;
+  shown_ = true;
+  fmt::print(stderr, "\r{}\x1b[K", text);
+  std::fflush(stderr);
+}
+
+}  // namespace skerry::echo

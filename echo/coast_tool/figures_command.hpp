@@ -1,0 +1,10 @@
+// skerry coast figures: the seed paper's figures on a real coast.
+#pragma once
+
+#include "echo/coast_tool/command.hpp"
+
+namespace skerry::echo {
+
+Command make_figures_command(CLI::App& app);
+
+}  // namespace skerry::echo
