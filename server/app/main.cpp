@@ -6,9 +6,9 @@
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <stdexcept>
 
+#include "server/app/charts.hpp"
+#include "server/app/coast_rules.hpp"
 #include "server/app/options.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/version.hpp"
@@ -43,23 +43,12 @@ void greet(const Options& options, const NetServer& net, const RadarServer& rada
   }
 }
 
-// The chart file of `asked`, a file, a folder of them, or nothing.
-// Error: std::runtime_error naming what was asked for and the package to install.
-std::filesystem::path chart_file(const std::string& asked) {
-  using skerry::echo::GshhgReader;
-  if (asked.empty()) return GshhgReader::find_finest();
-  if (std::filesystem::is_directory(asked)) return GshhgReader::find_finest({asked});
-  if (std::filesystem::exists(asked)) return asked;
-  throw std::runtime_error("no chart file " + asked +
-                           "; the world's shoreline comes with `apt-get install gmt-gshhg-full` "
-                           "and is found without --chart");
-}
-
 int run(const Options& options, const sigset_t& signals) {
   const auto scenario =
       options.scenario.empty() ? default_scenario() : load_scenario(options.scenario);
-  auto chart = skerry::echo::GshhgReader::open(chart_file(options.chart));
+  auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {
+    coast_rules(scenario);
     std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
     return 0;
   }

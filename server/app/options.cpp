@@ -16,6 +16,7 @@ constexpr const char* kExamples = R"(Examples:
   skerryd                                   the built-in scenario off Bergen, on loopback
   skerryd --scenario dover.yaml             another scenario
   skerryd --scenario dover.yaml --check     only read it and say what is wrong
+  skerryd --chart US5WA22M.000              an ENC cell over the world's shoreline
   skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1 too
   skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
   skerryd --config server.yaml              everything from a file; the command line wins
@@ -37,7 +38,8 @@ UdpDestination destination_of(const app::Destination& d) {
 void apply_file(const app::ServerConfig& file, Options& options) {
   NetConfig& net = options.net;
   if (file.has_scenario()) options.scenario = file.scenario();
-  if (file.has_chart()) options.chart = file.chart();
+  for (const std::string& chart : file.charts()) options.charts.push_back(chart);
+  if (file.has_elevation()) options.elevation = file.elevation();
   if (file.has_bind()) net.bind = file.bind();
   if (file.has_tcp_port()) net.tcp_port = static_cast<std::uint16_t>(file.tcp_port());
   if (file.has_http_port()) net.http_port = static_cast<std::uint16_t>(file.http_port());
@@ -91,14 +93,18 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   CLI::App cli{"Skerry: a networked marine-radar video server"};
   cli.footer(kExamples);
   cli.set_version_flag("--version", std::string(kServerName));
-  std::string config, bind, web_root, token, scenario, chart, log_level = "info";
-  std::vector<std::string> udp, cat240;
+  std::string config, bind, web_root, token, scenario, elevation, log_level = "info";
+  std::vector<std::string> udp, cat240, charts;
   std::uint16_t tcp_port = 0, http_port = 0;
   std::size_t workers = 0;
   bool no_udp = false, no_cat240 = false, print_ports = false, check = false;
   cli.add_option("--config", config, "configuration file (YAML)");
   cli.add_option("--scenario", scenario, "scenario file (YAML); the built-in Bergen without");
-  cli.add_option("--chart", chart, "binned GSHHG file; the finest one installed without");
+  cli.add_option("--chart", charts,
+                 "ENC cell, folder of cells, GeoJSON, Shapefile or GSHHG file; several: each over\n"
+                 "those after it, all over the finest GSHHG installed");
+  cli.add_option("--elevation", elevation,
+                 "heights of the ground: GeoTIFF, DTED or SRTM, a file or a folder of them");
   cli.add_option("--bind", bind, "address for TCP and HTTP (127.0.0.1)");
   auto* tcp = cli.add_option("--tcp-port", tcp_port, "native protocol (7410); 0: any free port");
   auto* http = cli.add_option("--http-port", http_port, "web console (7480); 0: any free port");
@@ -133,7 +139,8 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
     apply_file(file, options);
   }
   if (!scenario.empty()) options.scenario = scenario;
-  if (!chart.empty()) options.chart = chart;
+  if (!charts.empty()) options.charts = charts;
+  if (!elevation.empty()) options.elevation = elevation;
   if (!bind.empty()) options.net.bind = bind;
   if (tcp->count() > 0) options.net.tcp_port = tcp_port;
   if (http->count() > 0) options.net.http_port = http_port;

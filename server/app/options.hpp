@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "server/net/net_config.hpp"
 
@@ -11,7 +12,9 @@ namespace skerry::server {
 
 struct Options {
   std::string scenario;  // file; empty: the built-in one
-  std::string chart;     // file; empty: the finest one installed
+  // Files and folders, each over those after it (charts.hpp); none: the finest GSHHG installed.
+  std::vector<std::string> charts;
+  std::string elevation;  // file or folder; empty: the relief is synthetic
   NetConfig net;
   std::size_t workers = 0;  // helping threads per radar
   std::string log_level = "info";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "server/app/coast_rules.hpp"
 #include "server/app/version.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/world/world.hpp"
@@ -71,13 +72,13 @@ struct RadarServer::Mount {
   }
 };
 
-RadarServer::RadarServer(const scenario::Scenario& scenario, echo::GshhgReader chart,
-                         std::size_t workers)
+RadarServer::RadarServer(const scenario::Scenario& scenario,
+                         std::unique_ptr<const echo::ChartSource> chart, std::size_t workers)
     : scenario_name_(scenario.name()), timeline_(World(scenario)) {
   std::size_t count = 0;
   for (const auto& ship : scenario.own_ships())
     count += static_cast<std::size_t>(ship.radars_size());
-  coast_ = std::make_unique<CoastService>(std::move(chart), count, scenario.seed());
+  coast_ = std::make_unique<CoastService>(std::move(chart), count, coast_rules(scenario));
   const WorldStatePtr state = timeline_.latest();
   std::uint32_t index = 0;
   for (int i = 0; i < scenario.own_ships_size(); ++i) {

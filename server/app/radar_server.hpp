@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "echo/chart/gshhg_reader.hpp"
+#include "echo/chart/chart_source.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"
 #include "server/world/scenario.pb.h"
@@ -19,8 +19,9 @@ namespace skerry::server {
 class RadarServer : public RadarHost {
  public:
   // Loads the coast around every radar, so that the first spoke shows it.
-  // Error: std::runtime_error if the chart cannot be read.
-  RadarServer(const scenario::Scenario& scenario, echo::GshhgReader chart, std::size_t workers);
+  // Error: std::runtime_error if the chart cannot be read or the scenario's coast not be made.
+  RadarServer(const scenario::Scenario& scenario, std::unique_ptr<const echo::ChartSource> chart,
+              std::size_t workers);
   ~RadarServer() override;
 
   // Scenario time 0 is now.

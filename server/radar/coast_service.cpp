@@ -26,8 +26,16 @@ double index_slack_for(double range_m, double speed_mps) {
   return std::max({10.0, range_m / 400.0, 4.0 * std::fabs(speed_mps)});
 }
 
-CoastService::CoastService(echo::GshhgReader reader, std::size_t radars, std::uint64_t seed)
-    : reader_(std::move(reader)), seed_(seed) {
+std::shared_ptr<const echo::StructureIndex> structures_in_sight(const echo::CoastPicture& picture,
+                                                                PlanePoint own_ship,
+                                                                double slack_m) {
+  if (!picture.structures) return nullptr;
+  return std::make_shared<const echo::StructureIndex>(picture.structures, own_ship, slack_m);
+}
+
+CoastService::CoastService(std::unique_ptr<const echo::ChartSource> chart, std::size_t radars,
+                           const echo::CoastRules& rules)
+    : chart_(std::move(chart)), rules_(rules) {
   for (std::size_t i = 0; i < radars; ++i) slots_.push_back(std::make_unique<Slot>());
 }
 
@@ -40,8 +48,7 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
       !slot.preparer || !slot.preparer->serves(wish.own_ship, wish.resolution.range_m);
   if (laid_anew) {
     slot.preparer = std::make_unique<echo::CoastPreparer>(
-        reader_.load(wish.own_ship, window_radius(wish.resolution.range_m)), wish.own_ship,
-        echo::CoastRules{.seed = seed_});
+        chart_->load(wish.own_ship, window_radius(wish.resolution.range_m)), wish.own_ship, rules_);
   }
   // Half of the picture's slack is left for the way sailed until the next wish is served.
   CoastInSightPtr before = slot.in_sight.get();
@@ -55,7 +62,7 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
   const double slack = index_slack_for(wish.resolution.range_m, wish.speed_mps);
   slot.in_sight.set(
       CoastInSight{picture, std::make_shared<const echo::PolarIndex>(*picture, own_ship, slack),
-                   own_ship, slack});
+                   structures_in_sight(*picture, own_ship, slack), own_ship, slack});
 }
 
 void CoastService::prepare_now(std::size_t radar, const CoastWish& wish) {

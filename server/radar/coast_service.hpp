@@ -8,9 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "echo/chart/gshhg_reader.hpp"
+#include "echo/chart/chart_source.hpp"
 #include "echo/scene/coast_picture.hpp"
 #include "echo/scene/polar_index.hpp"
+#include "echo/scene/structure_index.hpp"
 #include "server/core/latest.hpp"
 
 namespace skerry::server {
@@ -27,6 +28,7 @@ struct CoastWish {
 struct CoastInSight {
   echo::CoastPicturePtr picture;
   std::shared_ptr<const echo::PolarIndex> index;
+  std::shared_ptr<const echo::StructureIndex> structure_index;  // null: nothing is built there
   PlanePoint index_centre;
   double index_slack_m = 0.0;
 };
@@ -36,13 +38,20 @@ using CoastInSightPtr = std::shared_ptr<const CoastInSight>;
 // shorter one than a few seconds' makes the coast thread late.
 double index_slack_for(double range_m, double speed_mps);
 
+// The index of what is built on a picture's coast, or null.
+std::shared_ptr<const echo::StructureIndex> structures_in_sight(const echo::CoastPicture& picture,
+                                                                PlanePoint own_ship,
+                                                                double slack_m);
+
 // Loads chart windows, refines the coast and indexes it on a thread of its own ("coast"), one wish
 // per radar outstanding: a newer wish replaces one not yet begun.  The radar goes on with what it
 // has.
 class CoastService {
  public:
-  // `radars` slots.  `seed` is the scenario's.
-  CoastService(echo::GshhgReader reader, std::size_t radars, std::uint64_t seed);
+  // `radars` slots.
+  // Error: std::invalid_argument as echo::require_valid() for the styles of `rules`.
+  CoastService(std::unique_ptr<const echo::ChartSource> chart, std::size_t radars,
+               const echo::CoastRules& rules);
   ~CoastService();
   CoastService(const CoastService&) = delete;
   CoastService& operator=(const CoastService&) = delete;
@@ -66,8 +75,8 @@ class CoastService {
   void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);
 
-  echo::GshhgReader reader_;
-  std::uint64_t seed_;
+  std::unique_ptr<const echo::ChartSource> chart_;
+  echo::CoastRules rules_;
   std::vector<std::unique_ptr<Slot>> slots_;
   std::mutex mutex_;
   std::condition_variable_any wished_;

@@ -47,6 +47,8 @@ echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSigh
   scene->true_north_deg = picture.plane.true_north_degrees(own.position);
   scene->own_velocity = velocity_of(own, scene->true_north_deg);
   scene->heading_deg = own.heading_deg;
+  scene->water_level_m = state->water_level_m;
+  scene->wave_height_m = state->wave_height_m;
   scene->turn_rate_deg_s = own.rate_of_turn_deg_s;
 
   const PlanePoint later = scene->own_ship + scene->own_velocity * kSceneLife;
@@ -55,10 +57,13 @@ echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSigh
   };
   if (coast != coast_) own_index_ = nullptr;
   scene->index = own_index_ ? own_index_ : coast->index;
+  scene->structure_index = own_index_ ? own_structure_index_ : coast->structure_index;
   if (!serves(*scene->index)) {
     const double slack = index_slack_for(picture.range_m, length_of(scene->own_velocity));
     own_index_ = std::make_shared<const echo::PolarIndex>(picture, scene->own_ship, slack);
+    own_structure_index_ = structures_in_sight(picture, scene->own_ship, slack);
     scene->index = own_index_;
+    scene->structure_index = own_structure_index_;
   }
 
   scene->ashore = echo::is_ashore(picture, *scene->index, scene->own_ship);

@@ -27,6 +27,7 @@ class SceneBuilder {
   WorldStatePtr state_;
   CoastInSightPtr coast_;
   std::shared_ptr<const echo::PolarIndex> own_index_;  // made here for coast_, or null
+  std::shared_ptr<const echo::StructureIndex> own_structure_index_;  // the same
   echo::ScenePtr scene_;
 };
 

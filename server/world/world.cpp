@@ -2,14 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
+#include <numbers>
+#include <ratio>
 #include <stdexcept>
 
 #include "server/world/ship_units.hpp"
 
 namespace skerry::server {
+namespace {
 
-World::World(const scenario::Scenario& scenario) {
+constexpr double kTideHours = 12.4206;  // principal lunar semidiurnal, M2
+
+}  // namespace
+
+World::World(const scenario::Scenario& scenario) : sea_(scenario.sea()) {
   for (const scenario::OwnShip& ship : scenario.own_ships()) own_ships_.emplace_back(ship, kTick);
   for (const scenario::TargetShip& target : scenario.targets()) targets_.emplace_back(target);
 }
@@ -22,6 +30,10 @@ WorldState World::state() const {
   state.targets.reserve(targets_.size());
   for (const OwnShip& ship : own_ships_) state.own_ships.push_back(ship.state());
   for (const TargetTrack& target : targets_) state.targets.push_back(target.at(since_start));
+  const double hours = std::chrono::duration<double, std::ratio<3600>>(since_start).count();
+  const double phase = 2.0 * std::numbers::pi * (hours - sea_.high_water_h()) / kTideHours;
+  state.water_level_m = -0.5 * sea_.tide_range_m() * (1.0 - std::cos(phase));
+  state.wave_height_m = sea_.wave_height_m();
   return state;
 }
 

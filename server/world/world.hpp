@@ -42,6 +42,7 @@ class World {
   std::uint64_t tick_ = 0;
   std::vector<OwnShip> own_ships_;
   std::vector<TargetTrack> targets_;
+  scenario::Sea sea_;
 };
 
 }  // namespace skerry::server

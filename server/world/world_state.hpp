@@ -29,6 +29,8 @@ struct WorldState {
   ScenarioTime time{};
   std::vector<ShipState> own_ships;
   std::vector<ShipState> targets;
+  double water_level_m = 0.0;  // over the charted coastline, 0 or less
+  double wave_height_m = 0.0;  // significant
 };
 using WorldStatePtr = std::shared_ptr<const WorldState>;
 

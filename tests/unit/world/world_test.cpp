@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "server/world/scenario.hpp"
 
@@ -110,6 +111,34 @@ TEST(World, RefusesImpossibleOrdersWhole) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "speed: 61 kn is out of range; allowed: -10 to 60 kn");
   }
+}
+
+World world_with(const std::string& sea) {
+  return World(
+      parse_scenario("name: Tide\nown_ships:\n"
+                     "  - {name: Tern, position: {lat: 60, lon: 5}, radars: [{}]}\n" +
+                         sea,
+                     "tide.yaml"));
+}
+
+// M2 has a period of 12.4206 h: 447 141.6 ticks.
+TEST(World, TheTideFallsFromHighWaterByItsRangeInHalfAPeriod) {
+  World world = world_with("sea: {tide_range_m: 4, wave_height_m: 1.5, high_water_h: 1}");
+  const auto run_to_hour = [&](double hour) {
+    while (world.tick() < static_cast<std::uint64_t>(hour * 36000.0)) world.step();
+    return world.state().water_level_m;
+  };
+  EXPECT_NEAR(run_to_hour(1.0), 0.0, 1e-6);
+  EXPECT_NEAR(run_to_hour(1.0 + 12.4206 / 4.0), -2.0, 1e-3);
+  EXPECT_NEAR(run_to_hour(1.0 + 12.4206 / 2.0), -4.0, 1e-6);
+  EXPECT_DOUBLE_EQ(world.state().wave_height_m, 1.5);
+}
+
+TEST(World, ASeaOfWhichNothingIsSaidIsStillAtTheChartedCoastline) {
+  World world = world_with("");
+  world.step();
+  EXPECT_EQ(world.state().water_level_m, 0.0);
+  EXPECT_EQ(world.state().wave_height_m, 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "server/app/coast_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "protocol/quantity/length.hpp"
+
+namespace skerry::server {
+namespace {
+
+using echo::CoastMethod;
+using echo::CoastStyle;
+using echo::CoastType;
+using echo::SeriesPhases;
+
+CoastMethod method_of(scenario::CoastStyle::Method method) {
+  switch (method) {
+    case scenario::CoastStyle::koch:
+      return CoastMethod::regular_koch;
+    case scenario::CoastStyle::midpoint:
+      return CoastMethod::midpoint;
+    case scenario::CoastStyle::weierstrass:
+      return CoastMethod::weierstrass;
+    case scenario::CoastStyle::straight:
+      return CoastMethod::straight;
+    default:
+      return CoastMethod::random_koch;
+  }
+}
+
+SeriesPhases phases_of(scenario::CoastStyle::Phases phases) {
+  switch (phases) {
+    case scenario::CoastStyle::cosine:
+      return SeriesPhases::cosine;
+    case scenario::CoastStyle::alternating:
+      return SeriesPhases::alternating;
+    default:
+      return SeriesPhases::random;
+  }
+}
+
+// `style` with what the scenario says in its place.  A method is given the dimension nearest to the
+// old one that it can have, unless the scenario says which.
+CoastStyle with(const scenario::CoastStyle& said, CoastStyle style, const std::string& key) {
+  if (said.has_method()) {
+    style.method = method_of(said.method());
+    style.dimension = std::min(style.dimension, echo::greatest_dimension(style.method));
+  }
+  if (said.has_dimension()) style.dimension = said.dimension();
+  if (said.has_amplitude()) style.amplitude = said.amplitude();
+  if (said.has_gamma()) style.gamma = said.gamma();
+  if (said.has_phases()) style.phases = phases_of(said.phases());
+  try {
+    echo::require_valid(style);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("scenario: {}: {} (method {})", key, error.what(),
+                                         echo::name_of(style.method)));
+  }
+  return style;
+}
+
+CoastType type_of(scenario::CoastKind kind) {
+  switch (kind) {
+    case scenario::artificial:
+      return CoastType::artificial;
+    case scenario::rocky:
+      return CoastType::rocky;
+    case scenario::sandy:
+      return CoastType::sandy;
+    default:
+      return CoastType::unknown;
+  }
+}
+
+}  // namespace
+
+echo::CoastRules coast_rules(const scenario::Scenario& scenario) {
+  echo::CoastRules rules;
+  rules.seed = scenario.seed();
+  const scenario::Coast& coast = scenario.coast();
+  const auto apply = [&](CoastType type, bool said, const scenario::CoastStyle& style,
+                         const char* key) {
+    CoastStyle& mine = rules.styles[static_cast<std::size_t>(type)];
+    if (said) mine = with(style, mine, key);
+  };
+  apply(CoastType::unknown, coast.has_unknown(), coast.unknown(), "coast.unknown");
+  apply(CoastType::artificial, coast.has_artificial(), coast.artificial(), "coast.artificial");
+  apply(CoastType::rocky, coast.has_rocky(), coast.rocky(), "coast.rocky");
+  apply(CoastType::sandy, coast.has_sandy(), coast.sandy(), "coast.sandy");
+  if (coast.has_guess_kinds()) rules.guess_types = coast.guess_kinds();
+  for (int i = 0; i < coast.places_size(); ++i) {
+    const scenario::CoastPlace& said = coast.places(i);
+    echo::CoastPlace place;
+    place.centre = {said.position().lat(), said.position().lon()};
+    place.radius_m = nautical_miles(said.radius_nm()).in_metres();
+    if (said.has_kind()) place.type = type_of(said.kind());
+    if (said.has_style()) {
+      const CoastType type = place.type.value_or(CoastType::unknown);
+      place.style = with(said.style(), rules.styles[static_cast<std::size_t>(type)],
+                         fmt::format("coast.places[{}].style", i));
+    }
+    rules.places.push_back(place);
+  }
+  return rules;
+}
+
+}  // namespace skerry::server
