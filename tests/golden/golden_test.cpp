@@ -13,15 +13,18 @@ namespace skerry {
 namespace {
 
 const std::map<std::string, std::uint64_t> kHashes = {
-    {"open sea", 0xB04CFB82B7FA66F5ull},     {"islands", 0x042BC322E691E063ull},
-    {"traffic", 0x0222F705D46F81ABull},      {"coarse", 0xA9A4E88848FE61B4ull},
-    {"fine", 0x3F203F9AE1EFE0F1ull},         {"four bits", 0x6ACFDA307DB7A51Cull},
-    {"rain control", 0xA328EDF737414C4Full}, {"Bergen", 0xFF69B4F7A74F1037ull},
+    {"open sea", 0xB04CFB82B7FA66F5ull},     {"islands", 0x94B75A7784E1534Dull},
+    {"traffic", 0x0222F705D46F81ABull},      {"coarse", 0x242905710600BE08ull},
+    {"fine", 0x507F29CFAF12C500ull},         {"four bits", 0x6DC116F15205BFFEull},
+    {"rain control", 0xF2E586B99EE4B118ull}, {"kinds", 0xF05F183A952F1551ull},
+    {"koch", 0x15396A32A533FCCBull},         {"midpoint", 0x38CA7409182D8714ull},
+    {"weierstrass", 0x35946A7B5C8F693Full},  {"Bergen", 0x3E471051CE8BE6A6ull},
 };
 
 // Every instruction set this machine has, and 1, 2, 3 and 8 workers (the caller is one).
 void expect_golden(const scenes::NamedScene& named) {
-  const std::uint64_t expected = kHashes.at(named.name);
+  const auto known = kHashes.find(named.name);
+  const std::uint64_t expected = known == kHashes.end() ? 0 : known->second;
   for (const echo::Isa isa : {echo::Isa::baseline, echo::Isa::avx2, echo::Isa::avx512}) {
     if (isa > echo::best_isa()) continue;
     echo::force_isa(isa);

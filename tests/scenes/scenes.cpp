@@ -8,9 +8,9 @@ namespace skerry::scenes {
 
 echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale scale,
                         const ScanGeometry& geometry, std::vector<echo::Hull> hulls,
-                        double heading_deg) {
+                        double heading_deg, const echo::CoastRules& rules) {
   auto scene = std::make_shared<echo::Scene>();
-  echo::CoastPreparer preparer(std::move(chart), own_ship, echo::CoastRules{.seed = 1});
+  echo::CoastPreparer preparer(std::move(chart), own_ship, rules);
   scene->coast =
       preparer.prepare(own_ship, {scale.length().in_metres(), geometry.cell_size(scale).in_metres(),
                                   360.0 / geometry.spokes_per_turn});
@@ -22,6 +22,10 @@ echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale sc
   const echo::SinCos course = echo::sin_cos_degrees(heading_deg);
   scene->own_velocity = {6.0 * course.sin, 6.0 * course.cos};
   scene->index = std::make_shared<const echo::PolarIndex>(*scene->coast, scene->own_ship, 50.0);
+  if (scene->coast->structures) {
+    scene->structure_index = std::make_shared<const echo::StructureIndex>(scene->coast->structures,
+                                                                          scene->own_ship, 50.0);
+  }
   scene->ashore = echo::is_ashore(*scene->coast, *scene->index, scene->own_ship);
   scene->hulls = std::move(hulls);
   return scene;
@@ -46,6 +50,59 @@ std::vector<echo::Hull> a_dozen_ships(double reach_m) {
   return hulls;
 }
 
+namespace {
+
+// Islands of all kinds by turns, a mole, a bridge and a buoy, at half tide in a light swell.
+NamedScene kinds_of_coast() {
+  const ScanGeometry geometry{1024, 512, 8};
+  const RangeScale scale = *RangeScale::find(1.5);
+  echo::CoastChart chart = made_up_chart(kBergen, scale.length() * 1.3, 40, 7);
+  chart.shores = {{echo::CoastType::artificial, 4.0f},
+                  {echo::CoastType::rocky, 0.0f},
+                  {echo::CoastType::sandy, 0.0f}};
+  for (std::size_t i = 0; i < chart.rings.size(); ++i) {
+    chart.rings[i].shores.assign(chart.rings[i].edges.size(), static_cast<std::uint16_t>(i % 3));
+  }
+  const auto off = [](double north_m, double east_m) {
+    return GeoPoint{kBergen.latitude_deg + north_m / 111'400.0,
+                    kBergen.longitude_deg + east_m / 55'400.0};
+  };
+  const auto add = [&](echo::ObjectClass kind, std::vector<GeoPoint> outline, float height) {
+    echo::ChartObject object;
+    object.kind = kind;
+    object.outline = std::move(outline);
+    object.height_m = height;
+    object.cross_section_m2 = object.outline.size() == 1 ? 5.0f : 0.0f;
+    object.identity = chart.objects.size();
+    chart.objects.push_back(std::move(object));
+  };
+  add(echo::ObjectClass::pier, {off(900, -300), off(950, 100), off(1200, 200)}, 3.0f);
+  add(echo::ObjectClass::bridge, {off(-700, -600), off(-600, 900)}, 12.0f);
+  add(echo::ObjectClass::buoy, {off(300, 400)}, 3.5f);
+  auto scene = std::make_shared<echo::Scene>(
+      *scene_at(std::move(chart), kBergen, scale, geometry, {}, 31.0));
+  scene->water_level_m = -1.5;
+  scene->wave_height_m = 0.5;
+  return {"kinds", std::move(scene), {}, geometry, 24.0, {scale, 50.0, 20.0, 0.0}};
+}
+
+// Islands by one method.
+NamedScene islands_by(std::string name, const echo::CoastStyle& style) {
+  const ScanGeometry geometry{1024, 512, 8};
+  const RangeScale scale = *RangeScale::find(0.75);
+  echo::CoastRules rules{.seed = 1};
+  rules.styles.fill(style);
+  return {std::move(name),
+          scene_at(made_up_chart(kBergen, scale.length() * 1.3, 40, 7), kBergen, scale, geometry,
+                   {}, 31.0, rules),
+          {},
+          geometry,
+          24.0,
+          {scale, 50.0, 20.0, 0.0}};
+}
+
+}  // namespace
+
 std::vector<NamedScene> made_up_scenes() {
   const auto scale = [](double nm) { return *RangeScale::find(nm); };
   const auto make = [&](std::string name, int islands, bool ships, double nm, ScanGeometry geometry,
@@ -67,7 +124,11 @@ std::vector<NamedScene> made_up_scenes() {
           make("coarse", 40, true, 12.0, {256, 256, 8}, {}),
           make("fine", 40, true, 1.5, {8192, 4096, 8}, {}),
           make("four bits", 40, true, 3.0, {1024, 1024, 4}, {}),
-          make("rain control", 40, true, 3.0, {1024, 512, 8}, {RangeScale{}, 70.0, 40.0, 60.0})};
+          make("rain control", 40, true, 3.0, {1024, 512, 8}, {RangeScale{}, 70.0, 40.0, 60.0}),
+          kinds_of_coast(),
+          islands_by("koch", {.method = echo::CoastMethod::regular_koch, .dimension = 1.25}),
+          islands_by("midpoint", {.method = echo::CoastMethod::midpoint, .dimension = 1.4}),
+          islands_by("weierstrass", {.method = echo::CoastMethod::weierstrass, .dimension = 1.3})};
 }
 
 std::optional<NamedScene> bergen() {

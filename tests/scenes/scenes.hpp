@@ -23,7 +23,7 @@ struct NamedScene {
 // An own ship at `own_ship` with that coast around her.
 echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale scale,
                         const ScanGeometry& geometry, std::vector<echo::Hull> hulls = {},
-                        double heading_deg = 0.0);
+                        double heading_deg = 0.0, const echo::CoastRules& rules = {.seed = 1});
 
 // Hulls of a dozen ships and boats on all bearings out to `reach_m`.
 std::vector<echo::Hull> a_dozen_ships(double reach_m);
