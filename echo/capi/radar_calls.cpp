@@ -208,7 +208,7 @@ int32_t skerry_echo_radar_set_sea(skerry_echo_radar* radar, double water_level_m
                                   double wave_height_m) {
   return guarded([&] {
     const Held<Radar> held("radar", radar);
-    require_range("water_level_m", water_level_m, -15.0, 15.0);
+    require_range("water_level_m", water_level_m, -17.0, 15.0);
     require_range("wave_height_m", wave_height_m, 0.0, 15.0);
     held->set_sea({water_level_m, wave_height_m});
   });

@@ -280,7 +280,7 @@ SKERRY_ECHO_API int32_t skerry_echo_radar_set_controls(skerry_echo_radar* radar,
                                                        double gain, double sea, double rain);
 
 // What a sandy coast's edge and texture move with; both 0 at first.  water_level_m: over the level
-// of the charted coastline (high water), -15 to 15.  wave_height_m: significant, 0 to 15.
+// of the charted coastline (high water), -17 to 15.  wave_height_m: significant, 0 to 15.
 SKERRY_ECHO_API int32_t skerry_echo_radar_set_sea(skerry_echo_radar* radar, double water_level_m,
                                                   double wave_height_m);
 

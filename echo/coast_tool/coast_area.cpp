@@ -123,8 +123,12 @@ CoastArea checked(const CoastArea& area, const std::string& what) {
 }
 
 CoastArea named_place(const std::string& name) {
+  std::string lower = name;
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
   for (const CoastArea& place : places()) {
-    if (place.name == name) return place;
+    if (place.name == lower) return place;
   }
   throw std::invalid_argument(fmt::format(
       "--place {}: no such place; known are {}. Any other coast: --area lat1,lon1,lat2,lon2", name,

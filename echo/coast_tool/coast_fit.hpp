@@ -87,9 +87,6 @@ struct ChosenStyle {
 ChosenStyle choose_style(double dimension, double offset, std::optional<CoastMethod> method,
                          int edges = 256);
 
-// As a scenario writes it: "random_koch".
-std::string scenario_name(CoastMethod method);
-
 // Root mean square of the offset of the middles of edges with all the room an edge can have, in
 // edges.
 double offset_of(const CoastStyle& style, int edges = 256);

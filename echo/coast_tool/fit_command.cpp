@@ -37,7 +37,7 @@ struct FitOptions {
 
 std::optional<CoastMethod> method_of(const std::string& name) {
   for (CoastMethod method : kMethods) {
-    if (scenario_name(method) == name) return method;
+    if (name_of(method) == name) return method;
   }
   return std::nullopt;
 }
@@ -202,7 +202,7 @@ Command make_fit_command(CLI::App& app) {
   command->add_option("--to", options->to_m, "Largest size of box, metres.  Default: 32 times that")
       ->check(CLI::Range(0.4, 1e6));
   std::vector<std::string> methods;
-  for (CoastMethod method : kMethods) methods.push_back(scenario_name(method));
+  for (CoastMethod method : kMethods) methods.emplace_back(name_of(method));
   command->add_option("--method", options->method, "Default: by the dimension")
       ->check(CLI::IsMember(methods));
   command->add_flag("--stretches", options->stretches, "Also each stretch of the coast by itself");

@@ -121,8 +121,8 @@ std::string_view scenario_name(CoastType type) {
 
 std::string style_text(const CoastStyle& style) {
   if (style.method == CoastMethod::straight) return "{method: straight, dimension: 1}";
-  return fmt::format("{{method: {}, dimension: {:g}, amplitude: {:g}}}",
-                     scenario_name(style.method), style.dimension, style.amplitude);
+  return fmt::format("{{method: {}, dimension: {:g}, amplitude: {:g}}}", name_of(style.method),
+                     style.dimension, style.amplitude);
 }
 
 std::string fit_text(const CoastFit& fit) {

@@ -74,15 +74,14 @@ ChosenStyle choose_style(double dimension, double offset, std::optional<CoastMet
   chosen.offset = offset;
   CoastStyle& style = chosen.style;
   style.method = method.value_or(method_for(dimension));
-  chosen.words.push_back(method ? fmt::format("{}: asked for", scenario_name(style.method))
+  chosen.words.push_back(method ? fmt::format("{}: asked for", name_of(style.method))
                                 : reason_for(style.method, dimension));
   const double most = greatest_dimension(style.method);
   style.dimension = std::min(in_hundredths(std::clamp(dimension, 1.0, most)), most);
   if (style.method == CoastMethod::straight) return chosen;
   if (dimension > most + 0.005) {
     chosen.words.push_back(fmt::format("dimension {:.2f} is beyond the {:g} of {} and becomes {:g}",
-                                       dimension, most, scenario_name(style.method),
-                                       style.dimension));
+                                       dimension, most, name_of(style.method), style.dimension));
   } else if (dimension < 0.995) {
     chosen.words.push_back(
         fmt::format("dimension {:.2f} is below that of a line and becomes 1", dimension));
@@ -100,12 +99,6 @@ ChosenStyle choose_style(double dimension, double offset, std::optional<CoastMet
   if (chosen.offset_made < 0.95 * offset)
     chosen.words.push_back("more has no room within 30 degrees of the edge");
   return chosen;
-}
-
-std::string scenario_name(CoastMethod method) {
-  std::string name(name_of(method));
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
 }
 
 }  // namespace skerry::echo

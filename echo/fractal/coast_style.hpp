@@ -22,7 +22,7 @@ enum class SeriesPhases : std::uint8_t {
   random,       // from the edge's seed
 };
 
-// How a coast is refined in `corrected` mode (echo/fractal/edge_refiner.hpp).
+// How a coast is refined (edge_refiner.hpp); the paper as printed is in echo/fractal/as_printed.
 struct CoastStyle {
   CoastMethod method = CoastMethod::random_koch;
   // Fractal dimension asked for, 1 .. the method's greatest_dimension().  Koch: the similarity
@@ -41,7 +41,7 @@ struct CoastStyle {
 // random Koch, 1.5 for midpoint and Weierstrass.
 double greatest_dimension(CoastMethod method);
 
-// "straight", "koch", "random_koch", "midpoint", "weierstrass".
+// As scenarios write it: "straight", "koch", "random_koch", "midpoint", "weierstrass".
 std::string_view name_of(CoastMethod method);
 
 // Error: std::invalid_argument naming the parameter, its value and the range allowed.

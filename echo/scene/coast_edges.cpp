@@ -217,11 +217,18 @@ CoastEdges lay_edges(const CoastChart& chart, const LocalPlane& plane, const Coa
       const float charted = shore_of(chart, ring, i).height_m;
       PictureShore shore{types[i], false,
                          charted > 0.0f && charted <= kHighestFace ? charted : 0.0f};
+      // A later place wins: from the last one on, until both are known.
       std::optional<std::uint16_t> style;
-      for (std::size_t k = 0; k < rules.places.size(); ++k) {
+      bool typed = false;
+      for (std::size_t k = rules.places.size(); k-- > 0 && !(typed && style);) {
+        const CoastPlace& place = rules.places[k];
+        if ((typed || !place.type) && (style || !place.style)) continue;
         if (!places.holds(k, ring.vertices[i], ring.vertices[j])) continue;
-        if (rules.places[k].type) shore.type = *rules.places[k].type;
-        if (rules.places[k].style) style = style_of_place[k];
+        if (place.type && !typed) {
+          shore.type = *place.type;
+          typed = true;
+        }
+        if (place.style && !style) style = style_of_place[k];
       }
       out.styles.push_back(style ? *style : style_of_type[static_cast<std::size_t>(shore.type)]);
       of_edges.push_back(shore);

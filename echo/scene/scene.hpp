@@ -45,7 +45,7 @@ struct Scene {
   // Of coast->structures, serving the own ship's position; null: no structure echoes.
   std::shared_ptr<const StructureIndex> structure_index = nullptr;
 
-  double water_level_m = 0.0;  // over the level of the chart's coastline (high water): -15 to 15
+  double water_level_m = 0.0;  // over the level of the chart's coastline (high water): -17 to 15
   double wave_height_m = 0.0;  // significant, on the beaches: 0 to 15
 };
 using ScenePtr = std::shared_ptr<const Scene>;

@@ -43,7 +43,7 @@ void greet(const Options& options, const NetServer& net, const RadarServer& rada
   }
 }
 
-int run(const Options& options, const sigset_t& signals) {
+int run(const Options& options) {
   const auto scenario =
       options.scenario.empty() ? default_scenario() : load_scenario(options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
@@ -52,6 +52,13 @@ int run(const Options& options, const sigset_t& signals) {
     std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
     return 0;
   }
+  // Until here Ctrl-C ends the program at once, however long a chart takes.  From here on the main
+  // thread alone waits for it; every other thread inherits the block.
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   RadarServer radars(scenario, std::move(chart), options.workers);
   NetServer net(radars, options.net, web_files());
   net.start();
@@ -68,12 +75,6 @@ int run(const Options& options, const sigset_t& signals) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Waited for by the main thread alone; every other thread inherits the block.
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   signal(SIGPIPE, SIG_IGN);
   // What protobuf has to say of bytes from outside is in the replies and counters.
   google::protobuf::SetLogHandler(nullptr);
@@ -82,7 +83,7 @@ int main(int argc, char** argv) {
     const auto options = read_options(argc, argv);
     if (!options) return 0;
     spdlog::set_level(spdlog::level::from_str(options->log_level));
-    return run(*options, signals);
+    return run(*options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "skerryd: %s\n", error.what());
     return 2;

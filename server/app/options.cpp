@@ -17,7 +17,7 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --scenario dover.yaml             another scenario
   skerryd --scenario dover.yaml --check     only read it and say what is wrong
   skerryd --chart US5WA22M.000              an ENC cell over the world's shoreline
-  skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1 too
+  skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1, not 0
   skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
   skerryd --config server.yaml              everything from a file; the command line wins
 
@@ -121,7 +121,7 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   cli.add_option("--log-level", log_level, "trace, debug, info, warn or error")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
   cli.add_flag("--print-ports", print_ports, "print 'tcp PORT http PORT' once listening");
-  cli.add_flag("--check", check, "read configuration and scenario, start nothing");
+  cli.add_flag("--check", check, "read configuration, scenario and charts, start nothing");
   try {
     cli.parse(argc, argv);
   } catch (const CLI::Success& done) {

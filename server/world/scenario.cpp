@@ -25,6 +25,7 @@ class ScenarioChecker {
   void check(scenario::Scenario& scenario) const {
     check_count(scenario.own_ships_size(), kMaxOwnShips, "own_ships");
     check_count(scenario.targets_size(), kMaxTargets, "targets");
+    check_count(scenario.coast().places_size(), kMaxCoastPlaces, "coast.places");
     Names ships, radars;
     for (int i = 0; i < scenario.own_ships_size(); ++i) {
       const std::string path = fmt::format("own_ships[{}]", i);

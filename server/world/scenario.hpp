@@ -11,6 +11,7 @@ inline constexpr int kMaxOwnShips = 64;
 inline constexpr int kMaxRadars = 64;  // of all own ships together
 inline constexpr int kMaxTargets = 1000;
 inline constexpr int kMaxWaypoints = 1000;  // of a target
+inline constexpr int kMaxCoastPlaces = 1000;
 
 // The scenario of a YAML file, defaults filled in.  Beyond the schema it must hold that
 // - there are no more ships, radars and waypoints than the limits above, and at least one radar;

@@ -94,11 +94,12 @@ int main(int argc, char** argv) {
   for (uint64_t first = 0; first < SPOKES; first += SECTOR) {
     int64_t time_ns = 0;
     must(skerry_echo_radar_spoke_time(radar, first, &time_ns), "time");
-    // Degrees north in this time; a simulator has its own ship's track instead.
-    const double north =
-        cos(own.course_deg / 57.295779513) * own.speed_mps * (double)time_ns * 1e-9;
+    // Metres made good in this time; a simulator has its own ship's track instead.
+    const double sailed = own.speed_mps * (double)time_ns * 1e-9;
     skerry_echo_own_ship now = own;
-    now.latitude_deg += north / 111120.0;
+    now.latitude_deg += sailed * cos(own.course_deg / 57.295779513) / 111120.0;
+    now.longitude_deg += sailed * sin(own.course_deg / 57.295779513) /
+                         (111120.0 * cos(latitude / 57.295779513));
     skerry_echo_target there = ship;
     there.longitude_deg -=
         ship.speed_mps * (double)time_ns * 1e-9 / (111120.0 * cos(latitude / 57.295779513));

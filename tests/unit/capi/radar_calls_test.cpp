@@ -106,7 +106,7 @@ TEST_F(CRadar, RefusesControlsAndSeasOutOfRange) {
     EXPECT_REFUSED(skerry_echo_radar_set_controls(radar, 6, 50, 20, bad),
                    SKERRY_ECHO_ERROR_ARGUMENT, "rain");
   }
-  for (const double bad : {-15.1, 15.1, kNaN}) {
+  for (const double bad : {-17.1, 15.1, kNaN}) {
     EXPECT_REFUSED(skerry_echo_radar_set_sea(radar, bad, 0), SKERRY_ECHO_ERROR_ARGUMENT,
                    "water_level_m");
   }

@@ -65,6 +65,7 @@ TEST(CoastArea, SaysWhatIsWrongAndWhatWasExpected) {
 TEST(CoastArea, PlacesAreKnownByName) {
   for (const std::string& name : place_names()) EXPECT_EQ(named_place(name).name, name);
   EXPECT_EQ(named_place("bergen").limits(), "60..60.6 N, 4.6..5.6 E");
+  EXPECT_EQ(named_place("BERGEN").name, "bergen");
   try {
     named_place("london");
     FAIL();

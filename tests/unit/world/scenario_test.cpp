@@ -119,6 +119,9 @@ TEST(Scenario, CountsAreBounded) {
     targets += "  - {name: t, position: {lat: 0, lon: 0}}\n";
   }
   EXPECT_EQ(refusal(targets), "7:3: targets: 1001 entries; allowed: at most 1000");
+  std::string places = kOwnShip + "coast:\n  places:\n";
+  for (int i = 0; i <= kMaxCoastPlaces; ++i) places += "    - {position: {lat: 0, lon: 0}}\n";
+  EXPECT_EQ(refusal(places), "8:5: coast.places: 1001 entries; allowed: at most 1000");
   EXPECT_EQ(refusal(kTarget + "    course_deg: 360\n    name: " + std::string(65, 'x') + "\n"),
             "10:5: targets[0].name: given twice; first in line 7");
   EXPECT_EQ(refusal("name: " + std::string(65, 'x') + "\n"),
