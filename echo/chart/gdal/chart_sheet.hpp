@@ -13,7 +13,7 @@ namespace skerry::echo {
 
 // Bounds on what is kept of one chart.
 inline constexpr std::size_t kMostVertices = 8'000'000;
-inline constexpr std::size_t kMostObjects = 200'000;
+inline constexpr std::size_t kMostOutlineVertices = 200'000;  // of all objects, each at least one
 inline constexpr std::size_t kMostShores = 65'535;
 
 // Coordinates of these charts are multiples of 1e-7 degrees (1.1 cm), or are named by the nearest.

@@ -10,7 +10,9 @@
 
 #include "echo/chart/gdal/chart_sheet.hpp"
 #include "echo/chart/gdal/gdal_session.hpp"
+#include "echo/chart/gdal/laid_ring.hpp"
 #include "echo/chart/gdal/land_polygon.hpp"
+#include "echo/chart/gdal/tangle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -92,8 +94,13 @@ std::unique_ptr<OGRGeometry> geometry_of(const Coverage& coverage, double meridi
   for (const CoveragePolygon& rings : coverage.polygons) {
     auto polygon = polygon_of(laid_out(rings.front(), meridian));
     const double x = polygon->getExteriorRing()->getX(0);
-    for (std::size_t i = 1; i < rings.size(); ++i)
-      polygon->addRing(polygon_of(laid_out(rings[i], x))->getExteriorRing());
+    OGREnvelope around;
+    polygon->getEnvelope(&around);
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+      const auto hole = polygon_of(laid_out(rings[i], x));
+      bring_near(around, *hole->getExteriorRing());
+      polygon->addRing(hole->getExteriorRing());
+    }
     std::unique_ptr<OGRGeometry> sound = polygon->IsValid()
                                              ? std::unique_ptr<OGRGeometry>(std::move(polygon))
                                              : std::unique_ptr<OGRGeometry>(polygon->MakeValid());
@@ -244,13 +251,16 @@ void ClipArea::clip(const CoastRing& given, std::vector<CoastRing>& out) const {
     return;
   }
   GdalErrors errors;
-  const auto refuse = [&] {
+  const auto refuse = [&](const std::string& reason) {
     throw std::runtime_error(fmt::format(
         "the coast at latitude {:.6f}, longitude {:.6f} cannot be cut at the limit of a "
         "chart: {}",
-        ring.vertices[0].latitude_deg, ring.vertices[0].longitude_deg, errors.text()));
+        ring.vertices[0].latitude_deg, ring.vertices[0].longitude_deg, reason));
   };
   std::unique_ptr<OGRGeometry> polygon = polygon_of(laid);
+  TangleBudget budget;
+  const std::string fault = fault_of_tangle(*polygon->toPolygon(), budget);
+  if (!fault.empty()) refuse(fault);
   if (prepared_ &&
       OGRPreparedGeometryContains(prepared_.get(), OGRGeometry::ToHandle(polygon.get()))) {
     out.push_back(ring);
@@ -260,9 +270,9 @@ void ClipArea::clip(const CoastRing& given, std::vector<CoastRing>& out) const {
       !OGRPreparedGeometryIntersects(prepared_.get(), OGRGeometry::ToHandle(polygon.get())))
     return;
   if (!polygon->IsValid()) polygon.reset(polygon->MakeValid());
-  if (!polygon) refuse();
+  if (!polygon) refuse(errors.text());
   const std::unique_ptr<OGRGeometry> parts(polygon->Intersection(area_.get()));
-  if (!parts) refuse();
+  if (!parts) refuse(errors.text());
   OGRLinearRing whole;
   whole.setPoints(static_cast<int>(laid.size()), laid.data());
   const bool counter_clockwise = twice_area(whole) > 0.0;

@@ -24,7 +24,8 @@ class ClipArea {
   // stays on the left.  An edge or a piece of one keeps its kind and shore, a vertex its identity;
   // what is new along the area's limit is EdgeKind::seam, new vertices lie on multiples of 1e-7
   // degrees and are named by identity_of().
-  // Error: std::runtime_error with the reason of GEOS and the place of the ring.
+  // Error: std::runtime_error with the reason of GEOS, or that the ring is too tangled
+  // (tangle.hpp), and the place of the ring.
   void clip(const CoastRing& ring, std::vector<CoastRing>& out) const;
 
   // The limit, as far as it is that of a coverage.

@@ -24,10 +24,11 @@ bool overlap(const GeoBox& a, const GeoBox& b);
 // and longitude.
 using CoveragePolygon = std::vector<std::vector<GeoPoint>>;
 struct Coverage {
-  std::vector<CoveragePolygon> polygons;  // none: the whole Earth
-  bool everywhere() const { return polygons.empty(); }
+  std::vector<CoveragePolygon> polygons;  // none: the whole Earth, unless nowhere
+  bool nowhere = false;                   // of a chart of objects alone: no place at all
+  bool everywhere() const { return polygons.empty() && !nowhere; }
   bool contains(GeoPoint place) const;
-  GeoBox box() const;
+  GeoBox box() const;  // empty for nowhere
 };
 
 // A chart of a part of the Earth.

@@ -5,32 +5,34 @@
 
 namespace skerry::echo {
 
-CutLines::CutLines(const Coverage& coverage) {
-  double north = -90.0;
-  south_ = 90.0;
+CutLines::CutLines(const Coverage& coverage)
+    : lines_(lines_of(coverage)), tree_(boxes_of(lines_)) {}
+
+std::vector<CutLines::Line> CutLines::lines_of(const Coverage& coverage) {
+  std::vector<Line> lines;
   for (const CoveragePolygon& polygon : coverage.polygons) {
     for (const std::vector<GeoPoint>& ring : polygon) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const GeoPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-        lines_.push_back({a, wrapped_longitude(b.longitude_deg - a.longitude_deg),
-                          b.latitude_deg - a.latitude_deg});
-        south_ = std::min(south_, a.latitude_deg);
-        north = std::max(north, a.latitude_deg);
+        lines.push_back({a, wrapped_longitude(b.longitude_deg - a.longitude_deg),
+                         b.latitude_deg - a.latitude_deg});
       }
     }
   }
-  const auto count = static_cast<double>(std::clamp<std::size_t>(lines_.size() / 4, 1, 4096));
-  south_ -= 2.0 * kTolerance;
-  band_deg_ = std::max(1e-6, (north - south_ + 2.0 * kTolerance) / count);
-  bands_.resize(static_cast<std::size_t>(count) + 1);
-  for (std::uint32_t k = 0; k < lines_.size(); ++k) {
-    const double a = lines_[k].from.latitude_deg, b = a + lines_[k].rise_deg;
-    const auto first =
-        static_cast<std::size_t>(std::max(0.0, (std::min(a, b) - kTolerance - south_) / band_deg_));
-    const auto last = static_cast<std::size_t>((std::max(a, b) + kTolerance - south_) / band_deg_);
-    for (std::size_t band = first; band <= last && band < bands_.size(); ++band)
-      bands_[band].push_back(k);
+  return lines;
+}
+
+std::vector<PlaneBox> CutLines::boxes_of(const std::vector<Line>& lines) {
+  constexpr double kAround = 2.0 * kTolerance;
+  std::vector<PlaneBox> boxes;
+  boxes.reserve(lines.size());
+  for (const Line& line : lines) {
+    const double x = line.from.longitude_deg, y = line.from.latitude_deg;
+    boxes.push_back(
+        {x + std::min(0.0, line.run_deg) - kAround, y + std::min(0.0, line.rise_deg) - kAround,
+         x + std::max(0.0, line.run_deg) + kAround, y + std::max(0.0, line.rise_deg) + kAround});
   }
+  return boxes;
 }
 
 bool CutLines::touches(const Line& line, GeoPoint place) {
@@ -43,10 +45,10 @@ bool CutLines::touches(const Line& line, GeoPoint place) {
 }
 
 bool CutLines::carries(GeoPoint a, GeoPoint b) const {
-  const double place = (a.latitude_deg - south_) / band_deg_;
-  if (!(place >= 0.0) || place >= static_cast<double>(bands_.size())) return false;
-  for (const std::uint32_t k : bands_[static_cast<std::size_t>(place)]) {
-    if (touches(lines_[k], a) && touches(lines_[k], b)) return true;
+  const auto both = [&](std::uint32_t k) { return touches(lines_[k], a) && touches(lines_[k], b); };
+  for (const double turn : {-360.0, 0.0, 360.0}) {
+    const double x = a.longitude_deg + turn;
+    if (tree_.find({x, a.latitude_deg, x, a.latitude_deg}, both)) return true;
   }
   return false;
 }

@@ -1,9 +1,9 @@
 // CutLines: the limits of charts, as lines that edges may lie on.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include "echo/chart/gdal/box_tree.hpp"
 #include "echo/chart/gdal/coverage.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
@@ -25,12 +25,12 @@ class CutLines {
     GeoPoint from;
     double run_deg, rise_deg;  // to its end, shortest way
   };
+  static std::vector<Line> lines_of(const Coverage& coverage);
+  static std::vector<PlaneBox> boxes_of(const std::vector<Line>& lines);
   static bool touches(const Line& line, GeoPoint place);
 
-  // By latitude: lines_[k] belongs to the bands it passes through.
   std::vector<Line> lines_;
-  double south_ = 0.0, band_deg_ = 1.0;
-  std::vector<std::vector<std::uint32_t>> bands_;
+  BoxTree tree_;  // of the boxes of lines_ and a bit, each running on from its line's first place
 };
 
 }  // namespace skerry::echo

@@ -8,6 +8,8 @@
 
 #include "echo/chart/gdal/chart_sheet.hpp"
 #include "echo/chart/gdal/gdal_session.hpp"
+#include "echo/chart/gdal/laid_ring.hpp"
+#include "echo/chart/gdal/wide_polygon.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -19,8 +21,7 @@ bool on_map_margin(GeoPoint a, GeoPoint b) {
   return (antimeridian(a) && antimeridian(b)) || (pole(a) && pole(b));
 }
 
-// Twice the area in square degrees, positive if counter-clockwise; steps never pass the
-// antimeridian, which polygons are cut at.
+// Twice the area in square degrees, positive if counter-clockwise.
 double twice_area(const OGRLinearRing& ring) {
   double sum = 0.0;
   const double x0 = ring.getX(0), y0 = ring.getY(0);
@@ -31,7 +32,8 @@ double twice_area(const OGRLinearRing& ring) {
   return sum;
 }
 
-// Checked, closed by repeating the first vertex as GEOS wants it; empty with the fault told.
+// Checked, laid out, closed by repeating the first vertex as GEOS wants it; null with the fault
+// told.
 std::unique_ptr<OGRLinearRing> sound_ring(const OGRLinearRing& ring, const std::string& name,
                                           ChartWarnings& warnings) {
   std::string fault;
@@ -47,48 +49,56 @@ std::unique_ptr<OGRLinearRing> sound_ring(const OGRLinearRing& ring, const std::
   }
   if (fault.empty() && places.size() < 3)
     fault = fmt::format("a ring of {} places bounds nothing", places.size());
+  std::vector<OGRRawPoint> laid;
+  if (fault.empty()) {
+    std::string doubt;
+    laid = laid_ring(places, fault, doubt);
+    if (!doubt.empty()) warnings.add(fmt::format("{}: {}", name, doubt));
+  }
   if (!fault.empty()) {
     warnings.add(fmt::format("{}: {}; left out", name, fault));
     return nullptr;
   }
   auto sound = std::make_unique<OGRLinearRing>();
-  sound->setNumPoints(static_cast<int>(places.size()) + 1);
-  for (std::size_t i = 0; i <= places.size(); ++i) {
-    const GeoPoint p = places[i % places.size()];
-    sound->setPoint(static_cast<int>(i), p.longitude_deg, p.latitude_deg);
-  }
+  sound->setPoints(static_cast<int>(laid.size()), laid.data());
+  sound->addPoint(laid.front().x, laid.front().y);
   return sound;
 }
 
-void append_ring(const OGRLinearRing& ring, std::uint8_t level, bool counter_clockwise,
+// False where nothing is left of it.
+bool append_ring(const OGRLinearRing& ring, std::uint8_t level, bool counter_clockwise,
                  std::vector<CoastRing>& rings) {
   const double area = twice_area(ring);
-  if (area == 0.0) return;
+  if (area == 0.0) return false;
   CoastRing out;
   out.level = level;
   const int n = ring.getNumPoints();
   for (int i = 0; i < n; ++i) {
     const int k = (area > 0.0) == counter_clockwise ? i : n - 1 - i;
-    const double longitude = ring.getX(k);
-    const GeoPoint p{ring.getY(k), longitude >= 180.0 ? longitude - 360.0 : longitude};
+    const GeoPoint p{ring.getY(k), longitude_of(ring.getX(k))};
     if (out.vertices.empty() || p != out.vertices.back()) out.vertices.push_back(p);
   }
   while (out.vertices.size() > 1 && out.vertices.back() == out.vertices.front())
     out.vertices.pop_back();
-  if (out.vertices.size() < 3) return;
+  if (out.vertices.size() < 3) return false;
   for (std::size_t i = 0; i < out.vertices.size(); ++i) {
     const GeoPoint a = out.vertices[i], b = out.vertices[(i + 1) % out.vertices.size()];
     out.vertex_ids.push_back(identity_of(a));
-    out.edges.push_back(on_map_margin(a, b) ? EdgeKind::bin_border : EdgeKind::shoreline);
+    const bool border = on_map_margin(a, b) || on_column_border(a, b);
+    out.edges.push_back(border ? EdgeKind::bin_border : EdgeKind::shoreline);
   }
   rings.push_back(std::move(out));
+  return true;
 }
 
-void append_sound_polygon(const OGRPolygon& polygon, std::uint8_t level,
-                          std::vector<CoastRing>& rings) {
+void append_sound_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::string& name,
+                          std::vector<CoastRing>& rings, ChartWarnings& warnings) {
   const bool land = level % 2 == 1;
-  if (polygon.getExteriorRing() == nullptr || polygon.getExteriorRing()->getNumPoints() < 4) return;
-  append_ring(*polygon.getExteriorRing(), level, land, rings);
+  const OGRLinearRing* outer = polygon.getExteriorRing();
+  if (outer == nullptr || outer->getNumPoints() < 4 || !append_ring(*outer, level, land, rings)) {
+    warnings.add(fmt::format("{}: an outer ring bounds nothing; left out, with its holes", name));
+    return;
+  }
   for (int i = 0; i < polygon.getNumInteriorRings(); ++i)
     append_ring(*polygon.getInteriorRing(i), static_cast<std::uint8_t>(level + 1), !land, rings);
 }
@@ -139,34 +149,47 @@ std::vector<GeoPoint> places_on(const OGRSimpleCurve& line, std::string& fault) 
   return places;
 }
 
-void append_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::string& name,
-                    std::vector<CoastRing>& rings, ChartWarnings& warnings) {
+bool append_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::string& name,
+                    std::vector<CoastRing>& rings, ChartWarnings& warnings, TangleBudget& budget) {
   if (polygon.getExteriorRing() == nullptr) {
     warnings.add(fmt::format("{}: a polygon without an outer ring; left out", name));
-    return;
+    return false;
   }
   OGRPolygon sound;
   auto outer = sound_ring(*polygon.getExteriorRing(), name, warnings);
-  if (!outer) return;
+  if (!outer) return false;
+  OGREnvelope around;
+  outer->getEnvelope(&around);
   sound.addRingDirectly(outer.release());
   for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
-    if (auto hole = sound_ring(*polygon.getInteriorRing(i), name, warnings))
+    if (auto hole = sound_ring(*polygon.getInteriorRing(i), name, warnings)) {
+      bring_near(around, *hole);
       sound.addRingDirectly(hole.release());
+    }
+  }
+  if (const std::string fault = fault_of_tangle(sound, budget); !fault.empty()) {
+    warnings.add(fmt::format("{}: {}; left out", name, fault));
+    return false;
   }
   GdalErrors errors;
-  if (sound.IsValid()) {
-    append_sound_polygon(sound, level, rings);
-    return;
+  const bool valid = sound.IsValid() != 0;
+  const bool wide = around.MaxX - around.MinX > kGreatestWidth;
+  const std::size_t before = rings.size();
+  if (valid && !wide) {
+    append_sound_polygon(sound, level, name, rings, warnings);
+    return rings.size() > before;
   }
   const std::string reason = errors.text();
-  const std::unique_ptr<OGRGeometry> mended(sound.MakeValid());
-  const std::size_t before = rings.size();
-  if (mended) {
-    for (const OGRPolygon* part : polygons_in(*mended)) append_sound_polygon(*part, level, rings);
+  const std::unique_ptr<OGRGeometry> parts(wide ? in_columns(sound).release() : sound.MakeValid());
+  if (parts) {
+    for (const OGRPolygon* part : polygons_in(*parts))
+      append_sound_polygon(*part, level, name, rings, warnings);
   }
-  warnings.add(fmt::format(
-      "{}: {}; {}", name, reason,
-      rings.size() > before ? "mended, its outline differs from the file's" : "left out"));
+  const bool any = rings.size() > before;
+  if (!valid || !any)
+    warnings.add(fmt::format("{}: {}; {}", name, valid ? errors.text() : reason,
+                             any ? "mended, its outline differs from the file's" : "left out"));
+  return any;
 }
 
 }  // namespace skerry::echo

@@ -8,6 +8,7 @@
 
 #include "echo/chart/coast_chart.hpp"
 #include "echo/chart/gdal/chart_warnings.hpp"
+#include "echo/chart/gdal/tangle.hpp"
 
 namespace skerry::echo {
 
@@ -22,11 +23,13 @@ std::vector<GeoPoint> places_on(const OGRSimpleCurve& line, std::string& fault);
 
 // Appends the rings of a polygon: land on the left, holes as level 2 (`level` 1), or, for water
 // (`level` 2), holes as level 3.  Edges are shorelines; those along the antimeridian or a pole are
-// bin_borders.  `name` says file and object.
+// bin_borders.  A polygon wider than 180 degrees comes in columns (wide_polygon.hpp).  `name` says
+// file and object.
 // A ring outside the globe, with a vertex that is no number, or with fewer than three places is
-// left out; one that is not closed is closed by a straight edge; one that crosses itself is mended
-// (OGRGeometry::MakeValid).  Each is told to `warnings`.
-void append_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::string& name,
-                    std::vector<CoastRing>& rings, ChartWarnings& warnings);
+// left out, and an outer ring with its holes; one that is not closed is closed by a straight edge;
+// one that crosses itself is mended (OGRGeometry::MakeValid), but left out where that could take
+// without end (tangle.hpp).  Each is told to `warnings`.  Returns whether any ring was appended.
+bool append_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::string& name,
+                    std::vector<CoastRing>& rings, ChartWarnings& warnings, TangleBudget& budget);
 
 }  // namespace skerry::echo

@@ -65,12 +65,14 @@ LayeredChart::LayeredChart(std::vector<std::unique_ptr<ChartSource>> charts)
     : charts_(std::move(charts)) {
   if (charts_.empty()) throw std::invalid_argument("a layered chart of no charts");
   bool everywhere = false;
+  coverage_.nowhere = true;
   for (const auto& chart : charts_) {
     const auto* covered = dynamic_cast<const CoveredChart*>(chart.get());
     coverages_.push_back(covered ? covered->coverage() : Coverage{});
     const Coverage& own = coverages_.back();
     boxes_.push_back(own.box());
     everywhere = everywhere || own.everywhere();
+    coverage_.nowhere = coverage_.nowhere && own.nowhere;
     coverage_.polygons.insert(coverage_.polygons.end(), own.polygons.begin(), own.polygons.end());
   }
   if (everywhere) coverage_.polygons.clear();
@@ -92,9 +94,12 @@ CoastChart LayeredChart::load(GeoPoint centre, Length radius) const {
   // From the lowest up, so that a limit that cuts an edge in the window is known.
   GeoBox window = box_around(centre, std::max(0.0, radius.in_metres()));
   std::vector<std::size_t> asked;  // lowest first
-  std::vector<CoastChart> loaded;
+  std::vector<CoastChart> loaded, aside(charts_.size());
   for (std::size_t i = charts_.size(); i-- > 0;) {
-    if (!overlap(boxes_[i], window)) continue;
+    if (!overlap(boxes_[i], window)) {
+      aside[i] = charts_[i]->load(centre, radius);
+      continue;
+    }
     const double reach = std::max(radius.in_metres(), radius_of(window, centre));
     const bool grown = !asked.empty();
     loaded.push_back(charts_[i]->load(centre, grown ? metres(reach) : radius));
@@ -113,21 +118,28 @@ CoastChart LayeredChart::load(GeoPoint centre, Length radius) const {
 
   ShoreTable table(chart.shores);
   Coverage limits;
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const CoastChart& own = loaded[k];
-    const std::size_t first = chart.rings.size();
-    for (const CoastRing& ring : own.rings) areas[k].clip(ring, chart.rings);
-    merge_shores(own, first, chart, table);
-    const Coverage limit = areas[k].limit();
-    limits.polygons.insert(limits.polygons.end(), limit.polygons.begin(), limit.polygons.end());
+  std::vector<const Coverage*> higher;
+  for (std::size_t i = 0, k = 0; i < charts_.size(); ++i) {
+    const bool is_asked = k < asked.size() && asked[k] == i;
+    const CoastChart& own = is_asked ? loaded[k] : aside[i];
+    const std::size_t objects_before = chart.objects.size();
     for (const ChartObject& object : own.objects) {
       const GeoPoint place = object.outline.front();
       const auto covers = [&](const Coverage* coverage) { return coverage->contains(place); };
-      const auto end = coverages.begin() + static_cast<std::ptrdiff_t>(k);
-      if (std::none_of(coverages.begin(), end, covers)) chart.objects.push_back(object);
+      if (std::none_of(higher.begin(), higher.end(), covers)) chart.objects.push_back(object);
     }
-    if (!chart.elevation) chart.elevation = own.elevation;
-    chart.source += (k == 0 ? "" : " over ") + own.source;
+    if (is_asked) {
+      const std::size_t first = chart.rings.size();
+      for (const CoastRing& ring : own.rings) areas[k].clip(ring, chart.rings);
+      merge_shores(own, first, chart, table);
+      const Coverage limit = areas[k].limit();
+      limits.polygons.insert(limits.polygons.end(), limit.polygons.begin(), limit.polygons.end());
+      if (!chart.elevation) chart.elevation = own.elevation;
+      higher.push_back(&coverages_[i]);
+      ++k;
+    }
+    if (is_asked || chart.objects.size() > objects_before)
+      chart.source += (chart.source.empty() ? "" : " over ") + own.source;
   }
   if (asked.size() > 1) settle_seams(CutLines(limits), chart.rings);
   return chart;

@@ -12,15 +12,15 @@ namespace skerry::echo {
 // The highest chart that covers a place is asked there, and no other: an ENC over GSHHG, a cell of
 // a larger scale over one of a smaller.
 //  - Rings of lower charts are cut at the limits of higher ones (GEOS).  What is cut off a
-//  shoreline
-//    edge is one; all other edges keep kind, shore and identity.
+//    shoreline edge is one; all other edges keep kind, shore and identity.
 //  - Along a limit, where the charts agree that both sides are land, edges are bin_borders; where
 //    they do not, land ends at an EdgeKind::seam.  So a place is land exactly if the chart asked
 //    there says so (but within 1.2 cm of a limit), and the shorelines and seams that a ray meets
-//    add up to the same.  Held by LayeredChart.IsLandWhereTheChartAskedThereIs and
-//    LayeredChart.RaysOverShoresAndSeamsCountTheSame.
-//  - Objects of a lower chart count where it is asked.  Elevation is that of the highest chart with
-//    any.
+//    add up to the same.  Held by LayeredReal.IsLandWhereTheChartAskedThereIs and
+//    LayeredReal.RaysOverShoresAndSeamsCountTheSame.
+//  - An object counts unless a higher chart covers its place: also one outside its own chart's
+//    coverage, so a chart of objects alone, which covers nothing, adds to the lower ones. Elevation
+//    is that of the highest chart with any.
 // An edge that the window touches is cut the same in every window.
 // Thread: load() from one thread at a time.
 class LayeredChart final : public CoveredChart {

@@ -15,8 +15,8 @@ struct ObjectDefault {
   float cross_section_m2 = 0.0f;  // of a point, X band
 };
 
-// By S-57 object class ("BOYLAT") and its category (BOYSHP, BCNSHP, CATLMK, CATSLC, CATBRG, CATMOR,
-// CATPLE, CATOFP; 0: none charted).  Nothing for classes that stand out of no water.
+// By S-57 object class ("BOYLAT") and its category (BOYSHP, BCNSHP, CATLMK, CATSLC, CATBRG, CATMOR;
+// 0: none charted).  Nothing for classes that stand out of no water.
 //
 // Source: only three rows rest on a document, MSC.192(79) table 2 as physics.md A1 gives it: a buoy
 // with a corner reflector 3.5 m high, 10 m2; a typical buoy 3.5 m, 5 m2; a channel marker 1 m, 1

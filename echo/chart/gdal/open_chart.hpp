@@ -18,12 +18,10 @@ struct OpenedChart {
 
 // By its name:
 //  - .nc: a file of GSHHG; .000: an ENC cell, its updates beside it; .geojson, .json, .shp: land
-//  drawn
-//    by anyone.
+//    drawn by anyone.
 //  - a directory: all ENC cells in it and below (an ENC_ROOT; at most 500), those of larger scale
-//  over
-//    those of smaller; a cell that cannot be read is a warning if another can.  Without cells, the
-//    finest GSHHG file in it.
+//    over those of smaller; a cell that cannot be read is a warning if another can.  Without cells,
+//    the finest GSHHG file in it.
 //  - empty: the finest GSHHG file installed.
 // Several paths: the first over the others.
 // Error: std::runtime_error naming the file and what is wrong where.

@@ -21,9 +21,14 @@ constexpr double kOvershoot = 0.01;  // degrees
 using OwnedPolygons = std::vector<std::unique_ptr<OGRPolygon>>;
 
 void read_coverage(const S57Cell& cell, ChartSheet& sheet) {
+  TangleBudget budget;
   cell.for_each("M_COVR", [&](const S57Feature& feature) {
     if (feature.integer("CATCOV").value_or(1) != 1) return;
     for (const OGRPolygon* polygon : polygons_in(*feature.geometry())) {
+      if (const std::string fault = fault_of_tangle(*polygon, budget); !fault.empty()) {
+        cell.warnings().add(fmt::format("{}: {}; left out", feature.name(), fault));
+        continue;
+      }
       CoveragePolygon rings;
       for (const OGRLinearRing* ring : *polygon) {
         std::string fault;
@@ -69,34 +74,51 @@ bool reaches_out(const std::vector<GeoPoint>& ring, const GeoBox& limit) {
          west + box.width_deg > limit.width_deg + kOvershoot;
 }
 
-// Appends the polygon's rings, unless any reaches out of the coverage.
-void append_within(const S57Cell& cell, const OGRPolygon& polygon, std::uint8_t level,
-                   const std::string& name, ChartSheet& sheet, std::size_t& vertices) {
+// What all polygons of a cell may cost together.
+struct LandBudget {
+  TangleBudget tangle;
+  std::size_t vertices = 0;
+};
+
+// Appends the polygon's rings, unless any reaches out of the coverage.  False for one that could
+// not be read.
+bool append_within(const S57Cell& cell, const OGRPolygon& polygon, std::uint8_t level,
+                   const std::string& name, ChartSheet& sheet, LandBudget& budget) {
   std::vector<CoastRing> rings;
-  append_polygon(polygon, level, name, rings, cell.warnings());
+  if (!append_polygon(polygon, level, name, rings, cell.warnings(), budget.tangle)) return false;
   if (!sheet.coverage.everywhere()) {
     const GeoBox limit = sheet.coverage.box();
     for (const CoastRing& ring : rings) {
       if (!reaches_out(ring.vertices, limit)) continue;
       cell.warnings().add(fmt::format("{}: reaches out of the cell's coverage; left out", name));
-      return;
+      return true;
     }
   }
   for (CoastRing& ring : rings) {
-    vertices += ring.vertices.size();
-    if (vertices > kMostVertices)
+    budget.vertices += ring.vertices.size();
+    if (budget.vertices > kMostVertices)
       throw std::runtime_error(
           fmt::format("chart file {}: more than {} vertices of land", cell.file(), kMostVertices));
     sheet.rings.push_back(std::move(ring));
   }
+  return true;
+}
+
+// Whether GEOS may be given it as it is; if not, that is told.
+bool may_be_compared(const S57Cell& cell, const OGRPolygon& polygon, const std::string& name,
+                     LandBudget& budget) {
+  const std::string fault = fault_of_tangle(polygon, budget.tangle);
+  if (!fault.empty()) cell.warnings().add(fmt::format("{}: {}; left out", name, fault));
+  return fault.empty();
 }
 
 void read_waters(const S57Cell& cell, const OwnedPolygons& land, ChartSheet& sheet,
-                 std::size_t& vertices) {
+                 LandBudget& budget) {
   OwnedPolygons waters;
   for (const char* water : {"LAKARE", "RIVERS", "CANALS"}) {
     cell.for_each(water, [&](const S57Feature& feature) {
       for (const OGRPolygon* polygon : polygons_in(*feature.geometry())) {
+        if (!may_be_compared(cell, *polygon, feature.name(), budget)) continue;
         GdalErrors errors;  // of GEOS, about polygons that have been warned of
         const auto around = [&](const auto& area) { return area->Contains(polygon); };
         const auto meets = [&](const auto& other) {
@@ -106,8 +128,8 @@ void read_waters(const S57Cell& cell, const OwnedPolygons& land, ChartSheet& she
         if (std::none_of(land.begin(), land.end(), around) ||
             std::any_of(waters.begin(), waters.end(), meets))
           continue;
-        append_within(cell, *polygon, 2, feature.name(), sheet, vertices);
-        waters.emplace_back(polygon->clone());
+        if (append_within(cell, *polygon, 2, feature.name(), sheet, budget))
+          waters.emplace_back(polygon->clone());
       }
     });
   }
@@ -172,15 +194,15 @@ ShoreMap read_shores(const S57Cell& cell) {
 void read_land(const S57Cell& cell, ChartSheet& sheet) {
   read_coverage(cell, sheet);
   OwnedPolygons land;
-  std::size_t vertices = 0;
+  LandBudget budget;
   cell.for_each("LNDARE", [&](const S57Feature& feature) {
     for (const OGRPolygon* polygon : polygons_in(*feature.geometry())) {
-      append_within(cell, *polygon, 1, feature.name(), sheet, vertices);
-      land.emplace_back(polygon->clone());
+      if (append_within(cell, *polygon, 1, feature.name(), sheet, budget))
+        land.emplace_back(polygon->clone());
     }
   });
   if (sheet.coverage.everywhere()) assume_coverage(cell, sheet);
-  read_waters(cell, land, sheet, vertices);
+  read_waters(cell, land, sheet, budget);
 
   const ShoreMap shores = read_shores(cell);
   const CutLines limit(sheet.coverage);

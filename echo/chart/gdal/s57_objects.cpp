@@ -201,11 +201,13 @@ class ObjectReader {
   }
 
   void put(ChartObject object, std::vector<GeoPoint> outline, bool closed) {
+    if (outline.size() > kMostOutlineVertices - vertices_) {
+      cell_.warnings().add(
+          fmt::format("{}: a {} more than the {} vertices of objects a chart may have; left out",
+                      cell_.file(), outline.size() > 1 ? "line" : "point", kMostOutlineVertices));
+      return;
+    }
     vertices_ += outline.size();
-    if (sheet_.objects.size() >= kMostObjects || vertices_ > kMostVertices)
-      throw std::runtime_error(
-          fmt::format("chart file {}: more than {} objects or {} vertices of them", cell_.file(),
-                      kMostObjects, kMostVertices));
     object.identity = mixed(static_cast<std::uint64_t>(object.kind), identity_of(outline.front()),
                             outline.size());
     if (outline.size() == 1) at_.try_emplace(identity_of(outline.front()), sheet_.objects.size());

@@ -13,13 +13,12 @@ namespace skerry::echo {
 //  - UWTROC, OBSTRN and WRECKS count where WATLEV says that they stand out at high water (1 partly
 //    submerged, 2 always dry) or float (7), wrecks also where CATWRK shows mast or hull.  SLCONS
 //    that are under water at high water (3, 4, 5) do not.
-//  - SLCONS and MORFAC drawn as lines are walls where they are no edge of land and not on land;
-//  areas
-//    are blocks where they are not land.  LNDARE drawn as points and lines are rocks.
+//  - SLCONS and MORFAC drawn as lines are walls where they are no edge of land and not on land,
+//    drawn as areas blocks where they are not land.  LNDARE drawn as points and lines are rocks.
 //  - Buoys, beacons and other points charted radar conspicuous (CONRAD 1, 3), or with a RADRFL at
 //    the same place, are reflectors.
 //  - A racon (RTPBCN) whose letters are not charted answers "K", with a warning.
-// Error: std::runtime_error if there are more than kMostObjects.
+//  - Objects past kMostOutlineVertices are left out, with a warning.
 void read_objects(const S57Cell& cell, double metres_per_height_unit, ChartSheet& sheet);
 
 }  // namespace skerry::echo

@@ -199,7 +199,7 @@ class VectorReader {
     const std::uint16_t index = table_.index_of(shore);
     for (const OGRPolygon* polygon : polygons) {
       const std::size_t before = sheet_.rings.size();
-      append_polygon(*polygon, 1, name, sheet_.rings, warnings_);
+      append_polygon(*polygon, 1, name, sheet_.rings, warnings_, budget_);
       for (std::size_t i = before; i < sheet_.rings.size(); ++i) {
         sheet_.rings[i].shores.assign(sheet_.rings[i].vertices.size(), index);
         count(sheet_.rings[i].vertices.size());
@@ -211,11 +211,12 @@ class VectorReader {
     std::vector<CoastRing> rings;
     for (const OGRPolygon* polygon : polygons_in(geometry)) {
       rings.clear();
-      append_polygon(*polygon, 1, name, rings, warnings_);
+      append_polygon(*polygon, 1, name, rings, warnings_, budget_);
       for (CoastRing& ring : rings) {
         count(ring.vertices.size());
-        if (ring.level == 1) sheet_.coverage.polygons.emplace_back();
-        sheet_.coverage.polygons.back().push_back(std::move(ring.vertices));
+        auto& polygons = sheet_.coverage.polygons;
+        if (ring.level == 1) polygons.emplace_back();
+        if (!polygons.empty()) polygons.back().push_back(std::move(ring.vertices));
       }
     }
   }
@@ -275,10 +276,13 @@ class VectorReader {
     for (GeoPoint& p : object.outline) p.longitude_deg = wrapped_longitude(p.longitude_deg);
     object.identity = mixed(static_cast<std::uint64_t>(object.kind),
                             identity_of(object.outline.front()), object.outline.size());
-    count(object.outline.size());
-    if (sheet_.objects.size() >= kMostObjects)
-      throw std::runtime_error(
-          fmt::format("chart file {}: more than {} objects", file_, kMostObjects));
+    if (object.outline.size() > kMostOutlineVertices - outline_vertices_) {
+      warnings_.add(
+          fmt::format("{}: more than the {} vertices of objects a chart may have; left out", name,
+                      kMostOutlineVertices));
+      return;
+    }
+    outline_vertices_ += object.outline.size();
     sheet_.objects.push_back(std::move(object));
   }
 
@@ -293,8 +297,8 @@ class VectorReader {
     if (sheet_.coverage.everywhere()) {
       GeoBox box;
       for (const CoastRing& ring : sheet_.rings) box = joined(box, box_around(ring.vertices));
-      for (const ChartObject& o : sheet_.objects) box = joined(box, box_around(o.outline));
-      add_box(box);
+      sheet_.coverage.nowhere = sheet_.rings.empty();
+      if (!sheet_.rings.empty()) add_box(box);
     } else {
       const CutLines limit(sheet_.coverage);
       for (CoastRing& ring : sheet_.rings) {
@@ -335,7 +339,8 @@ class VectorReader {
   ChartWarnings& warnings_;
   GdalErrors errors_{kToldByFeature};
   OGRSpatialReference wgs84_;
-  std::size_t vertices_ = 0;
+  TangleBudget budget_;
+  std::size_t vertices_ = 0, outline_vertices_ = 0;
 };
 
 }  // namespace
