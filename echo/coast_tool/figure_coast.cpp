@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "echo/kernel/hash.hpp"
+#include "echo/coast_tool/printed_picture.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/spoke_renderer.hpp"
 
@@ -41,27 +41,7 @@ FigureCoast::FigureCoast(CoastChart chart, GeoPoint place, RangeScale scale)
 }
 
 CoastPicturePtr FigureCoast::printed(const as_printed::Parameters& parameters) const {
-  const as_printed::Display display{straight_->centre, scale_.length().in_metres(), kDisplayPixels};
-  auto picture = std::make_shared<CoastPicture>(*straight_);
-  picture->vertices.clear();
-  picture->run_starts.clear();
-  picture->shores = {PictureShore{}};
-  picture->edge_shores.clear();
-  std::vector<as_printed::PixelPoint> line;
-  for (std::size_t run = 0; run + 1 < straight_->run_starts.size(); ++run) {
-    line.clear();
-    for (std::uint32_t v = straight_->run_starts[run]; v < straight_->run_starts[run + 1]; ++v) {
-      line.push_back(display.to_pixel(straight_->vertices[v]));
-    }
-    as_printed::Parameters own = parameters;
-    own.seed = mixed(parameters.seed, run);
-    picture->run_starts.push_back(static_cast<std::uint32_t>(picture->vertices.size()));
-    for (const as_printed::PixelPoint p : as_printed::refine(line, own)) {
-      picture->vertices.push_back(display.to_plane(p));
-    }
-  }
-  picture->run_starts.push_back(static_cast<std::uint32_t>(picture->vertices.size()));
-  return picture;
+  return printed_picture(*straight_, parameters, kDisplayPixels);
 }
 
 CoastPicturePtr FigureCoast::corrected(const CoastStyle& style) const {

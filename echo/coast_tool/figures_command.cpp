@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clients/common/picture_file.hpp"
-#include "echo/chart/gshhg_reader.hpp"
+#include "echo/chart/gdal/open_chart.hpp"
 #include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/figure_coast.hpp"
 #include "echo/coast_tool/figure_sheet.hpp"
@@ -118,9 +118,9 @@ client::RgbaImage draw_figures(const FigureCoast& coast) {
 }
 
 CoastChart chart_for(const FiguresOptions& options, GeoPoint place, RangeScale scale) {
-  const auto file =
-      options.chart.empty() ? GshhgReader::find_finest() : std::filesystem::path(options.chart);
-  return GshhgReader::open(file).load(place, scale.length() * 1.5);
+  const OpenedChart opened = open_chart(options.chart);
+  for (const std::string& warning : opened.warnings) fmt::print(stderr, "{}\n", warning);
+  return opened.chart->load(place, scale.length() * 1.5);
 }
 
 int run(const FiguresOptions& options) {
@@ -150,7 +150,9 @@ Command make_figures_command(CLI::App& app) {
       ->check(CLI::Range(-180.0, 180.0))
       ->capture_default_str();
   command->add_option("--range", options->range_nm, "Range scale, NM")->capture_default_str();
-  command->add_option("--chart", options->chart, "GSHHG file; default: the finest installed");
+  command->add_option("--chart", options->chart,
+                      "ENC cell, folder of cells, GeoJSON, Shapefile or GSHHG file;\n"
+                      "default: the finest GSHHG installed");
   return {command, [options] { return run(*options); }};
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "echo/chart/land_mask.hpp"
-#include "echo/kernel/hash.hpp"
+#include "echo/coast_tool/printed_picture.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/spoke_renderer.hpp"
 
@@ -35,30 +35,6 @@ CoastPicturePtr prepared(const CoastChart& chart, const CoastStyle& style, std::
 }
 
 const CoastStyle kStraight{.method = CoastMethod::straight, .dimension = 1.0};
-
-CoastPicturePtr printed(const CoastPicture& straight, const as_printed::Parameters& parameters,
-                        std::uint64_t seed, const JudgeRadar& radar) {
-  const as_printed::Display display{straight.centre, radar.scale.length().in_metres(),
-                                    ThinnedCoast::kDisplayPixels};
-  auto picture = std::make_shared<CoastPicture>(straight);
-  picture->vertices.clear();
-  picture->run_starts.clear();
-  picture->shores = {PictureShore{}};
-  picture->edge_shores.clear();
-  std::vector<as_printed::PixelPoint> line;
-  for (std::size_t run = 0; run + 1 < straight.run_starts.size(); ++run) {
-    line.clear();
-    for (std::uint32_t v = straight.run_starts[run]; v < straight.run_starts[run + 1]; ++v)
-      line.push_back(display.to_pixel(straight.vertices[v]));
-    as_printed::Parameters own = parameters;
-    own.seed = mixed(seed, run);
-    picture->run_starts.push_back(static_cast<std::uint32_t>(picture->vertices.size()));
-    for (const as_printed::PixelPoint p : as_printed::refine(line, own))
-      picture->vertices.push_back(display.to_plane(p));
-  }
-  picture->run_starts.push_back(static_cast<std::uint32_t>(picture->vertices.size()));
-  return picture;
-}
 
 PictureScore score_of(CoastPicturePtr picture, GeoPoint place, const JudgeRadar& radar) {
   Scene scene;
@@ -142,9 +118,10 @@ PictureScore score_of_drawn(const ThinnedCoast& coast, const Contestant& contest
   if (const auto* style = std::get_if<CoastStyle>(&contestant.method))
     return score_of(prepared(coast.coarse(), *style, seed, place, radar), place, radar);
   const CoastPicturePtr straight = prepared(coast.coarse(), kStraight, 0, place, radar);
-  return score_of(
-      printed(*straight, std::get<as_printed::Parameters>(contestant.method), seed, radar), place,
-      radar);
+  as_printed::Parameters parameters = std::get<as_printed::Parameters>(contestant.method);
+  parameters.seed = seed;
+  return score_of(printed_picture(*straight, parameters, ThinnedCoast::kDisplayPixels), place,
+                  radar);
 }
 
 }  // namespace skerry::echo

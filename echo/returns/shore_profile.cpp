@@ -12,7 +12,6 @@ constexpr double kBuiltUpGamma = 0.316;       // -5 dB: urban
 constexpr double kBeachGamma = 0.01;          // -20 dB: flat
 constexpr double kBehindBeachGamma = 0.0316;  // -15 dB: farmland
 constexpr double kBeachWidth = 150.0;         // metres above high water
-constexpr double kSoftEdge = 30.0;            // metres over which wet sand fades in
 
 // 0 up to `from`, 1 from `to` on.
 double ramp(double x, double from, double to) {
@@ -34,7 +33,7 @@ Ground sandy(double foreshore, double inland, double broad, double fine) {
   const double behind = std::max(0.0, inland - beach);
   const double rise = 12.0 * behind / (behind + 900.0) * (1.0 + 0.5 * broad);
   const double rough = std::min(0.02 * behind, 2.0);
-  const double dry = ramp(inland, 0.0, kSoftEdge);
+  const double dry = ramp(inland, 0.0, kWetEdge);
   return {kBeachSlope * std::min(inland, beach) + rise + rough * fine,
           dry * (kBeachGamma + (kBehindBeachGamma - kBeachGamma) * ramp(behind, 0.0, 350.0))};
 }

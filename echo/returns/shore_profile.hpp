@@ -18,6 +18,7 @@ inline constexpr double kLandGamma = 0.158;        // -8 dB: wooded hill
 inline constexpr double kFaceGamma = 0.708;        // -1.5 dB: quay wall, of -5 to 0 (B5)
 inline constexpr double kBankHeight = 4.0;         // of a rocky shore, metres
 inline constexpr double kFaceHeight = 3.0;         // of a quay where no height is charted, metres
+inline constexpr double kWetEdge = 30.0;           // metres over which wet sand fades in
 inline constexpr double kBeachSlope = 1.0 / 50.0;  // of sand and mud, up to 150 m above the water
 
 // Height of the land above the water at `inland_m` metres behind a rocky shore, given the two

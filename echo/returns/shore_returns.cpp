@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kFarInland = 900.0;  // of land with no shore in sight, metres
 constexpr double kMetresPerDegree = 111195.0;
-constexpr double kWetEdge = 30.0;  // metres
-constexpr float kLowest = -1e9f;   // a slope that hides nothing
+constexpr float kLowest = -1e9f;  // a slope that hides nothing
 
 struct Inland {
   double from_begin, from_end;  // metres; huge where that end is open

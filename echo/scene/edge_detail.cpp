@@ -33,7 +33,7 @@ EdgeDetail detail_of(PlanePoint middle, double length_m, const DetailLimit& limi
   }
   // Half of a rhombus' height at most.
   const double room = 0.5 * length_m * kMaxHalfAngleTan;
-  if (room <= std::max(0.1 * detail.cell_m, 0.05)) return {Rule::straight, 0.0};
+  if (room <= whole_edge_limit(detail.cell_m).least_visible_m()) return {Rule::straight, 0.0};
   return detail;
 }
 

@@ -123,16 +123,6 @@ std::unique_ptr<OGRGeometry> geometry_of(const Coverage& coverage, double meridi
   return all;
 }
 
-double twice_area(const OGRLinearRing& ring) {
-  double sum = 0.0;
-  const double x0 = ring.getX(0), y0 = ring.getY(0);
-  for (int i = 0, n = ring.getNumPoints(); i < n; ++i) {
-    const int j = i + 1 == n ? 0 : i + 1;
-    sum += (ring.getX(i) - x0) * (ring.getY(j) - y0) - (ring.getX(j) - x0) * (ring.getY(i) - y0);
-  }
-  return sum;
-}
-
 bool lies_on(OGRRawPoint p, OGRRawPoint a, OGRRawPoint b) {
   const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
   const double t =

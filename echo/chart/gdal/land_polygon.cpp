@@ -21,17 +21,6 @@ bool on_map_margin(GeoPoint a, GeoPoint b) {
   return (antimeridian(a) && antimeridian(b)) || (pole(a) && pole(b));
 }
 
-// Twice the area in square degrees, positive if counter-clockwise.
-double twice_area(const OGRLinearRing& ring) {
-  double sum = 0.0;
-  const double x0 = ring.getX(0), y0 = ring.getY(0);
-  for (int i = 0, n = ring.getNumPoints(); i < n; ++i) {
-    const int j = i + 1 == n ? 0 : i + 1;
-    sum += (ring.getX(i) - x0) * (ring.getY(j) - y0) - (ring.getX(j) - x0) * (ring.getY(i) - y0);
-  }
-  return sum;
-}
-
 // Checked, laid out, closed by repeating the first vertex as GEOS wants it; null with the fault
 // told.
 std::unique_ptr<OGRLinearRing> sound_ring(const OGRLinearRing& ring, const std::string& name,
@@ -190,6 +179,16 @@ bool append_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::st
     warnings.add(fmt::format("{}: {}; {}", name, valid ? errors.text() : reason,
                              any ? "mended, its outline differs from the file's" : "left out"));
   return any;
+}
+
+double twice_area(const OGRLinearRing& ring) {
+  double sum = 0.0;
+  const double x0 = ring.getX(0), y0 = ring.getY(0);
+  for (int i = 0, n = ring.getNumPoints(); i < n; ++i) {
+    const int j = i + 1 == n ? 0 : i + 1;
+    sum += (ring.getX(i) - x0) * (ring.getY(j) - y0) - (ring.getX(j) - x0) * (ring.getY(i) - y0);
+  }
+  return sum;
 }
 
 }  // namespace skerry::echo

@@ -32,4 +32,7 @@ std::vector<GeoPoint> places_on(const OGRSimpleCurve& line, std::string& fault);
 bool append_polygon(const OGRPolygon& polygon, std::uint8_t level, const std::string& name,
                     std::vector<CoastRing>& rings, ChartWarnings& warnings, TangleBudget& budget);
 
+// Twice the area of a closed ring in square degrees, positive if counter-clockwise.
+double twice_area(const OGRLinearRing& ring);
+
 }  // namespace skerry::echo

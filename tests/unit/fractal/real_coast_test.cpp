@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <utility>
 
 #include "echo/chart/gshhg_reader.hpp"
@@ -18,9 +19,8 @@ namespace {
 
 constexpr GeoPoint kBergen{60.27, 5.15};
 
-std::vector<ShoreEdge> edges_off_bergen() {
-  const CoastChart chart =
-      GshhgReader::open(GshhgReader::find_finest()).load(kBergen, nautical_miles(15.0));
+std::vector<ShoreEdge> edges_off_bergen(const std::filesystem::path& file) {
+  const CoastChart chart = GshhgReader::open(file).load(kBergen, nautical_miles(15.0));
   const LocalPlane plane(kBergen);
   std::vector<ShoreEdge> edges;
   for (const CoastRing& ring : chart.rings) {
@@ -97,12 +97,13 @@ INSTANTIATE_TEST_SUITE_P(Bergen, RealCoast,
                          });
 
 TEST_P(RealCoast, NothingMeetsAndNothingMoves) {
-  std::vector<ShoreEdge> edges;
+  std::filesystem::path file;
   try {
-    edges = edges_off_bergen();
-  } catch (const std::exception& error) {
-    GTEST_SKIP() << error.what();
+    file = GshhgReader::find_finest();
+  } catch (const std::runtime_error& error) {
+    GTEST_SKIP() << error.what();  // not installed; what is wrong with an installed one fails
   }
+  const std::vector<ShoreEdge> edges = edges_off_bergen(file);
   Clearance clearance(edges);
   const EdgeRefiner refiner({.method = GetParam(), .dimension = greatest_dimension(GetParam())});
   const DetailLimit coarse{.range_m = 20000.0, .cell_m = 20.0, .spoke_radians = 0.0015};
