@@ -12,15 +12,11 @@ constexpr std::uint32_t kMaxSector = 64;
 
 RayModel ray_model(const RadarSet& set, const ScanGeometry& geometry, const Beam& beam,
                    const ViewControls& controls) {
-  return {set, RadarSet::pulse_for(controls.range_scale), geometry.spokes_per_turn * beam.per_spoke,
+  return {set, set.pulse_for(controls.range_scale), geometry.spokes_per_turn * beam.per_spoke,
           geometry.cells, geometry.cell_size(controls.range_scale).in_metres()};
 }
 
 }  // namespace
-
-void serial_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  for (std::size_t i = 0; i < count; ++i) body(i);
-}
 
 SpokeRenderer::SpokeRenderer(const RadarSet& set, const ScanGeometry& geometry,
                              const SpokeClock& clock, std::uint32_t radar, ParallelFor parallel)

@@ -2,22 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "echo/kernel/parallel_for.hpp"
+#include "echo/radar/beam.hpp"
+#include "echo/radar/spoke_clock.hpp"
 #include "echo/receiver/receiver.hpp"
-#include "echo/returns/beam.hpp"
 #include "echo/returns/ray_returns.hpp"
 #include "echo/scene/scene.hpp"
-#include "echo/scene/spoke_clock.hpp"
 
 namespace skerry::echo {
-
-// Calls body(0) .. body(count-1), in any order, on any threads, and returns when all are done.
-using ParallelFor =
-    std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
-void serial_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 // Makes the spokes of one view of one radar, in order.  Rays are made half a beam ahead of the
 // spokes and kept until the beam has passed them, each from the Scene in force when it entered; so

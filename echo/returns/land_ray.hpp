@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <span>
 
+#include "echo/radar/radar_equation.hpp"
 #include "echo/returns/land_returns.hpp"
-#include "echo/returns/radar_equation.hpp"
 
 namespace skerry::echo {
 

@@ -8,8 +8,8 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/pulse_stretch.hpp"
+#include "echo/radar/radar_equation.hpp"
 #include "echo/returns/land_returns.hpp"
-#include "echo/returns/radar_equation.hpp"
 #include "echo/returns/shore_returns.hpp"
 #include "protocol/quantity/bearing.hpp"
 

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "echo/radar/radar_set.hpp"
 #include "echo/returns/coast_crossings.hpp"
-#include "echo/returns/hull_returns.hpp"
 #include "echo/returns/structure_returns.hpp"
-#include "echo/scene/radar_set.hpp"
 #include "echo/scene/scene.hpp"
+#include "echo/targets/hull_returns.hpp"
 
 namespace skerry::echo {
 

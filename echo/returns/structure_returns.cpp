@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/returns/radar_equation.hpp"
+#include "echo/radar/radar_equation.hpp"
 #include "echo/scene/plane_geometry.hpp"
 
 namespace skerry::echo {

@@ -5,24 +5,18 @@
 #include <memory>
 #include <vector>
 
+#include "echo/scene/artefacts.hpp"
+#include "echo/scene/beacons.hpp"
 #include "echo/scene/coast_picture.hpp"
+#include "echo/scene/own_rig.hpp"
 #include "echo/scene/polar_index.hpp"
 #include "echo/scene/structure_index.hpp"
+#include "echo/scene/targets.hpp"
+#include "echo/scene/weather.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
 
 namespace skerry::echo {
-
-// A ship's hull in the plane.  It moves on straight, turning about its middle, from the scene's
-// time.
-struct Hull {
-  PlanePoint centre;
-  PlanePoint velocity;       // m/s
-  double heading_deg = 0.0;  // clockwise from the plane's north
-  double turn_rate_deg_s = 0.0;
-  double length_m = 0.0, beam_m = 0.0, height_m = 0.0;
-  std::uint64_t identity = 0;  // which ship, for its scatterers
-};
 
 // Immutable once published.  Good for a second or so around `time`: motion is extrapolated, which
 // costs speed * turn rate * dt^2 / 2 across (0.02 m at 10 m/s, 6 deg/s, 0.2 s).
@@ -47,6 +41,21 @@ struct Scene {
 
   double water_level_m = 0.0;  // over the level of the chart's coastline (high water): -17 to 15
   double wave_height_m = 0.0;  // significant, on the beaches: 0 to 15
+
+  // Each costs nothing while it is empty or calm.
+  Atmosphere atmosphere = {};
+  SeaSurface sea = {};
+  std::vector<RainCell> rain = {};
+  std::vector<PointTarget> points = {};
+  std::vector<WindTurbine> turbines = {};
+  std::vector<OverheadCable> cables = {};
+  std::vector<Racon> racons = {};
+  std::vector<Sart> sarts = {};
+  std::vector<Emitter> emitters = {};  // other radars, never the own one
+  std::vector<Obstruction> obstructions = {};
+  std::vector<BlankedSector> blanked = {};
+  AntennaMotion motion = {};
+  Artefacts artefacts = {};
 };
 using ScenePtr = std::shared_ptr<const Scene>;
 

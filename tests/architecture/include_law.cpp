@@ -37,12 +37,32 @@ const std::vector<Room>& table() {
       {"echo/fractal/as_printed", {"protocol/quantity/", "echo/kernel/", "echo/fractal/"}},
       // Dimension, spectrum and statistics of curves and pictures.
       {"echo/measure", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
+      // Antenna, transmitter, clock and beam: the equipment.
+      {"echo/radar", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
       {"echo/scene",
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/fractal/",
-        "echo/measure/"}},
+        "echo/measure/", "echo/radar/spoke_clock.hpp"}},
+      // How waves travel: between equipment and whatever echoes.
+      {"echo/propagation",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/", "echo/scene/"}},
+      // What echoes: land and what stands on it, sea and rain, ships, beacons, and what is not
+      // there.
       {"echo/returns",
-       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/scene/"}},
-      {"echo/receiver", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/scene/",
+        "echo/radar/", "echo/propagation/", "echo/targets/"}},
+      {"echo/clutter",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/", "echo/radar/",
+        "echo/propagation/"}},
+      {"echo/targets",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/", "echo/radar/",
+        "echo/propagation/"}},
+      {"echo/beacons",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/", "echo/radar/",
+        "echo/propagation/", "echo/targets/"}},
+      {"echo/artefacts",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/", "echo/radar/",
+        "echo/propagation/", "echo/targets/"}},
+      {"echo/receiver", {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/"}},
       {"echo", {"protocol/quantity/", "protocol/video/", "echo/"}},
       // The echo for other programs: a C library, and the tool that fits and judges coasts.
       {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},

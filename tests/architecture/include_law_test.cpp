@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"KernelUsesVideo", "echo/kernel/made_up.hpp",
              header("#include \"protocol/video/spoke.hpp\"\n"), 3, "echo/kernel may include"},
         Case{"SceneUsesReturns", "echo/scene/made_up.hpp",
-             header("#include \"echo/returns/beam.hpp\"\n"), 3, "echo/scene may include"},
+             header("#include \"echo/radar/beam.hpp\"\n"), 3, "echo/scene may include"},
         Case{"ReceiverUsesTheDoor", "echo/receiver/made_up.cpp",
              "#include \"echo/spoke_renderer.hpp\"\n", 1, "echo/receiver may include"},
         Case{"EchoUsesServer", "echo/made_up.cpp", "#include \"server/core/latest.hpp\"\n", 1,

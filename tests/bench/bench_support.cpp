@@ -108,7 +108,7 @@ echo::Beam beam_of(const scenes::NamedScene& named) {
 
 echo::RayModel ray_model_of(const scenes::NamedScene& named) {
   const RangeScale scale = named.controls.range_scale;
-  return {named.set, echo::RadarSet::pulse_for(scale),
+  return {named.set, named.set.pulse_for(scale),
           named.geometry.spokes_per_turn * beam_of(named).per_spoke, named.geometry.cells,
           named.geometry.cell_size(scale).in_metres()};
 }

@@ -10,7 +10,7 @@
 
 #include "echo/kernel/isa.hpp"
 #include "echo/kernel/log_receiver.hpp"
-#include "echo/returns/beam.hpp"
+#include "echo/radar/beam.hpp"
 #include "echo/returns/ray_returns.hpp"
 #include "tests/scenes/scenes.hpp"
 

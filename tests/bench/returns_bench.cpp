@@ -2,10 +2,10 @@
 // These scenes have one ray per spoke.
 #include <algorithm>
 
+#include "echo/radar/radar_equation.hpp"
 #include "echo/returns/coast_crossings.hpp"
-#include "echo/returns/hull_returns.hpp"
 #include "echo/returns/land_returns.hpp"
-#include "echo/returns/radar_equation.hpp"
+#include "echo/targets/hull_returns.hpp"
 #include "protocol/quantity/bearing.hpp"
 #include "tests/bench/bench_support.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "echo/returns/radar_equation.hpp"
+#include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
 namespace {

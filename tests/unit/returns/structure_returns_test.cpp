@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "echo/returns/radar_equation.hpp"
+#include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -1,4 +1,4 @@
-#include "echo/scene/spoke_clock.hpp"
+#include "echo/radar/spoke_clock.hpp"
 
 #include <gtest/gtest.h>
 

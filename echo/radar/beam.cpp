@@ -1,4 +1,4 @@
-#include "echo/returns/beam.hpp"
+#include "echo/radar/beam.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "echo/returns/hull_returns.hpp"
+#include "echo/targets/hull_returns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
 // The radar equation, normalised to the receiver's noise.
 #pragma once
 
-#include "echo/scene/radar_set.hpp"
+#include "echo/radar/radar_set.hpp"
 
 namespace skerry::echo {
 
-inline constexpr double kLightSpeed = 299792458.0;                // m/s, exact
 inline constexpr double kBoltzmann = 1.380649e-23;                // J/K, exact
 inline constexpr double kNoiseTemperature = 290.0;                // K, the usual T0
 inline constexpr double kEffectiveEarth = 6371000.0 * 4.0 / 3.0;  // m, standard atmosphere

@@ -1,4 +1,4 @@
-#include "echo/returns/radar_equation.hpp"
+#include "echo/radar/radar_equation.hpp"
 
 #include <cmath>
 #include <numbers>

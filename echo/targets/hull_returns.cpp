@@ -1,4 +1,4 @@
-#include "echo/returns/hull_returns.hpp"
+#include "echo/targets/hull_returns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/returns/radar_equation.hpp"
+#include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
 

@@ -1,5 +1,5 @@
 // Vectors of physics.md B0.
-#include "echo/returns/radar_equation.hpp"
+#include "echo/radar/radar_equation.hpp"
 
 #include <gtest/gtest.h>
 

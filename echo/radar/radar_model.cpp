@@ -1,0 +1,32 @@
+#include "echo/radar/radar_model.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "echo/radar/radar_equation.hpp"
+
+namespace skerry::echo {
+namespace {
+// The receiver is blind while the transmitter fires and the TR cell recovers (physics.md B7).
+constexpr double kRecovery = 0.1e-6;
+}  // namespace
+
+RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeScale scale,
+                       const SpokeClock& clock, std::uint32_t radar, PulseChoice choice) {
+  RadarModel model;
+  model.set = set;
+  model.pulse = set.pulse_for(scale, choice);
+  model.geometry = geometry;
+  model.scale = scale;
+  model.clock = clock;
+  model.radar = radar;
+  model.cell_m = geometry.cell_size(scale).in_metres();
+  model.pulse_cells = 0.5 * kLightSpeed * model.pulse.length_s / model.cell_m;
+  model.spoke_radians = 2.0 * std::numbers::pi / geometry.spokes_per_turn;
+  model.unit_snr = unit_signal_to_noise(set, model.pulse);
+  const double blind = 0.5 * kLightSpeed * (model.pulse.length_s + kRecovery);
+  model.blind_cells = std::min(geometry.cells, static_cast<std::uint32_t>(blind / model.cell_m));
+  return model;
+}
+
+}  // namespace skerry::echo

@@ -1,0 +1,19 @@
+// Which false echoes the instructor lets through.
+#pragma once
+
+namespace skerry::echo {
+
+// On by default: none shows (or costs anything) where the scene has no cause for it.
+struct Artefacts {
+  bool side_lobes = true;
+  bool multiple_echoes = true;
+  bool indirect_echoes = true;
+  bool shadow_sectors = true;
+  bool second_trace = true;
+  bool interference = true;
+  bool saturation = true;  // the receiver recovers slowly behind a strong echo
+  bool antenna_motion = true;
+  friend bool operator==(const Artefacts&, const Artefacts&) = default;
+};
+
+}  // namespace skerry::echo

@@ -1,0 +1,51 @@
+// What answers or sends on the radar's own frequency.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/quantity/geo_point.hpp"
+
+namespace skerry::echo {
+
+struct Racon {
+  PlanePoint place;
+  double height_m = 10.0;
+  std::string code = "K";  // Morse letters, 1 to 4 of A-Z
+  bool x_band = true, s_band = true;
+  double delay_s = 0.7e-6;              // from interrogation to reply, 0 to 10 us
+  double length_s = 25e-6;              // of the whole reply, 5 to 100 us
+  double on_s = 20.0, period_s = 60.0;  // replies during the first on_s of every period
+  // Replies to ships seen from it within this sector, clockwise from the plane's north; both 0:
+  // all.
+  double sector_from_deg = 0.0, sector_to_deg = 0.0;
+  double power_w = 1.0, antenna_gain_db = 6.0;
+  std::uint64_t identity = 0;
+};
+
+// Search and rescue transponder, X band only.
+struct Sart {
+  PlanePoint place;
+  PlanePoint velocity;
+  double height_m = 1.0;
+  std::uint64_t identity = 0;
+};
+
+// Another radar whose pulses are heard.
+struct Emitter {
+  PlanePoint place;
+  PlanePoint velocity;
+  double height_m = 20.0;
+  double frequency_hz = 9.41e9;
+  double power_w = 25e3;
+  double antenna_gain_db = 31.0;
+  double side_lobe_db = -28.0;
+  double beam_width_deg = 1.2;
+  double pulse_s = 0.5e-6;
+  double prf_hz = 1000.0;
+  double rpm = 24.0;
+  double bearing_deg = 0.0;  // of its beam from the plane's north, at scenario time 0
+  std::uint64_t identity = 0;
+};
+
+}  // namespace skerry::echo

@@ -1,0 +1,41 @@
+// What air and sea do to a radar.
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/quantity/geo_point.hpp"
+
+namespace skerry::echo {
+
+struct Atmosphere {
+  double k_factor = 4.0 / 3.0;  // effective Earth radius over the true one, 0.8 to 4
+  // Share of the diffraction loss beyond the horizon that a duct takes away: 0 (none) to 1 (all).
+  double ducting = 0.0;
+};
+
+// Height of crests over the mean, coming from one direction.
+struct Swell {
+  double height_m = 0.0;   // crest to trough, 0 (none) to 15
+  double period_s = 10.0;  // 4 to 25
+  double from_deg = 0.0;   // clockwise from the plane's north
+};
+
+struct SeaSurface {
+  double state = 0.0;          // Douglas sea state, 0 (no clutter at all) to 6, need not be whole
+  double wind_from_deg = 0.0;  // clockwise from the plane's north
+  Swell swell;
+
+  // Wind that raises this sea, m/s: U = 3.16 SS^0.8; mean wave height 0.00452 U^2.5 (GIT;
+  // physics.md B3).  In sea.cpp of echo/clutter.
+};
+
+// A cloud of rain: uniform within half its radius, fading to nothing at the radius.
+struct RainCell {
+  PlanePoint centre;
+  PlanePoint velocity;  // m/s
+  double radius_m = 2000.0;
+  double rate_mm_h = 4.0;  // in the middle
+  std::uint64_t identity = 0;
+};
+
+}  // namespace skerry::echo
