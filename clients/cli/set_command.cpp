@@ -1,12 +1,14 @@
-// skerry set: changes the own ship's orders and a view's receiver settings.
+// skerry set: changes the own ship's orders, the controls of a view and a radar, and the world.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/set_request.hpp"
 #include "clients/common/printable_text.hpp"
 
 namespace skerry::client {
@@ -14,38 +16,40 @@ namespace {
 
 struct SetOptions {
   ServerPlace place;
-  ViewChoice choice;
-  std::optional<double> course, speed, range, gain, sea, rain;
-  std::string token;
-
-  bool any() const { return course || speed || range || gain || sea || rain; }
+  wire::Set request;
+  RainOptions rain;
+  std::vector<std::string> artefacts;
 };
 
-wire::Set request_of(const SetOptions& options) {
-  wire::Set request;
-  request.set_radar(options.choice.radar);
-  request.set_view(options.choice.view);
-  if (options.course) request.set_course_deg(*options.course);
-  if (options.speed) request.set_speed_kn(*options.speed);
-  if (options.range) request.set_range_nm(*options.range);
-  if (options.gain) request.set_gain(*options.gain);
-  if (options.sea) request.set_sea(*options.sea);
-  if (options.rain) request.set_rain(*options.rain);
-  request.set_token(options.token);
-  return request;
+// Whether the request says more than where it goes.
+bool changes_anything(wire::Set request) {
+  request.clear_radar();
+  request.clear_view();
+  request.clear_token();
+  return request.ByteSizeLong() > 0;
+}
+
+int refuse(const std::string& text) {
+  report(text);
+  return kExitUsage;
 }
 
 int run_set(const SetOptions& options, const CLI::App& command) {
-  if (!options.any()) {
-    fmt::print(stderr,
-               "skerry set: nothing to set; give at least one of --course, --speed, --range, "
-               "--gain, --sea, --rain\n\n{}",
+  wire::Set request = options.request;
+  for (const std::string& text : options.artefacts) {
+    if (const auto wrong = add_artefact(text, *request.mutable_world())) return refuse(*wrong);
+  }
+  if (options.rain.any()) {
+    if (const auto wrong = add_rain(options.rain, *request.mutable_world())) return refuse(*wrong);
+  }
+  if (!changes_anything(request)) {
+    fmt::print(stderr, "skerry set: nothing to set; give at least one of the options below\n\n{}",
                command.help("skerry"));
     return kExitUsage;
   }
   auto client = options.place.connect();
   if (!client) return report(client.error());
-  const auto reply = client->set(request_of(options), options.place.timeout());
+  const auto reply = client->set(request, options.place.timeout());
   if (!reply) return report(reply.error());
   write_out(reply->text().empty() ? "OK\n" : fmt::format("OK: {}\n", printable(reply->text())));
   return kExitOk;
@@ -59,33 +63,88 @@ std::string finite(const std::string& text) {
   return fmt::format("'{}' is not a number", printable(text));
 }
 
+void add_rain_options(CLI::App& command, RainOptions& rain, const CLI::Validator& number) {
+  const char* const group = "Rain (the world's: for all radars)";
+  command.add_option("--add-rain", rain.add, "A new rain cell at LATITUDE LONGITUDE, degrees")
+      ->expected(2)
+      ->check(number)
+      ->group(group);
+  auto* const change =
+      command.add_option("--change-rain", rain.change, "Changes the rain cell of that number")
+          ->excludes("--add-rain")
+          ->group(group);
+  command.add_option("--rain-at", rain.at, "Puts it at LATITUDE LONGITUDE")
+      ->expected(2)
+      ->check(number)
+      ->needs(change)
+      ->group(group);
+  const auto add = [&](const char* name, std::optional<double>& value, const char* text) {
+    command.add_option(name, value, text)->check(number)->group(group);
+  };
+  add("--rain-radius", rain.radius_nm, "Radius, NM, 0.1 to 50; a new one: 2");
+  add("--rain-rate", rain.rate_mm_h, "Rate in its middle, mm/h, 0.1 to 100; a new one: 4");
+  add("--rain-drift", rain.drift_deg, "Drifts to, degrees true, 0 to 360");
+  add("--rain-speed", rain.drift_kn, "Drifts at, knots, 0 to 60");
+  command.add_option("--remove-rain", rain.remove, "Removes the rain cells of these numbers")
+      ->group(group);
+  command.add_flag("--remove-all-rain", rain.remove_all, "Removes all of them")->group(group);
+}
+
 }  // namespace
 
 Command make_set_command(CLI::App& app) {
   auto options = std::make_shared<SetOptions>();
+  wire::Set* const request = &options->request;
   CLI::App* command = app.add_subcommand(
-      "set", "Changes the own ship's orders and a view's receiver settings; all or nothing");
+      "set",
+      "Changes the own ship's orders, the controls of a view and a radar, and the world; all or "
+      "nothing");
   options->place.add_options(*command);
-  command->add_option("--radar", options->choice.radar, "Index of the radar")
-      ->capture_default_str();
-  command->add_option("--view", options->choice.view, "Index of the view; 0 is shared by all")
-      ->capture_default_str();
-  const CLI::Validator number(finite, "", "finite");
-  const auto add = [&](const char* name, std::optional<double>& value, const char* text) {
-    command->add_option(name, value, text)->check(number);
+  const auto add_index = [&](const char* name, void (wire::Set::*set)(std::uint32_t),
+                             const char* text) {
+    command->add_option_function<std::uint32_t>(
+        name, [request, set](std::uint32_t value) { (request->*set)(value); }, text);
   };
-  add("--course", options->course, "Ordered course, degrees true, 0 to below 360");
-  add("--speed", options->speed, "Ordered speed, knots, -10 to 60");
-  add("--range", options->range, "Range scale, NM: 0.125 0.25 0.5 0.75 1.5 3 6 12 24 48 72 96");
-  add("--gain", options->gain, "Gain, 0 to 100");
-  add("--sea", options->sea, "Sea clutter control (STC), 0 to 100");
-  add("--rain", options->rain, "Rain clutter control (FTC), 0 to 100");
-  command->add_option("--token", options->token, "Needed from another host than the server's")
+  add_index("--radar", &wire::Set::set_radar, "Index of the radar [0]");
+  add_index("--view", &wire::Set::set_view, "Number of the view [0]; 0 is shared by all");
+  const CLI::Validator number(finite, "", "finite");
+  for (const NumberControl& control : number_controls()) {
+    command
+        ->add_option_function<double>(
+            control.option, [request, &control](double value) { control.set(*request, value); },
+            control.help)
+        ->check(number)
+        ->group(control.group);
+  }
+  for (const WordControl& control : word_controls()) {
+    command
+        ->add_option_function<std::string>(
+            control.option,
+            [request, &control](const std::string& word) { control.set(*request, word); },
+            control.help)
+        ->check(CLI::IsMember(control.words))
+        ->group(control.group);
+  }
+  add_rain_options(*command, options->rain, number);
+  command
+      ->add_option("--artefact", options->artefacts,
+                   "NAME=on or NAME=off, as often as wanted: " + artefact_names())
+      ->group(kWorldGroup);
+  command
+      ->add_option_function<std::string>(
+          "--token", [request](const std::string& token) { request->set_token(token); },
+          "Needed from another host than the server's")
       ->envname("SKERRY_TOKEN");
   command->footer(
       "Examples:\n"
       "  skerry set --course 045 --speed 12\n"
-      "  skerry set --radar 1 --range 6 --gain 55 --sea 30\n");
+      "  skerry set --radar 1 --range 6 --gain 55 --sea-auto on\n"
+      "  skerry set --radar 1 --transmit off              (standby)\n"
+      "  skerry set --pulse long --tune-auto off --tune 48\n"
+      "  skerry set --sea-state 4 --wind-from 225\n"
+      "  skerry set --add-rain 60.45 4.95 --rain-radius 3 --rain-rate 16 --rain-drift 45 "
+      "--rain-speed 12\n"
+      "  skerry set --artefact interference=off --artefact side_lobes=off\n");
   return {command, [options, command] { return run_set(*options, *command); }};
 }
 

@@ -38,7 +38,9 @@ class TcpSource : public SpokeSource {
   }
   std::string name() const override { return client_.name(); }
   std::string advice() const override {
-    return "skerry status shows whether the radar is turning; skerryd is started with server/run.";
+    return "skerry status shows whether the radar is turning or in standby; skerryd is started "
+           "with "
+           "server/run.";
   }
   std::uint64_t received() const override { return client_.losses().received(); }
   std::uint64_t lost() const override { return client_.losses().lost(); }

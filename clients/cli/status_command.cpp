@@ -40,32 +40,91 @@ std::string own_ships(const wire::Status& status) {
 }
 
 std::string radars(const wire::Status& status) {
-  std::string out = fmt::format(
-      "{:<5} {:<16} {:>9} {:>5} {:>4} {:>5} {:>8} {:>11} {:>6} {:>8} "
-      "{:>9} {:>8} {:>7}\n",
-      "RADAR", "NAME", "RANGE", "GAIN", "SEA", "RAIN", "SCAN", "SPOKES", "LATE", "SKIPPED", "WORST",
-      "NS/CELL", "EDGES");
+  std::string out = fmt::format("{:<5} {:<16} {:>9} {:>8} {:>11} {:>6} {:>8} {:>9} {:>8} {:>7}\n",
+                                "RADAR", "NAME", "RANGE", "SCAN", "SPOKES", "LATE", "SKIPPED",
+                                "WORST", "NS/CELL", "EDGES");
   for (const auto& radar : status.radars()) {
-    const wire::Settings& settings = radar.settings();
-    out += fmt::format(
-        "{:<5} {:<16} {:>6g} NM {:>5.0f} {:>4.0f} {:>5.0f} {:>8} {:>11} {:>6} {:>8} "
-        "{:>6.1f} ms {:>8.1f} {:>7}\n",
-        radar.radar(), printable(radar.name(), 16), settings.range_nm(), settings.gain(),
-        settings.sea(), settings.rain(), radar.scan(), radar.spokes(), radar.spokes_late(),
-        radar.sectors_skipped(), radar.lateness_max_ms(), radar.render_ns_per_cell(),
-        radar.coast_edges());
+    out +=
+        fmt::format("{:<5} {:<16} {:>6g} NM {:>8} {:>11} {:>6} {:>8} {:>6.1f} ms {:>8.1f} {:>7}\n",
+                    radar.radar(), printable(radar.name(), 16), radar.settings().range_nm(),
+                    radar.scan(), radar.spokes(), radar.spokes_late(), radar.sectors_skipped(),
+                    radar.lateness_max_ms(), radar.render_ns_per_cell(), radar.coast_edges());
+  }
+  return out;
+}
+
+std::string controls_line(const std::string& name, const wire::Settings& settings) {
+  static constexpr const char* kPulses[] = {"auto", "short", "medium", "long"};
+  const auto pulse = static_cast<unsigned>(settings.pulse());
+  return fmt::format(
+      "{:<5} {:<4} {:<16} {:<8} {:<7} {:>5.3g} us {:>6.0f} Hz {:>5} {:>6g} NM {:>4.0f} {:>4.0f}{} "
+      "{:>4.0f} {:>4.0f} {:>7.0f}{} {:>11.0f} {}\n",
+      settings.radar(), settings.view(), printable(name, 16),
+      settings.standby() ? "STANDBY" : "transmit", pulse < 4 ? kPulses[pulse] : "?",
+      settings.pulse_length_us(), settings.prf_hz(),
+      settings.tune_auto() ? "auto" : fmt::format("{:.0f}", settings.tune()), settings.range_nm(),
+      settings.gain(), settings.sea(), settings.sea_auto() ? "A" : " ", settings.rain(),
+      settings.interference_rejection(), settings.echo_stretch(),
+      settings.stretch_bearing() ? "B" : " ", settings.integration(),
+      settings.decimation() == wire::MEAN ? "mean" : "peak");
+}
+
+std::string controls(const wire::Status& status) {
+  std::string out = fmt::format(
+      "{:<5} {:<4} {:<16} {:<8} {:<7} {:>8} {:>9} {:>5} {:>9} {:>4} {:>4}  {:>4} {:>4} "
+      "{:>7}  {:>11} {}\n",
+      "RADAR", "VIEW", "NAME", "STATE", "PULSE", "LENGTH", "PRF", "TUNE", "RANGE", "GAIN", "SEA",
+      "RAIN", "IR", "STRETCH", "INTEGRATION", "CELLS");
+  for (const auto& radar : status.radars()) {
+    out += controls_line(radar.name(), radar.settings());
+    for (const auto& view : radar.views()) out += controls_line(radar.name(), view);
+  }
+  return out;
+}
+
+std::string switched_off(const wire::World& world) {
+  std::string names;
+  const auto add = [&](bool on, const char* name) {
+    if (!on) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  };
+  add(world.side_lobes(), "side_lobes");
+  add(world.multiple_echoes(), "multiple_echoes");
+  add(world.indirect_echoes(), "indirect_echoes");
+  add(world.shadow_sectors(), "shadow_sectors");
+  add(world.second_trace(), "second_trace");
+  add(world.interference(), "interference");
+  add(world.overhead_cables(), "overhead_cables");
+  add(world.saturation(), "saturation");
+  add(world.minimum_range(), "minimum_range");
+  add(world.antenna_motion(), "antenna_motion");
+  return names.empty() ? "none" : names;
+}
+
+std::string world(const wire::Status& status) {
+  const wire::World& world = status.world();
+  std::string out = with_degree_signs(fmt::format(
+      "WORLD  sea state {:g}, wind from {}, swell {:g} m, {:g} s from {}, waves ashore {:g} m\n"
+      "       k factor {:.3g}, ducting {:g}, artefacts switched off: {}\n",
+      world.sea_state(), bearing_text(world.wind_from_deg()), world.swell_height_m(),
+      world.swell_period_s(), bearing_text(world.swell_from_deg()), world.wave_height_m(),
+      world.k_factor(), world.ducting(), switched_off(world)));
+  for (const auto& rain : world.rain()) {
+    out += with_degree_signs(fmt::format(
+        "RAIN {:<3} {:<27} radius {:g} NM, {:g} mm/h, drifting to {} at {:.1f} kn\n", rain.id(),
+        position_text({rain.latitude_deg(), rain.longitude_deg()}), rain.radius_nm(),
+        rain.rate_mm_h(), bearing_text(rain.drift_deg()), rain.drift_kn()));
   }
   return out;
 }
 
 std::string clients(const wire::Status& status) {
   if (status.clients().empty()) return "no clients\n";
-  std::string out = fmt::format("{:<9} {:<28} {:>5} {:>12} {:>10} {:>10}\n", "CLIENT", "PEER",
-                                "RADAR", "SENT", "LOST", "MIB");
+  std::string out = fmt::format("{:<9} {:<28} {:>5} {:>4} {:>12} {:>10} {:>10}\n", "CLIENT", "PEER",
+                                "RADAR", "VIEW", "SENT", "LOST", "MIB");
   for (const auto& client : status.clients()) {
-    out += fmt::format("{:<9} {:<28} {:>5} {:>12} {:>10} {:>10.1f}\n",
+    out += fmt::format("{:<9} {:<28} {:>5} {:>4} {:>12} {:>10} {:>10.1f}\n",
                        printable(client.transport(), 9), printable(client.peer(), 48),
-                       client.radar(), client.spokes_sent(), client.spokes_lost(),
+                       client.radar(), client.view(), client.spokes_sent(), client.spokes_lost(),
                        static_cast<double>(client.bytes_sent()) / (1 << 20));
   }
   return out;
@@ -83,10 +142,11 @@ std::string errors(const wire::Status& status) {
 std::string table(const wire::Status& status, const std::string& place) {
   return fmt::format(
       "{} at {}, scenario {}\nscenario time {}, up {}, {:.1f} MiB in memory\n\n"
-      "{}\n{}\n{}\n{}",
+      "{}\n{}\n{}\n{}\n{}\n{}",
       printable(status.server()), place, printable(status.scenario()),
       hours_minutes_seconds(status.scenario_s()), hours_minutes_seconds(status.uptime_s()),
-      status.resident_mib(), own_ships(status), radars(status), clients(status), errors(status));
+      status.resident_mib(), own_ships(status), radars(status), controls(status), world(status),
+      clients(status), errors(status));
 }
 
 std::string json(const wire::Status& status) {
@@ -116,8 +176,9 @@ int run_status(const ServerPlace& place, bool as_json) {
 Command make_status_command(CLI::App& app) {
   auto place = std::make_shared<ServerPlace>();
   auto as_json = std::make_shared<bool>(false);
-  CLI::App* command =
-      app.add_subcommand("status", "Shows own ships, radars, clients, losses and errors");
+  CLI::App* command = app.add_subcommand(
+      "status",
+      "Shows own ships, radars and their controls, the world, clients, losses and errors");
   place->add_options(*command);
   command->add_flag("--json", *as_json,
                     "The Status message of radar.proto as JSON (64-bit counts "

@@ -22,7 +22,7 @@ class SpokeClient::Connection {
   Connection(const std::string& host, std::uint16_t port) : stream_(host, port) {}
 
   ClientResult<Done> open(const std::string& host, std::uint16_t port, Duration timeout);
-  ClientResult<Done> subscribe(std::uint32_t radar, std::uint32_t view, Duration timeout);
+  ClientResult<wire::Reply> subscribe(const wire::Subscribe& request, Duration timeout);
   ClientResult<std::optional<ClientEvent>> receive(Duration timeout);
   ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
   ClientResult<wire::Status> get_status(Duration timeout);
@@ -103,6 +103,8 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
       return Event(std::move(*message.mutable_settings()));
     case wire::ServerMessage::kOwnShip:
       return Event(std::move(*message.mutable_own_ship()));
+    case wire::ServerMessage::kWorld:
+      return Event(std::move(*message.mutable_world()));
     case wire::ServerMessage::kStatus:
       return Event(std::move(*message.mutable_status()));
     case wire::ServerMessage::kReply: {
@@ -171,20 +173,19 @@ ClientResult<wire::Reply> SpokeClient::Connection::await_reply(std::uint32_t req
   }
 }
 
-ClientResult<Done> SpokeClient::Connection::subscribe(std::uint32_t radar, std::uint32_t view,
-                                                      Duration timeout) {
+ClientResult<wire::Reply> SpokeClient::Connection::subscribe(const wire::Subscribe& request,
+                                                             Duration timeout) {
   const Deadline deadline = deadline_after(timeout);
   wire::ClientMessage message;
-  message.mutable_subscribe()->set_radar(radar);
-  message.mutable_subscribe()->set_view(view);
-  if (auto sent = send(message, deadline); !sent) return sent;
+  *message.mutable_subscribe() = request;
+  if (auto sent = send(message, deadline); !sent) return Failure{sent.error()};
   auto reply = await_reply(message.request(), "subscribe", deadline);
-  if (!reply) return Failure{reply.error()};
+  if (!reply) return reply;
   std::erase_if(waiting_, [](const ClientEvent& event) {
     return !std::holds_alternative<wire::Reply>(event);  // came before: of the old subscription
   });
   losses_ = LossCounter();
-  return Done{};
+  return reply;
 }
 
 ClientResult<wire::Reply> SpokeClient::Connection::set(const wire::Set& request, Duration timeout) {
@@ -234,7 +235,24 @@ const LossCounter& SpokeClient::losses() const { return connection_->losses(); }
 
 ClientResult<Done> SpokeClient::subscribe(std::uint32_t radar, std::uint32_t view,
                                           Duration timeout) {
-  return connection_->subscribe(radar, view, timeout);
+  wire::Subscribe request;
+  request.set_radar(radar);
+  request.set_view(view);
+  const auto reply = connection_->subscribe(request, timeout);
+  if (!reply) return Failure{reply.error()};
+  return Done{};
+}
+ClientResult<std::uint32_t> SpokeClient::subscribe_new_view(std::uint32_t radar, std::uint32_t like,
+                                                            Duration timeout,
+                                                            const std::string& token) {
+  wire::Subscribe request;
+  request.set_radar(radar);
+  request.set_view(like);
+  request.set_new_view(true);
+  request.set_token(token);
+  const auto reply = connection_->subscribe(request, timeout);
+  if (!reply) return Failure{reply.error()};
+  return reply->view();
 }
 ClientResult<std::optional<ClientEvent>> SpokeClient::receive(Duration timeout) {
   return connection_->receive(timeout);

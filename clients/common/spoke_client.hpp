@@ -16,7 +16,8 @@
 namespace skerry::client {
 
 // Whatever a subscribed connection brings.
-using ClientEvent = std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status>;
+using ClientEvent =
+    std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status, wire::World>;
 
 // One connection to a server.  Nothing that comes from the network throws or is believed unchecked.
 // An error ends the connection: every later call answers with the same error, and whether to
@@ -44,6 +45,13 @@ class SpokeClient {
   // waiting of an earlier subscription is dropped and the loss counter begins anew.
   // Error: rejected if there is no such radar or view, and the errors of receive().
   ClientResult<Done> subscribe(std::uint32_t radar, std::uint32_t view, Duration timeout);
+
+  // Opens a further view with the settings of `like` and subscribes to it; gives its number.  It
+  // ends some seconds after its last subscriber has left.
+  // Error: also rejected where the radar has as many views as it may, or the token is not right
+  // (needed from another host than the server's).
+  ClientResult<std::uint32_t> subscribe_new_view(std::uint32_t radar, std::uint32_t like,
+                                                 Duration timeout, const std::string& token = {});
 
   // The next event; nothing if none came within `timeout` (zero: what is there already).
   // Error: closed (with the server's last complaint, if it had one), malformed.

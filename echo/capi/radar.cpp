@@ -45,11 +45,6 @@ PlanePoint own_ship_at(const Scene& scene, double after_s) {
   return scene.own_ship + scene.own_velocity * after_s;
 }
 
-double lead_seconds(const RadarMount& mount, const SpokeClock& clock) {
-  const Beam beam = beam_over_rays(mount.set.beam_width_deg, mount.geometry.spokes_per_turn);
-  return (beam.half + 1) * clock.seconds_per_spoke() / beam.per_spoke;
-}
-
 }  // namespace
 
 Radar::Radar(std::shared_ptr<const SharedChart> chart, const CoastRules& rules,
@@ -58,8 +53,7 @@ Radar::Radar(std::shared_ptr<const SharedChart> chart, const CoastRules& rules,
       rules_(rules),
       mount_(mount),
       clock_(mount.rpm, mount.geometry.spokes_per_turn),
-      renderer_(mount.set, mount.geometry, clock_, mount.number),
-      lead_s_(lead_seconds(mount, clock_)) {}
+      renderer_(mount.set, mount.geometry, clock_, mount.number) {}
 
 Radar::View Radar::view_for(const ShipMotion& own_ship, RangeScale scale) const {
   const RadarResolution resolution{scale.length().in_metres(),
@@ -199,7 +193,7 @@ void Radar::render(std::uint64_t first, std::uint32_t count, std::uint8_t* video
   if (stride != cells) rows_.resize(std::size_t{kSector} * cells);
   for (std::uint32_t done = 0; done < count;) {
     const std::uint32_t step = std::min(count - done, kSector);
-    keep_indexed(after(first + done) - lead_s_, after(first + done + step - 1) + lead_s_);
+    keep_indexed(after(first + done), after(first + done + step - 1));
     std::uint8_t* const rows = video + done * stride;
     const std::size_t bytes = std::size_t{step} * cells;
     if (stride == cells) {

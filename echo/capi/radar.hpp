@@ -98,7 +98,6 @@ class Radar {
   RadarMount mount_;
   SpokeClock clock_;
   SpokeRenderer renderer_;
-  double lead_s_;  // how long before and after a spoke its rays are cast
   ShipPositions positions_;
   SeaState sea_;
   View view_;

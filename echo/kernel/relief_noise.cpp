@@ -3,79 +3,30 @@
 #include <cmath>
 
 #include "echo/kernel/isa.hpp"
+#include "echo/kernel/relief_octave.hpp"
 
 namespace skerry::echo {
 namespace {
 
-// One octave's path in lattice units: whole start plus float offsets along the ray.
-struct OctavePath {
-  std::uint32_t row, column;
-  float n0, n1, n2, e0, e1, e2;
-  float amplitude;
-  std::uint32_t seed;
-};
-
-constexpr std::uint32_t kRowStep = 0x9E3779B1u, kColumnStep = 0x85EBCA77u;
-
-// Random value in [-1, 1] of the corner with row * kRowStep + column * kColumnStep + seed = `x`.
-inline __attribute__((always_inline)) float corner(std::uint32_t x) {
-  x ^= x >> 15;
-  x *= 0x2C1B3C6Du;
-  x ^= x >> 13;
-  x *= 0x297A2D39u;
-  return static_cast<float>(static_cast<std::int32_t>(x)) * 0x1p-31f;
-}
-inline __attribute__((always_inline)) std::int32_t whole_below(float x) {
-  const auto t = static_cast<std::int32_t>(x);
-  return t - static_cast<std::int32_t>(static_cast<float>(t) > x);
-}
-
 SKERRY_KERNEL_BODY add_octave_body(OctavePath p, std::uint32_t first, float* __restrict out,
                                    std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
-    const float i = static_cast<float>(static_cast<std::int32_t>(first + k));
-    const float n = p.n0 + i * (p.n1 + i * p.n2);
-    const float e = p.e0 + i * (p.e1 + i * p.e2);
-    const std::int32_t in = whole_below(n), ie = whole_below(e);
-    const float fn = n - static_cast<float>(in), fe = e - static_cast<float>(ie);
-    const float sn = fn * fn * (3.0f - 2.0f * fn), se = fe * fe * (3.0f - 2.0f * fe);
-    const std::uint32_t at = (p.row + static_cast<std::uint32_t>(in)) * kRowStep +
-                             (p.column + static_cast<std::uint32_t>(ie)) * kColumnStep + p.seed;
-    const float a = corner(at), b = corner(at + kColumnStep);
-    const float c = corner(at + kRowStep), d = corner(at + kRowStep + kColumnStep);
-    const float south = a + se * (b - a), north = c + se * (d - c);
-    out[k] += p.amplitude * (south + sn * (north - south));
+    out[k] += octave_at(p, static_cast<std::int32_t>(first + k));
   }
 }
 SKERRY_KERNEL(add_octave,
               (OctavePath p, std::uint32_t first, float* __restrict out, std::size_t count),
               (p, first, out, count))
 
-OctavePath octave_path(const LatticePath& path, const NoiseOctave& octave, std::uint32_t seed,
-                       std::uint32_t octave_index) {
-  const double scale = 1.0 / octave.wavelength_m;
-  const double n = path.north0 * scale, e = path.east0 * scale;
-  const double row = std::floor(n), column = std::floor(e);
-  return {static_cast<std::uint32_t>(static_cast<std::int64_t>(row)),
-          static_cast<std::uint32_t>(static_cast<std::int64_t>(column)),
-          static_cast<float>(n - row),
-          static_cast<float>(path.north1 * scale),
-          static_cast<float>(path.north2 * scale),
-          static_cast<float>(e - column),
-          static_cast<float>(path.east1 * scale),
-          static_cast<float>(path.east2 * scale),
-          octave.amplitude,
-          seed + octave_index * 0x9E3779B9u};
-}
-
 }  // namespace
 
 void relief_noise(const LatticePath& path, std::span<const NoiseOctave> octaves, std::uint32_t seed,
-                  std::uint32_t first_cell, std::span<float> out) noexcept {
+                  std::uint32_t first_cell, std::span<float> out,
+                  std::uint32_t first_octave) noexcept {
   for (float& value : out) value = 0.0f;
   for (std::size_t o = 0; o < octaves.size(); ++o) {
-    add_octave(octave_path(path, octaves[o], seed, static_cast<std::uint32_t>(o)), first_cell,
-               out.data(), out.size());
+    add_octave(octave_path(path, octaves[o], seed, first_octave + static_cast<std::uint32_t>(o)),
+               first_cell, out.data(), out.size());
   }
 }
 

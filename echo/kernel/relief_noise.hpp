@@ -21,9 +21,11 @@ struct NoiseOctave {
 // out[k] = sum over octaves of amplitude * value noise in [-1, 1] at cell first_cell + k, a pure
 // function of the place and the seed.  Value noise: random values on a square lattice one
 // wavelength apart, joined by smoothstep.  Error: the path inside a lattice cell is in float, 1e-3
-// of a wavelength at 4096 wavelengths from the own ship.
+// of a wavelength at 4096 wavelengths from the own ship.  Each octave has a texture of its own by
+// its number, which counts from `first_octave`.
 void relief_noise(const LatticePath& path, std::span<const NoiseOctave> octaves, std::uint32_t seed,
-                  std::uint32_t first_cell, std::span<float> out) noexcept;
+                  std::uint32_t first_cell, std::span<float> out,
+                  std::uint32_t first_octave = 0) noexcept;
 
 // Twin in double, one place.
 double relief_noise_reference(double north_m, double east_m, std::span<const NoiseOctave> octaves,

@@ -1,27 +1,69 @@
 // RainPath: what rain does to one spoke, cell by cell.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "echo/kernel/rain_row.hpp"
+#include "echo/propagation/rain_attenuation.hpp"
 #include "echo/radar/radar_model.hpp"
 #include "echo/scene/spoke_aim.hpp"
 
 namespace skerry::echo {
 
+// Rate of one cloud at a distance from its middle (as its square, m2), as a share of its rate: 1
+// within half its radius, 0 from the radius on, a smoothstep of the squared distance between.
+double rain_profile(double distance_squared, double radius_m);
+
+// Rate at a place of the plane, mm/h, `dt` seconds after the scene's time: the clouds' sum.
+double rain_rate_at(std::span<const RainCell> rain, PlanePoint place, double dt);
+
 // Rate along a spoke and the two-way attenuation up to each cell (P.838-3; physics.md B2).
 // Nothing is done, and any() is false, where no cell of rain lies under the spoke.
+//
+// Rate and attenuation are worked out at knots, a twentieth of the smallest cloud's radius
+// and 0.7 dB apart at most (or one cell), and go straight between.  Error, for clouds of a radius
+// of at least 4 cells and 200 mm/h: rate 0.02 of the greatest; transmission 0.02 of the attenuation
+// in dB and 0.02 dB.  Held by RainPath.StaysWithinItsBoundOfTheIntegral. Thread: one at a time.
 class RainPath {
  public:
+  // Works out the knots; lay() lays rows of cells, too.
+  void trace(const Scene& scene, const RadarModel& model, const SpokeAim& aim);
   void lay(const Scene& scene, const RadarModel& model, const SpokeAim& aim);
-  bool any() const;
-  std::span<const float> rate_mm_h() const;     // per cell
-  std::span<const float> transmission() const;  // per cell, two-way power factor in (0, 1]
+  bool any() const { return any_; }
+  // All of the following require any().
+  // Cells with rain in them: [first_wet, end_wet).
+  std::size_t first_wet() const { return first_; }
+  std::size_t end_wet() const { return end_; }
+  // From the first wet cell, every step() cells, to one at or behind the last: rate in mm/h and the
+  // two-way power factor.  Behind the rain stays transmission_behind().
+  std::size_t step() const { return step_; }
+  std::span<const float> knot_rates() const { return knot_rates_; }
+  std::span<const float> knot_transmissions() const { return knots_; }
+  float transmission_behind() const { return knots_.back(); }
+  // After lay() alone.
+  std::span<const float> rate_mm_h() const { return rate_; }  // per cell
+  // Per cell, to its middle: two-way power factor in (0, 1].
+  std::span<const float> transmission() const { return transmission_; }
   double transmission_at(double range_m) const;
 
  private:
+  void find_clouds(const Scene& scene, const RadarModel& model, const SpokeAim& aim);
+  void take_law(const RadarModel& model);
+  void lay_knots();
+
+  std::vector<CloudChord> clouds_;                           // under the spoke
+  double from_m_ = 0.0, to_m_ = 0.0, least_radius_m_ = 0.0;  // of them all
+  std::vector<float> knot_rates_, knots_;                    // knots_: losses, then transmission
   std::vector<float> rate_, transmission_;
+  std::size_t first_ = 0, end_ = 0;  // wet cells
+  std::size_t step_ = 1;             // cells from knot to knot
   bool any_ = false;
+  // Of the radar last seen.
+  double frequency_hz_ = 0.0, cell_m_ = 1.0;
+  Polarisation polarisation_ = Polarisation::hh;
+  float alpha_ = 1.0f, log2_octaves_ = 0.0f;  // lost in a cell of 1 mm/h
 };
 
 }  // namespace skerry::echo

@@ -9,6 +9,15 @@ inline constexpr double kBoltzmann = 1.380649e-23;                // J/K, exact
 inline constexpr double kNoiseTemperature = 290.0;                // K, the usual T0
 inline constexpr double kEffectiveEarth = 6371000.0 * 4.0 / 3.0;  // m, standard atmosphere
 
+// Depth of a pulse along the range, c tau / 2.
+inline double pulse_depth_m(double length_s) { return 0.5 * kLightSpeed * length_s; }
+// Farthest range whose echo is back before the next pulse, c / (2 PRF).
+inline double unambiguous_range_m(double prf_hz) { return 0.5 * kLightSpeed / prf_hz; }
+// Pulses that strike a point while the beam passes: beam width * PRF / (6 rpm), deg and Hz.
+inline double hits_per_scan(double beam_width_deg, double prf_hz, double rpm) {
+  return beam_width_deg * prf_hz / (6.0 * rpm);
+}
+
 // Received power of 1 m2 at 1 m, watts, beam centre, free space:
 // Pt G^2 lambda^2 / ((4 pi)^3 L).  Source: physics.md B2.
 double received_watts_of_unit_target(const RadarSet& set);

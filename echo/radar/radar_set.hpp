@@ -13,6 +13,9 @@ namespace skerry::echo {
 
 inline constexpr double kLightSpeed = 299792458.0;  // m/s, exact
 
+// Of a log amplifier as on ships; small craft's displays are given as little as 6 dB.
+inline constexpr double kLogVideoDb = 45.0;
+
 enum class Band : std::uint8_t { x, s };
 enum class Polarisation : std::uint8_t { hh, vv };
 
@@ -30,7 +33,7 @@ enum class PulseChoice : std::uint8_t { automatic, short_pulse, medium_pulse, lo
 
 // Defaults: a 25 kW X-band set with a 6 ft antenna.  Source: physics.md B1 (typical brochures).
 struct RadarSet {
-  std::string name = "25 kW X band";
+  std::string name = "25 kW X";
   double frequency_hz = 9.41e9;
   double peak_power_w = 25e3;
   double antenna_gain_db = 31.0;
@@ -42,7 +45,8 @@ struct RadarSet {
   double rpm = 24.0;
   double antenna_height_m = 20.0;  // over the water
   double noise_figure_db = 5.0;
-  double losses_db = 3.0;  // feeder and radome, both ways
+  double losses_db = 3.0;               // feeder and radome, both ways
+  double video_range_db = kLogVideoDb;  // from the first level of the video to the last
   // Shortest first; up_to_nm grows.
   std::vector<Pulse> pulses = {{0.08e-6, 20e6, 3000.0, 1.5},
                                {0.25e-6, 10e6, 1800.0, 3.0},

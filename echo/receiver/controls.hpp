@@ -1,6 +1,10 @@
 // The controls of a radar and of a view.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+
 #include "echo/radar/radar_set.hpp"
 #include "protocol/video/range_scale.hpp"
 
@@ -15,9 +19,12 @@ struct RadarControls {
   friend bool operator==(const RadarControls&, const RadarControls&) = default;
 };
 
+// What becomes of the samples of a cell that holds more than one.
+enum class Decimation : std::uint8_t { peak, mean };
+
 // All but the range scale and the switches run from 0 to 100, as on a real set.
 struct ViewControls {
-  RangeScale range_scale;
+  RangeScale range_scale{};
   double gain = 50.0;
   double sea = 20.0;                    // sensitivity time control
   double rain = 0.0;                    // differentiation (fast time constant)
@@ -25,7 +32,22 @@ struct ViewControls {
   double echo_stretch = 0.0;            // 0: off; 100: three cells to either side
   double integration = 0.0;             // 0: off; 100: over all spokes of a beam
   bool sea_auto = false;                // follows the clutter by itself; `sea` then trims about 50
+  bool stretch_bearing = false;         // echo_stretch acts across spokes too
+  Decimation decimation = Decimation::peak;
   friend bool operator==(const ViewControls&, const ViewControls&) = default;
 };
+
+// What is wrong with the controls: the name of the first one outside its range, the range and what
+// it is; nothing where all is well.
+std::optional<std::string> fault_of(const RadarControls& controls);
+std::optional<std::string> fault_of(const ViewControls& controls);
+
+// What tuning costs an echo, dB >= 0: a detuned receiver has the echoes on the flank of its filter,
+// 12 dB (f - f0)^2 / B^2 as of a Gaussian one (3 dB at half a bandwidth), and the knob moves f by
+// kTuningSpan bandwidths to either side of 50.  Nothing for automatic tuning, which follows the
+// transmitter at once.  Receiver noise, and what is broader than the filter (SART), stay.
+// Source: physics.md B7 for the law; the span is this receiver's own.
+inline constexpr double kTuningSpan = 1.5;
+double tune_loss_db(const RadarControls& controls);
 
 }  // namespace skerry::echo

@@ -26,6 +26,10 @@ void find_crossings(const CoastPicture& coast, const PolarIndex& index, const Ra
   };
   for (std::uint32_t vertex : index.candidates(ray.bearing_units)) test(vertex);
   for (std::uint32_t vertex : index.near_edges()) test(vertex);
+  sort_crossings(crossings);
+}
+
+void sort_crossings(std::vector<Crossing>& crossings) {
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& p, const Crossing& q) {
     return p.range_m != q.range_m ? p.range_m < q.range_m : p.into_land < q.into_land;
   });

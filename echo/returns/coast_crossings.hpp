@@ -37,6 +37,9 @@ struct Ray {
 void find_crossings(const CoastPicture& coast, const PolarIndex& index, const Ray& ray,
                     std::vector<Crossing>& crossings);
 
+// Nearest first; of two at one place the one out of land first.
+void sort_crossings(std::vector<Crossing>& crossings);
+
 // The stretches of land along a ray up to `range_m`, which must not exceed complete_range().
 // Crossings farther out are left out of account (the near shore of what they belong to may not be
 // there), and so are two opposite ones at one place and any on the very spot.  A ray that first

@@ -24,6 +24,8 @@ class LandRay {
     return (static_cast<double>(cell) + 0.5) * model_.cell_m;
   }
   double shadow() const { return shadow_; }
+  // Land whose slopes were worked out elsewhere.
+  void raise_shadow(double slope) { shadow_ = std::max(shadow_, slope); }
   double slope_of(double height, double range) const {
     return (height - model_.antenna_height_m - drop_at(range)) / range;
   }
@@ -64,8 +66,5 @@ class LandRay {
   double horizon_;
   double shadow_ = -1e9;
 };
-
-// What covers the land varies by place: a factor on gamma.
-inline double cover_of(double fine_noise) { return 1.0 + 0.8 * fine_noise; }
 
 }  // namespace skerry::echo

@@ -7,6 +7,8 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/returns/land_ray.hpp"
+#include "echo/returns/natural_land.hpp"
+#include "echo/returns/shore_returns.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -22,46 +24,22 @@ std::span<const NoiseOctave> visible(std::span<const NoiseOctave> octaves, doubl
   return octaves.first(n);
 }
 
-// Cells first .. last of a stretch, at most kLandChunk.
-void add_cells(LandRay& ray, const LandInterval& stretch, const LandModel& model,
-               const LatticePath& path, std::size_t first, std::size_t last) {
-  const double near = ray.middle_of(first), far = ray.middle_of(last);
-  const double most_inland =
-      std::max(0.0, std::min(far - stretch.begin_m, stretch.end_m - near) + model.cell_m);
-  if (ray.hides(land_height(most_inland, 1.0, 1.0), near, far)) return;
-  float broad[kLandChunk], fine[kLandChunk];
-  const std::size_t count = last - first + 1;
-  const auto first32 = static_cast<std::uint32_t>(first);
-  relief_noise(path, broad_octaves(model.cell_m), model.seed, first32, {broad, count});
-  relief_noise(path, fine_octaves(model.cell_m), model.seed ^ kFineSeed, first32, {fine, count});
-  for (std::size_t k = 0; k < count; ++k) {
-    const double middle = ray.middle_of(first + k);
-    const double range = std::clamp(middle, stretch.begin_m, stretch.end_m);
-    const double inland = std::min(range - stretch.begin_m, stretch.end_m - range);
-    const double height = land_height(std::max(0.0, inland), static_cast<double>(broad[k]),
-                                      static_cast<double>(fine[k]));
-    const double shown = ray.shown(height, middle);
-    if (shown > 0.0) ray.echo(first + k, shown, kLandGamma, cover_of(static_cast<double>(fine[k])));
-  }
-}
-
 }  // namespace
 
 std::span<const NoiseOctave> broad_octaves(double cell_m) { return visible(kBroad, cell_m); }
 std::span<const NoiseOctave> fine_octaves(double cell_m) { return visible(kFine, cell_m); }
 
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
-              std::span<float> power) {
+              std::span<float> power, GroundProfile* profile) {
   LandRay ray(model, power);
+  NaturalLand natural(model, path);
   for (const LandInterval& stretch : land) {
     const auto first = static_cast<std::size_t>(stretch.begin_m / model.cell_m);
     if (first >= power.size()) break;
-    const std::size_t last =
-        std::min(power.size() - 1, static_cast<std::size_t>(stretch.end_m / model.cell_m));
-    for (std::size_t cell = first; cell <= last; cell += kLandChunk) {
-      add_cells(ray, stretch, model, path, cell, std::min(last, cell + kLandChunk - 1));
-    }
+    if (profile) profile->fill(first, static_cast<float>(ray.shadow()));
+    natural.add(stretch.begin_m, stretch.end_m, stretch, ray, profile, power);
   }
+  if (profile) profile->fill(power.size(), static_cast<float>(ray.shadow()));
 }
 
 LatticePath lattice_path(GeoPoint own_ship, PlanePoint sailed, std::uint32_t true_bearing_units,

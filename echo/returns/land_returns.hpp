@@ -3,12 +3,15 @@
 
 #include <span>
 
+#include "echo/kernel/land_chunk.hpp"
 #include "echo/kernel/relief_noise.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/returns/shore_profile.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
+
+struct GroundProfile;
 
 // Constants of a ray's land returns.
 struct LandModel {
@@ -25,18 +28,16 @@ std::span<const NoiseOctave> broad_octaves(double cell_m);
 std::span<const NoiseOctave> fine_octaves(double cell_m);
 inline constexpr std::uint32_t kFineSeed = 0x51F1E;
 
-// Cells that are made, or found hidden, in one go.
-inline constexpr std::size_t kLandChunk = 32;
-
 // Adds to power[i] the mean signal-to-noise ratio of the land in cell i for one ray of the beam.
 // Constant gamma: a piece of land returns gamma times the area it shows across the line of sight,
 // that is the arc times the height that stands out above everything nearer (terrain and Earth), so
 // flats are weak, slopes that face the radar strong, and what lies in shadow silent.  R^-3 in all:
 // R^-4 of the radar equation times the arc.  Source: physics.md B2, B5 (gamma -8 dB, wooded hill).
 // The first cell of each stretch holds its bank, so the leading edge stands at the crossing.
-// `path` is the ray over the Earth-fixed lattice.
+// `path` is the ray over the Earth-fixed lattice.  `profile`: null, or cleared for as many cells as
+// `power` has (shore_returns.hpp).
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
-              std::span<float> power);
+              std::span<float> power, GroundProfile* profile = nullptr);
 
 // The lattice path of a ray with that true bearing from `own_ship` after she has `sailed`: north
 // and east in metres of an Earth-fixed grid, quadratic in range.  Error: third order, 0.3 m at 12

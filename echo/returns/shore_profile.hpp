@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "echo/kernel/land_chunk.hpp"
 #include "echo/scene/picture_shore.hpp"
 
 namespace skerry::echo {
@@ -16,19 +17,13 @@ struct Ground {
 
 inline constexpr double kLandGamma = 0.158;        // -8 dB: wooded hill
 inline constexpr double kFaceGamma = 0.708;        // -1.5 dB: quay wall, of -5 to 0 (B5)
-inline constexpr double kBankHeight = 4.0;         // of a rocky shore, metres
 inline constexpr double kFaceHeight = 3.0;         // of a quay where no height is charted, metres
 inline constexpr double kWetEdge = 30.0;           // metres over which wet sand fades in
 inline constexpr double kBeachSlope = 1.0 / 50.0;  // of sand and mud, up to 150 m above the water
 
-// Height of the land above the water at `inland_m` metres behind a rocky shore, given the two
-// noises of that place in [-1, 1]: a bank at the edge, a rise over the first half kilometre, and
-// roughness that grows inland.  Synthetic: no chart of GSHHG's kind has heights.
-// Kept so that the echo's thickness and patches are like recordings.md (c): MODEL.md section 5.
+// Of natural land (land_chunk.hpp), in double.
 inline double land_height(double inland_m, double broad_noise, double fine_noise) {
-  const double rise = 95.0 * inland_m / (inland_m + 900.0) * (1.0 + 0.9 * broad_noise);
-  const double rough = std::min(0.16 * inland_m, 26.0);
-  return std::max(0.5, kBankHeight + rise + rough * fine_noise);
+  return natural_height(inland_m, broad_noise, fine_noise);
 }
 
 // How a shore stands over the water of the moment.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "echo/returns/land_ray.hpp"
+#include "echo/returns/natural_land.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -58,6 +60,13 @@ class ShoreRay {
     const std::size_t last =
         std::min(power_.size() - 1, static_cast<std::size_t>(stretch.end_m / model_.cell_m));
     record_shadow(first);
+    if (is_natural(stretch)) {
+      if (!natural_) natural_.emplace(model_, path_);
+      natural_->add(stretch.begin_m, stretch.end_m, {stretch.begin.at_m, stretch.end.at_m}, ray_,
+                    profile_, power_);
+      record_shadow(last + 1);
+      return;
+    }
     add_face(stretch, first);
     for (std::size_t cell = first; cell <= last; cell += kLandChunk) {
       add_chunk(stretch, cell, std::min(last, cell + kLandChunk - 1));
@@ -70,11 +79,13 @@ class ShoreRay {
  private:
   using Chunk = std::array<float, kLandChunk>;
 
-  // The shadow as it is now, for all cells before `end` that have none yet.
   void record_shadow(std::size_t end) {
-    if (!profile_) return;
-    for (; recorded_ < end; ++recorded_)
-      profile_->shadow[recorded_] = static_cast<float>(ray_.shadow());
+    if (profile_) profile_->fill(end, static_cast<float>(ray_.shadow()));
+  }
+
+  bool is_natural(const ShoreStretch& s) const {
+    return !relief_ && is_plain(s.begin.state.shore) && is_plain(s.end.state.shore) &&
+           !s.begin.open && !s.end.open;
   }
 
   void add_face(const ShoreStretch& stretch, std::size_t first) {
@@ -132,7 +143,7 @@ class ShoreRay {
       if (shown <= 0.0) continue;
       if (washed)
         ground.gamma *= 1.0 + 0.9 * wetness(stretch, range) * static_cast<double>(wash[k]);
-      ray_.echo(cell, shown, ground.gamma, cover_of(fine_noise));
+      ray_.echo(cell, shown, ground.gamma, static_cast<double>(cover_of(fine[k])));
     }
   }
 
@@ -196,7 +207,7 @@ class ShoreRay {
   LandRay ray_;
   double step_m_ = 0.0;
   std::span<const NoiseOctave> below_step_;
-  std::size_t recorded_ = 0;
+  std::optional<NaturalLand> natural_;
 };
 
 }  // namespace
@@ -204,6 +215,7 @@ class ShoreRay {
 void GroundProfile::clear(std::size_t cells) {
   shadow.assign(cells, kLowest);
   height_m.assign(cells, 0.0f);
+  filled_ = 0;
 }
 
 Ground ground_at(const ShoreStretch& s, double range_m, double broad_noise, double fine_noise) {

@@ -1,6 +1,7 @@
 // What land with typed shores or charted heights sends back.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -24,13 +25,26 @@ struct GroundProfile {
   std::vector<float> shadow;    // slope (land_ray.hpp) below which all nearer land hides
   std::vector<float> height_m;  // of the ground over the water; 0 where it is water or all hidden
   void clear(std::size_t cells);
+  // The shadow as it is now, for all cells before `end` that have none yet.
+  void fill(std::size_t end, float slope) {
+    for (; filled_ < end; ++filled_) shadow[filled_] = slope;
+  }
+  // Shadow and heights of the next cells, up to `end`, worked out elsewhere.
+  void take(std::size_t end, const float* slopes, const float* heights) {
+    std::copy(heights, heights + (end - filled_), height_m.data() + filled_);
+    std::copy(slopes, slopes + (end - filled_), shadow.data() + filled_);
+    filled_ = end;
+  }
+
+ private:
+  std::size_t filled_ = 0;
 };
 
 // As add_land(), with shores by their types (shore_profile.hpp):
 //   I: the face returns kFaceGamma times its height times the arc, at the edge and nowhere else but
 //      where the edge runs along the ray, over as many cells as it covers within the arc.
 //   III: gamma of the wet edge times 1 + 0.9 beach_noise, fading out 30 m and the swash inland.
-// Land that is_plain() comes out with the bits of add_land().
+// Land that is_plain() comes out with the bits of add_land(), unless there is `relief`.
 // With `relief`, the raster's height is the ground's where it has data, and the synthetic one
 // elsewhere; below its step roughness and bank stay synthetic.
 // `profile`: null, or cleared for as many cells as `power` has.

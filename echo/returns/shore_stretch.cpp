@@ -20,11 +20,6 @@ std::uint32_t texture_seed(const ShoreWater& water, double step) {
       mixed(water.seed, 0x5A2D, static_cast<std::uint64_t>(static_cast<std::int64_t>(step))));
 }
 
-bool is_plain(const PictureShore& shore) {
-  return !shore.seam && shore.height_m <= 0.0f &&
-         (shore.type == CoastType::rocky || shore.type == CoastType::unknown);
-}
-
 ShoreEnd shore_end(const PictureShore& shore, double at, bool in_sight, const ShoreWater& water) {
   return {{shore, water.level_m, 0.0}, at, !in_sight || shore.seam};
 }
@@ -58,6 +53,11 @@ void measure_face(const CoastPicture& coast, std::uint32_t edge, const Ray& ray,
 }
 
 }  // namespace
+
+bool is_plain(const PictureShore& shore) {
+  return !shore.seam && shore.height_m <= 0.0f &&
+         (shore.type == CoastType::rocky || shore.type == CoastType::unknown);
+}
 
 bool is_plain(const LandInterval& land, std::span<const PictureShore> shores) {
   return is_plain(shores[land.begin_shore]) && is_plain(shores[land.end_shore]);

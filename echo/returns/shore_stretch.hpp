@@ -36,6 +36,7 @@ struct ShoreStretch {
 
 // Whether that land is as add_land() without shores makes it: rocky or unknown with no height
 // charted, and no seam.
+bool is_plain(const PictureShore& shore);
 bool is_plain(const LandInterval& land, std::span<const PictureShore> shores);
 
 // How the water moves an edge of sand along a ray, metres to landward: level over kBeachSlope, and

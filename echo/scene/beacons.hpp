@@ -21,6 +21,8 @@ struct Racon {
   double sector_from_deg = 0.0, sector_to_deg = 0.0;
   double power_w = 1.0, antenna_gain_db = 6.0;
   std::uint64_t identity = 0;
+  double threshold_dbm = -40.0;       // weakest pulse it answers, at its receiver: -70 to 0
+  bool side_lobe_suppression = true;  // answers a radar's main beam alone
 };
 
 // Search and rescue transponder, X band only.
@@ -46,6 +48,7 @@ struct Emitter {
   double rpm = 24.0;
   double bearing_deg = 0.0;  // of its beam from the plane's north, at scenario time 0
   std::uint64_t identity = 0;
+  friend bool operator==(const Emitter&, const Emitter&) = default;
 };
 
 }  // namespace skerry::echo

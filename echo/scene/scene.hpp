@@ -55,6 +55,7 @@ struct Scene {
   std::vector<Obstruction> obstructions = {};
   std::vector<BlankedSector> blanked = {};
   AntennaMotion motion = {};
+  OwnHull own_hull = {};
   Artefacts artefacts = {};
 };
 using ScenePtr = std::shared_ptr<const Scene>;

@@ -11,6 +11,7 @@ struct Atmosphere {
   double k_factor = 4.0 / 3.0;  // effective Earth radius over the true one, 0.8 to 4
   // Share of the diffraction loss beyond the horizon that a duct takes away: 0 (none) to 1 (all).
   double ducting = 0.0;
+  friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
 };
 
 // Height of crests over the mean, coming from one direction.
@@ -26,7 +27,7 @@ struct SeaSurface {
   Swell swell;
 
   // Wind that raises this sea, m/s: U = 3.16 SS^0.8; mean wave height 0.00452 U^2.5 (GIT;
-  // physics.md B3).  In sea.cpp of echo/clutter.
+  // physics.md B3).  echo/clutter/nrl_sea.hpp.
 };
 
 // A cloud of rain: uniform within half its radius, fading to nothing at the radius.

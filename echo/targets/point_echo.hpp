@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace skerry::echo {
 
@@ -13,5 +14,21 @@ struct PointEcho {
   std::uint32_t body = 0;           // points with the same number are one body
   float height_m = 0.0f;            // over the water, for shadows
 };
+
+// What stands out all round: through side lobes, by way of masts and hulls.
+struct StrongEchoes {
+  std::vector<PointEcho> points;  // of one body together
+  std::uint64_t version = 0;      // another one whenever the points are others
+};
+
+// Body numbers: the kind above, which one of the scene's below.  Kinds from `false_echo` on are
+// free for what is not there.
+enum class BodyKind : std::uint32_t { ship, wake, point, turbine, cable, false_echo = 8 };
+constexpr std::uint32_t body_of(BodyKind kind, std::uint32_t index) {
+  return static_cast<std::uint32_t>(kind) << 28 | (index & 0x0FFFFFFFu);
+}
+
+// More than any echo: a thousand ships beside the antenna.  Keeps sums of powers below 1e30.
+inline constexpr float kMaxPointPower = 1e24f;
 
 }  // namespace skerry::echo

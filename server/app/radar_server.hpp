@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,20 +32,29 @@ class RadarServer : public RadarHost {
 
   wire::Hello hello() const override;
   std::uint32_t radar_count() const override { return static_cast<std::uint32_t>(radars_.size()); }
-  VideoChannel* find_channel(std::uint32_t radar, std::uint32_t view) override;
+  VideoChannelPtr find_channel(std::uint32_t radar, std::uint32_t view) override;
+  std::optional<std::uint32_t> open_view(
+      std::uint32_t radar, std::uint32_t like,
+      const std::function<void(VideoChannel&)>& prepare) override;
+  void close_view(std::uint32_t radar, std::uint32_t view) override;
   wire::Reply apply(const wire::Set& set) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
   wire::Status status() const override;
+  wire::World world() const override;
   std::uint64_t settings_version() const override { return settings_version_.load(); }
+  std::uint64_t world_version() const override { return world_version_.load(); }
 
  private:
-  struct Mount;  // a radar on her ship: unit, channel
+  struct Mount;  // a radar on her ship
+  std::optional<wire::Reply> refusal_by_state(const wire::Set& set) const;
+  void apply_to_radar(const wire::Set& set, RadarUnit& unit);
   std::string scenario_name_;
   Timeline timeline_;
   std::unique_ptr<CoastService> coast_;
+  Airwaves airwaves_;
   std::vector<std::unique_ptr<Mount>> radars_;
-  std::atomic<std::uint64_t> settings_version_{1};
+  std::atomic<std::uint64_t> settings_version_{1}, world_version_{1};
   std::mutex apply_mutex_;  // one Set at a time, so that two do not lose each other's values
   const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };

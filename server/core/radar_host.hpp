@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <functional>
+#include <memory>
+#include <optional>
 
 #include "protocol/wire/radar.pb.h"
 #include "server/core/video_channel.hpp"
 
 namespace skerry::server {
+
+using VideoChannelPtr = std::shared_ptr<VideoChannel>;
 
 // Implemented in server/app.  Thread: every function may be called from any thread and returns at
 // once; none waits for a radar, a disk or a client.
@@ -18,8 +22,17 @@ class RadarHost {
   virtual wire::Hello hello() const = 0;
   virtual std::uint32_t radar_count() const = 0;
 
-  // The spokes of a view of a radar; nullptr if there is none.  Lives as long as the host.
-  virtual VideoChannel* find_channel(std::uint32_t radar, std::uint32_t view) = 0;
+  // The spokes of a view of a radar; nullptr if there is none.  View 0 is always there, others from
+  // open_view() to close_view(); nothing comes any more from one that has been closed.
+  virtual VideoChannelPtr find_channel(std::uint32_t radar, std::uint32_t view) = 0;
+
+  // A further view with the settings of view `like`; `prepare` adds its formats before any video
+  // comes.  Nothing if the radar has as many as it may.  Requires a radar and view that are there.
+  virtual std::optional<std::uint32_t> open_view(
+      std::uint32_t radar, std::uint32_t like,
+      const std::function<void(VideoChannel&)>& prepare) = 0;
+  // No effect on view 0.
+  virtual void close_view(std::uint32_t radar, std::uint32_t view) = 0;
 
   // Checks all of `set` and applies all or nothing; the reply says which value was out of range.
   virtual wire::Reply apply(const wire::Set& set) = 0;
@@ -27,11 +40,14 @@ class RadarHost {
   // Require a radar and view that find_channel() knows.
   virtual wire::Settings settings(std::uint32_t radar, std::uint32_t view) const = 0;
   virtual wire::OwnShip own_ship(std::uint32_t radar) const = 0;
+  virtual wire::World world() const = 0;
   // One entry per radar; server/net adds the clients and its errors.
   virtual wire::Status status() const = 0;
 
   // Grows whenever the settings of any view change, so that consoles can be told.
   virtual std::uint64_t settings_version() const = 0;
+  // The same of world().
+  virtual std::uint64_t world_version() const = 0;
 };
 
 }  // namespace skerry::server

@@ -21,6 +21,7 @@ void ClientRegistry::append_to(wire::Status& status) const {
     entry.set_transport(client->transport);
     entry.set_peer(client->peer);
     entry.set_radar(client->radar.load(std::memory_order_relaxed));
+    entry.set_view(client->view.load(std::memory_order_relaxed));
     entry.set_spokes_sent(client->spokes_sent.load(std::memory_order_relaxed));
     entry.set_spokes_lost(client->spokes_lost.load(std::memory_order_relaxed));
     entry.set_bytes_sent(client->bytes_sent.load(std::memory_order_relaxed));

@@ -20,6 +20,7 @@ struct ClientCounters {
   const std::string transport;  // tcp, websocket, udp, cat240
   const std::string peer;
   std::atomic<std::uint32_t> radar{0};
+  std::atomic<std::uint32_t> view{0};
   std::atomic<std::uint64_t> spokes_sent{0};
   std::atomic<std::uint64_t> spokes_lost{0};
   std::atomic<std::uint64_t> bytes_sent{0};

@@ -131,24 +131,40 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
        "a ClientMessage without a kind this server knows; expected subscribe, set or get_status");
 }
 
-void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subscribe) {
-  SpokeFeed* feed = context_.find_feed(subscribe.radar(), subscribe.view(), kNativeFormat);
-  if (feed == nullptr) {
-    return reply(request, wire::Reply::UNKNOWN,
-                 fmt::format("no radar {} with view {}; Hello lists the radars, view 0 is always "
-                             "there",
-                             subscribe.radar(), subscribe.view()));
+std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
+                                                     const wire::Subscribe& subscribe) {
+  if (context_.find_feed(subscribe.radar(), subscribe.view(), kNativeFormat) == nullptr) {
+    reply(request, wire::Reply::UNKNOWN,
+          fmt::format("no radar {} with view {}; Hello lists the radars, view 0 is always there",
+                      subscribe.radar(), subscribe.view()));
+    return std::nullopt;
   }
+  if (!subscribe.new_view()) return subscribe.view();
+  if (!may_control(request, subscribe.token())) return std::nullopt;
+  const auto opened = context_.open_view(subscribe.radar(), subscribe.view());
+  if (!opened) {
+    reply(request, wire::Reply::REFUSED,
+          fmt::format("radar {} has as many views as it may; close another console or share a view",
+                      subscribe.radar()));
+  }
+  return opened;
+}
+
+void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subscribe) {
+  const auto view = view_for(request, subscribe);
+  if (!view) return;
   unsubscribe();
-  feed_ = feed;
-  cursor_ = feed->add(*this);
+  feed_ = context_.find_feed(subscribe.radar(), *view, kNativeFormat);
+  cursor_ = feed_->add(*this);
   client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
+  client_->view.store(*view, std::memory_order_relaxed);
   transport_->limit_send_buffer(context_.send_buffer_for(subscribe.radar()));
-  reply(request, wire::Reply::OK, "");
-  settings_ = context_.settings_frame(subscribe.radar(), subscribe.view());
+  reply(request, wire::Reply::OK, "", *view);
+  settings_ = context_.settings_frame(subscribe.radar(), *view);
   own_ship_ = context_.own_ship_frame(subscribe.radar());
-  spdlog::debug("{} {} subscribed to radar {}", client_->transport, client_->peer,
-                subscribe.radar());
+  world_ = context_.world_frame();
+  spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
+                subscribe.radar(), *view);
 }
 
 void NativeSession::unsubscribe() {
@@ -159,14 +175,20 @@ void NativeSession::unsubscribe() {
   cursor_ = {};
   settings_.reset();
   own_ship_.reset();
+  world_.reset();
+}
+
+bool NativeSession::may_control(std::uint32_t request, const std::string& token) {
+  auto refusal =
+      control_refusal(transport_->peer_is_loopback(), token, context_.config.control_token);
+  if (!refusal) return true;
+  context_.errors.add("control refused", client_->peer + ": " + *refusal);
+  reply(request, wire::Reply::REFUSED, *std::move(refusal));
+  return false;
 }
 
 void NativeSession::set(std::uint32_t request, const wire::Set& set) {
-  if (auto refusal = control_refusal(transport_->peer_is_loopback(), set.token(),
-                                     context_.config.control_token)) {
-    context_.errors.add("control refused", client_->peer + ": " + *refusal);
-    return reply(request, wire::Reply::REFUSED, *std::move(refusal));
-  }
+  if (!may_control(request, set.token())) return;
   wire::Set without_token = set;
   without_token.clear_token();
   wire::ServerMessage answer;
@@ -176,11 +198,13 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
   context_.tell_settings();
 }
 
-void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::string text) {
+void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::string text,
+                          std::uint32_t view) {
   wire::ServerMessage message;
   message.mutable_reply()->set_request(request);
   message.mutable_reply()->set_code(code);
   message.mutable_reply()->set_text(std::move(text));
+  message.mutable_reply()->set_view(view);
   send(message);
 }
 
@@ -210,6 +234,11 @@ void NativeSession::on_own_ship(const SharedBytes& frame) {
   pump();
 }
 
+void NativeSession::on_world(const SharedBytes& frame) {
+  world_ = frame;
+  pump();
+}
+
 void NativeSession::pump() {
   if (writing_ || closed_) return;
   while (!replies_.empty()) {
@@ -219,6 +248,7 @@ void NativeSession::pump() {
   reply_bytes_ = 0;
   if (settings_ != nullptr) add_to_batch(std::exchange(settings_, nullptr));
   if (own_ship_ != nullptr) add_to_batch(std::exchange(own_ship_, nullptr));
+  if (world_ != nullptr) add_to_batch(std::exchange(world_, nullptr));
   add_sectors_to_batch();
   if (batch_.empty()) {
     if (failed_ && !finished_) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,9 +20,9 @@ namespace skerry::server {
 // Says Hello, answers requests in their order, and once subscribed sends spokes by whole sectors.
 //
 // Never holds more than it must for a client that does not read: spokes stay in the ring, which
-// overwrites them and counts; of Settings and OwnShip only the newest waits; when kMaxReplies
-// replies wait, no further request is read, and after NetConfig::reply_timeout the client is
-// closed.
+// overwrites them and counts; of Settings, OwnShip and World only the newest waits; when
+// kMaxReplies replies wait, no further request is read, and after NetConfig::reply_timeout the
+// client is closed.
 //
 // Alive as long as an operation of its own is in flight: nearly always a read, which also notices
 // that the client has gone.
@@ -44,6 +45,7 @@ class NativeSession final : public Connection,
   void on_sector() override { pump(); }
   void on_settings(const SharedBytes& frame) override;
   void on_own_ship(const SharedBytes& frame) override;
+  void on_world(const SharedBytes& frame) override;
 
  private:
   void start();
@@ -53,8 +55,12 @@ class NativeSession final : public Connection,
   bool handle_next();  // false: no whole request is left
   void handle(std::span<const std::uint8_t> body);
   void subscribe(std::uint32_t request, const wire::Subscribe& subscribe);
+  // The view a subscription asks for, a new one among them; nothing if it has been refused.
+  std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
   void set(std::uint32_t request, const wire::Set& set);
-  void reply(std::uint32_t request, wire::Reply::Code code, std::string text);
+  bool may_control(std::uint32_t request, const std::string& token);
+  void reply(std::uint32_t request, wire::Reply::Code code, std::string text,
+             std::uint32_t view = 0);
   void send(const wire::ServerMessage& message);
   // Sends an error and ends the connection once the client has it.
   void fail(wire::Reply::Code code, std::string_view kind, std::string text);
@@ -87,6 +93,7 @@ class NativeSession final : public Connection,
   std::size_t reply_bytes_ = 0;
   SharedBytes settings_;  // newest not yet sent
   SharedBytes own_ship_;
+  SharedBytes world_;
 
   std::vector<std::shared_ptr<const void>> batch_owners_;  // keep what the write in flight sends
   std::vector<asio::const_buffer> batch_;

@@ -27,17 +27,49 @@ NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
     : host(radar_host),
       config(std::move(net_config)),
       connections(config.max_connections),
-      settings_version_(host.settings_version()) {}
+      settings_version_(host.settings_version()),
+      world_version_(host.world_version()) {}
 
 SpokeFeed* NetContext::find_feed(std::uint32_t radar, std::uint32_t view,
                                  const std::string& format) {
   const FeedKey key(radar, view, format);
   if (const auto known = feeds_.find(key); known != feeds_.end()) return known->second.get();
-  VideoChannel* channel = host.find_channel(radar, view);
+  VideoChannelPtr channel = host.find_channel(radar, view);
   if (channel == nullptr) return nullptr;
   auto& feed = feeds_[key];
-  feed = std::make_unique<SpokeFeed>(io, channel->format(format));
+  feed = std::make_unique<SpokeFeed>(io, std::move(channel), format);
   return feed.get();
+}
+
+std::optional<std::uint32_t> NetContext::open_view(std::uint32_t radar, std::uint32_t like) {
+  const auto view = host.open_view(radar, like, [](VideoChannel& channel) {
+    channel.add_format(kNativeFormat, native_encoder());
+  });
+  if (view) opened_[{radar, *view}] = std::chrono::steady_clock::now();
+  return view;
+}
+
+bool NetContext::has_readers(const ViewKey& view) const {
+  const auto feed = feeds_.find(FeedKey(view.first, view.second, kNativeFormat));
+  return feed != feeds_.end() && !feed->second->readers().empty();
+}
+
+void NetContext::end_views(std::chrono::steady_clock::time_point now) {
+  for (auto view = opened_.begin(); view != opened_.end();) {
+    auto& [key, last_read] = *view;
+    if (has_readers(key)) last_read = now;
+    if (now - last_read < kViewGrace) {
+      ++view;
+      continue;
+    }
+    host.close_view(key.first, key.second);
+    const auto feed = feeds_.find(FeedKey(key.first, key.second, kNativeFormat));
+    if (feed != feeds_.end()) {
+      SpokeFeed::retire(std::move(feed->second));
+      feeds_.erase(feed);
+    }
+    view = opened_.erase(view);
+  }
 }
 
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
@@ -54,13 +86,19 @@ std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
 }
 
 void NetContext::tell_settings() {
-  const std::uint64_t version = host.settings_version();
-  if (version == settings_version_) return;
-  settings_version_ = version;
+  const std::uint64_t settings = host.settings_version(), world = host.world_version();
+  const bool settings_changed = std::exchange(settings_version_, settings) != settings;
+  const bool world_changed = std::exchange(world_version_, world) != world;
+  if (!settings_changed && !world_changed) return;
+  const SharedBytes of_world = world_changed ? world_frame() : nullptr;
   for (const auto& [key, feed] : feeds_) {
     if (feed->readers().empty()) continue;
-    const SharedBytes frame = settings_frame(std::get<0>(key), std::get<1>(key));
-    for (FeedReader* reader : feed->readers()) reader->on_settings(frame);
+    const SharedBytes frame =
+        settings_changed ? settings_frame(std::get<0>(key), std::get<1>(key)) : nullptr;
+    for (FeedReader* reader : feed->readers()) {
+      if (frame) reader->on_settings(frame);
+      if (of_world) reader->on_world(of_world);
+    }
   }
 }
 
@@ -81,6 +119,12 @@ SharedBytes NetContext::settings_frame(std::uint32_t radar, std::uint32_t view) 
 SharedBytes NetContext::own_ship_frame(std::uint32_t radar) const {
   wire::ServerMessage message;
   *message.mutable_own_ship() = host.own_ship(radar);
+  return make_frame(message);
+}
+
+SharedBytes NetContext::world_frame() const {
+  wire::ServerMessage message;
+  *message.mutable_world() = host.world();
   return make_frame(message);
 }
 

@@ -1,11 +1,14 @@
 // NetContext: what the connections of one server share.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "server/core/error_counts.hpp"
 #include "server/core/radar_host.hpp"
@@ -32,26 +35,41 @@ class NetContext {
   ClientRegistry clients;  // any thread
   ConnectionTable connections;
 
-  // nullptr if there is no such view.  Lives as long as the context.
+  // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
+  // context.
   SpokeFeed* find_feed(std::uint32_t radar, std::uint32_t view, const std::string& format);
+
+  // A further view with the settings of view `like`, for native clients; nothing if the radar has
+  // as many as it may.  It ends when it has had no reader for kViewGrace.  Requires that
+  // find_feed() knows the radar and view.
+  std::optional<std::uint32_t> open_view(std::uint32_t radar, std::uint32_t like);
+  static constexpr std::chrono::seconds kViewGrace{5};
+  // Ends the views whose time has come.  Call it a few times a second.
+  void end_views(std::chrono::steady_clock::time_point now);
 
   // About 100 ms of the radar's spokes, in bytes: what may wait in the kernel for a slow console,
   // which so sees a picture at most that old.
   std::size_t send_buffer_for(std::uint32_t radar) const;
 
-  // Sends Settings to the readers of all views, if any changed since the last call.
+  // Sends Settings and World to the readers of all views, if any changed since the last call.
   void tell_settings();
   // Sends OwnShip to all readers.
   void tell_own_ships();
 
   SharedBytes settings_frame(std::uint32_t radar, std::uint32_t view) const;
   SharedBytes own_ship_frame(std::uint32_t radar) const;
+  SharedBytes world_frame() const;
   wire::Status status() const;  // any thread
 
  private:
   using FeedKey = std::tuple<std::uint32_t, std::uint32_t, std::string>;  // radar, view, format
+  using ViewKey = std::pair<std::uint32_t, std::uint32_t>;                // radar, view
+  bool has_readers(const ViewKey& view) const;
+
   std::map<FeedKey, std::unique_ptr<SpokeFeed>> feeds_;
-  std::uint64_t settings_version_ = 0;
+  // Further views and when each last had a reader.
+  std::map<ViewKey, std::chrono::steady_clock::time_point> opened_;
+  std::uint64_t settings_version_ = 0, world_version_ = 0;
 };
 
 }  // namespace skerry::server

@@ -27,7 +27,7 @@ constexpr int kOwnShipPeriods = 10;  // own ship once a second
 
 void add_formats(RadarHost& host, Cat240Source source) {
   for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
-    if (VideoChannel* channel = host.find_channel(radar, 0)) {
+    if (const VideoChannelPtr channel = host.find_channel(radar, 0)) {
       add_network_formats(
           *channel, {.sac = source.sac, .sic = static_cast<std::uint8_t>(source.sic + radar)});
     }
@@ -134,6 +134,7 @@ class NetServer::Impl {
     tick_.async_wait([this](error_code error) {
       if (error || closing_) return;
       context_.tell_settings();
+      context_.end_views(std::chrono::steady_clock::now());
       if (++ticks_ % kOwnShipPeriods == 0) context_.tell_own_ships();
       tick();
     });

@@ -15,6 +15,11 @@ void SpokeFeed::remove(FeedReader& reader) {
   if (readers_.empty()) registration_.reset();
 }
 
+void SpokeFeed::retire(std::unique_ptr<SpokeFeed> feed) {
+  asio::io_context& io = feed->io_;
+  asio::post(io, [feed = std::move(feed)] {});
+}
+
 void SpokeFeed::wake() {
   if (wake_posted_.exchange(true)) return;
   asio::post(io_, [this] {

@@ -4,10 +4,12 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/wire/wire_error.hpp"
-#include "server/core/video_channel.hpp"
+#include "server/core/radar_host.hpp"
 #include "server/net/asio.hpp"
 
 namespace skerry::server {
@@ -22,14 +24,19 @@ class FeedReader {
   virtual void on_sector() = 0;
   virtual void on_settings(const SharedBytes& /*frame*/) {}
   virtual void on_own_ship(const SharedBytes& /*frame*/) {}
+  virtual void on_world(const SharedBytes& /*frame*/) {}
 };
 
 // Wakes net-0 once per publish, and not once per reader: a publish while a wake-up is still posted
 // posts none.  The format is encoded only while there are readers.
-// Thread: net-0; destroy it only when its io_context runs no more.
+// Thread: net-0; destroy it only when its io_context runs no more, or with retire().
 class SpokeFeed {
  public:
-  SpokeFeed(asio::io_context& io, FormatRing& ring) : io_(io), ring_(ring) {}
+  SpokeFeed(asio::io_context& io, VideoChannelPtr channel, const std::string& format)
+      : io_(io), channel_(std::move(channel)), ring_(channel_->format(format)) {}
+
+  // Destroys a feed without readers behind the wake-ups of it that are still posted.
+  static void retire(std::unique_ptr<SpokeFeed> feed);
 
   // The reader's cursor begins at the next sector published.
   Cursor add(FeedReader& reader);
@@ -42,6 +49,7 @@ class SpokeFeed {
   void wake();  // radar thread
 
   asio::io_context& io_;
+  VideoChannelPtr channel_;
   FormatRing& ring_;
   std::vector<FeedReader*> readers_;
   std::atomic<bool> wake_posted_{false};

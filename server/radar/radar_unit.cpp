@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
@@ -18,6 +19,13 @@ namespace {
 // (as root or with CAP_SYS_NICE), and is an ordinary one where not.
 constexpr int kNiceness = -10;
 void go_before_others() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness); }
+
+// Half a second of sectors.
+std::size_t ring_sectors(const RadarConfig& config) {
+  const double sectors =
+      config.geometry.spokes_per_turn * config.set.rpm / 60.0 / RadarUnit::kSectorSpokes;
+  return static_cast<std::size_t>(std::max(8.0, std::ceil(0.5 * sectors)));
+}
 
 // How long a coast asked for may take before it is asked for again.
 constexpr Duration kPatience = std::chrono::seconds(5);
@@ -39,21 +47,24 @@ class Sleeper {
 }  // namespace
 
 RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast,
-                     VideoChannel& channel, std::size_t workers)
+                     Airwaves& airwaves, std::size_t workers)
     : config_(config),
       timeline_(timeline),
       coast_(coast),
-      channel_(channel),
+      airwaves_(airwaves),
       workers_(workers, go_before_others),
-      clock_(config.rpm, config.geometry.spokes_per_turn),
-      renderer_(config.set, config.geometry, clock_, config.radar,
+      clock_(config.set.rpm, config.geometry.spokes_per_turn),
+      renderer_(config.set, config.geometry, clock_, config.radar, config.controls.range_scale,
+                config.radar_controls,
                 [this](std::size_t count, const std::function<void(std::size_t)>& body) {
                   workers_.run(count, body);
                 }),
-      scenes_(config.own_ship, config.seed),
-      controls_(config.controls),
-      video_(std::size_t{kSectorSpokes} * config.geometry.cells) {
-  renderer_.set_controls(config.controls);
+      scenes_({config.own_ship, config.radar, config.set.band(), config.seed, config.obstructions,
+               config.blanked},
+              airwaves),
+      views_(config.controls, ring_sectors(config)),
+      radar_controls_(config.radar_controls) {
+  tell_airwaves(config.radar_controls, config.controls.range_scale);
 }
 
 void RadarUnit::start(const Epoch& epoch) {
@@ -99,10 +110,39 @@ void RadarUnit::look_after_coast(const WorldState& state, const echo::ViewContro
   coast_.ask(config_.radar, wish(own_ship, controls));
 }
 
-SectorPtr RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
-  echo::ViewControls controls = *controls_.get();
+void RadarUnit::tell_airwaves(const echo::RadarControls& controls, RangeScale range) {
+  Emission emission;
+  emission.own_ship = config_.own_ship;
+  emission.transmits = controls.transmit;
+  emission.emitter = emitter_of(config_.set, config_.set.pulse_for(range, controls.pulse),
+                                identity_of(config_.seed, Fixture::emitter, config_.radar));
+  airwaves_.set(config_.radar, emission);
+}
+
+void RadarUnit::look_after_views() {
+  auto views = views_.get();
+  if (views != rendered_) {
+    renderer_.keep_views([&](std::uint32_t number) {
+      return std::any_of(views->begin(), views->end(),
+                         [&](const RadarViewPtr& view) { return view->number == number; });
+    });
+    rendered_ = std::move(views);
+  }
+  for (const RadarViewPtr& view : *rendered_) {
+    echo::ViewControls controls = *view->controls.get();
+    if (view->number == 0 || shown_scale_.index() < controls.range_scale.index()) {
+      controls.range_scale = shown_scale_;
+    }
+    renderer_.set_view(view->number, controls);
+  }
+}
+
+bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch, std::vector<ViewSector>& out) {
+  out.clear();
+  const echo::RadarControls radar_controls = *radar_controls_.get();
+  echo::ViewControls controls = *views_.get()->front()->controls.get();
   const WorldStatePtr state = timeline_.at(clock_.time_of(first));
-  if (clock_.time_of(first) - state->time > 3 * World::kTick) return nullptr;
+  if (clock_.time_of(first) - state->time > 3 * World::kTick) return false;
   look_after_coast(*state, controls);
   const CoastInSightPtr coast = coast_.latest(config_.radar);
   // A longer range is shown when its coast is there, a moment after it was asked for.
@@ -111,40 +151,55 @@ SectorPtr RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
     controls.range_scale = shown_scale_;
   }
   shown_scale_ = controls.range_scale;
-  renderer_.set_controls(controls);
   coast_edges_.store(coast->picture->edge_count(), std::memory_order_relaxed);
-  renderer_.render(*scenes_.build(state, coast), first, kSectorSpokes, video_);
+  scan_.store(static_cast<std::uint32_t>(first / config_.geometry.spokes_per_turn),
+              std::memory_order_relaxed);
+  tell_airwaves(radar_controls, shown_scale_);
+  if (!radar_controls.transmit) return true;
 
+  renderer_.set_radar(shown_scale_, radar_controls);
+  look_after_views();
+  renderer_.render(*scenes_.build(state, coast), first, kSectorSpokes);
+  cut_spokes(first, epoch, *state, out);
+  return true;
+}
+
+void RadarUnit::cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldState& state,
+                           std::vector<ViewSector>& out) {
   const std::uint32_t cells = config_.geometry.cells;
-  const ShipState& own = state->own_ships[config_.own_ship];
-  auto sector = std::make_shared<Sector>();
-  sector->spokes.reserve(kSectorSpokes);
+  const ShipState& own = state.own_ships[config_.own_ship];
+  for (const RadarViewPtr& view : *rendered_) {
+    out.push_back({view, {}});
+    out.back().sector.spokes.reserve(kSectorSpokes);
+  }
   for (std::uint32_t k = 0; k < kSectorSpokes; ++k) {
     const std::uint64_t n = first + k;
-    auto spoke = std::make_shared<Spoke>();
-    SpokeHeader& header = spoke->header;
+    SpokeHeader header;
     header.radar = config_.radar;
-    header.sequence = sequence_++;
     header.scan = static_cast<std::uint32_t>(n / config_.geometry.spokes_per_turn);
     header.index = static_cast<std::uint32_t>(n % config_.geometry.spokes_per_turn);
     header.geometry = config_.geometry;
-    header.range_scale = controls.range_scale;
     header.scenario_time = clock_.time_of(n);
     header.utc = epoch.utc + header.scenario_time.time_since_epoch();
-    const Duration dt = header.scenario_time - state->time;
+    const Duration dt = header.scenario_time - state.time;
     header.heading =
         TrueBearing::from(degrees(own.heading_deg + own.rate_of_turn_deg_s * in_seconds(dt)));
     header.own_ship = position_at(own, dt).position;
-    spoke->cells.assign(video_.begin() + k * cells, video_.begin() + (k + 1) * cells);
-    sector->spokes.push_back(std::move(spoke));
+    for (ViewSector& part : out) {
+      header.view = part.view->number;
+      header.sequence = part.view->sequence++;
+      header.range_scale = renderer_.range_of(header.view);
+      const auto video = renderer_.video(header.view).subspan(std::size_t{k} * cells, cells);
+      part.sector.spokes.push_back(
+          std::make_shared<Spoke>(Spoke{header, {video.begin(), video.end()}}));
+    }
   }
-  scan_.store(sector->spokes.back()->header.scan, std::memory_order_relaxed);
-  return sector;
 }
 
 void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
   asked_after_ = nullptr;
   asked_scale_ = shown_scale_ = config_.controls.range_scale;
+  std::vector<ViewSector> sectors;
   Sleeper sleeper;
   double mean_ns = 0.0;
   const Duration sector_length = clock_.time_of(kSectorSpokes) - clock_.time_of(0);
@@ -157,13 +212,13 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
       sectors_skipped_.fetch_add(1, std::memory_order_relaxed);
       continue;
     }
-    const SectorPtr sector = make_sector(first, epoch);
-    if (!sector) {
+    if (!make_sector(first, epoch, sectors)) {
       sectors_skipped_.fetch_add(1, std::memory_order_relaxed);
       continue;
     }
+    if (sectors.empty()) continue;
     const auto made = std::chrono::steady_clock::now();
-    channel_.publish(*sector);
+    for (const ViewSector& part : sectors) part.view->channel.publish(part.sector);
 
     const Duration late = std::chrono::steady_clock::now() - end_of(first);
     if (late.count() > lateness_max_ns_.load(std::memory_order_relaxed)) {

@@ -1,4 +1,4 @@
-// RadarUnit: one antenna, its thread and its default view.
+// RadarUnit: one antenna, its thread and its views.
 #pragma once
 
 #include <atomic>
@@ -6,13 +6,15 @@
 #include <cstdint>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "echo/spoke_renderer.hpp"
 #include "server/core/latest.hpp"
-#include "server/core/video_channel.hpp"
 #include "server/core/worker_pool.hpp"
+#include "server/radar/airwaves.hpp"
 #include "server/radar/coast_service.hpp"
+#include "server/radar/radar_view.hpp"
 #include "server/radar/scene_builder.hpp"
+#include "server/radar/view_renderers.hpp"
 #include "server/world/timeline.hpp"
 
 namespace skerry::server {
@@ -23,8 +25,10 @@ struct RadarConfig {
   std::string name;
   echo::RadarSet set;
   ScanGeometry geometry;
-  double rpm = 24.0;
-  echo::ViewControls controls;
+  echo::ViewControls controls;         // of view 0, at the start
+  echo::RadarControls radar_controls;  // at the start
+  std::vector<echo::Obstruction> obstructions = {};
+  std::vector<echo::BlankedSector> blanked = {};
   std::uint64_t seed = 0;
 };
 
@@ -47,14 +51,17 @@ struct RadarCounters {
 // Turns the antenna by absolute deadlines: the sector of spokes n .. n+15 is made when the antenna
 // has passed it and is published at once.  A radar that falls behind by kGiveUp leaves sectors out
 // and counts them; it never hurries and never drifts.
+//
+// All views show what is on the air: view 0's range scale is the radar's, others show at most as
+// far.  In standby the antenna's clock goes on, and nothing is made nor sent.
 class RadarUnit {
  public:
   static constexpr std::uint32_t kSectorSpokes = 16;
   static constexpr std::chrono::milliseconds kGiveUp{250};
 
   // The references must outlive the unit.  `workers` threads help with each sector (0: none).
-  RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast,
-            VideoChannel& channel, std::size_t workers);
+  RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast, Airwaves& airwaves,
+            std::size_t workers);
   ~RadarUnit() { stop(); }
 
   // Once in a unit's life.
@@ -63,8 +70,15 @@ class RadarUnit {
 
   const RadarConfig& config() const { return config_; }
   // Thread: any.
-  echo::ViewControls controls() const { return *controls_.get(); }
-  void set_controls(const echo::ViewControls& controls) { controls_.set(controls); }
+  RadarViewList& views() { return views_; }
+  const RadarViewList& views() const { return views_; }
+  echo::RadarControls radar_controls() const { return *radar_controls_.get(); }
+  void set_radar_controls(const echo::RadarControls& controls) { radar_controls_.set(controls); }
+  // Of the controls at hand.
+  RangeScale range_on_air() const { return views_.get()->front()->controls.get()->range_scale; }
+  const echo::Pulse& pulse_on_air() const {
+    return config_.set.pulse_for(range_on_air(), radar_controls().pulse);
+  }
   RadarCounters counters() const;
 
   // What the unit asks of the coast for those controls at that place.
@@ -72,22 +86,31 @@ class RadarUnit {
 
  private:
   void run(const std::stop_token& stop, const Epoch& epoch);
-  // nullptr where the world is too far behind to be shown.
-  SectorPtr make_sector(std::uint64_t first, const Epoch& epoch);
+  struct ViewSector {
+    RadarViewPtr view;
+    Sector sector;
+  };
+  // The sector of every view, none in standby.  False: the world is too far behind to be shown.
+  bool make_sector(std::uint64_t first, const Epoch& epoch, std::vector<ViewSector>& out);
+  void cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldState& state,
+                  std::vector<ViewSector>& out);
   void look_after_coast(const WorldState& state, const echo::ViewControls& controls);
+  // Brings the renderer's views in line with those that there are.
+  void look_after_views();
+  void tell_airwaves(const echo::RadarControls& controls, RangeScale range);
 
   RadarConfig config_;
   Timeline& timeline_;
   CoastService& coast_;
-  VideoChannel& channel_;
+  Airwaves& airwaves_;
   WorkerPool workers_;
   echo::SpokeClock clock_;
-  echo::SpokeRenderer renderer_;
+  ViewRenderers renderer_;
   SceneBuilder scenes_;
-  Latest<echo::ViewControls> controls_;
-  std::vector<std::uint8_t> video_;
-  std::uint64_t sequence_ = 0;
-  CoastInSightPtr asked_after_;  // what was there at the last wish
+  RadarViewList views_;
+  Latest<echo::RadarControls> radar_controls_;
+  std::shared_ptr<const RadarViews> rendered_;  // the views the renderer has
+  CoastInSightPtr asked_after_;                 // what was there at the last wish
   RangeScale asked_scale_;
   ScenarioTime asked_at_;
   RangeScale shown_scale_;  // of the last sector

@@ -3,93 +3,152 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/returns/coast_crossings.hpp"
+#include "server/radar/scene_drift.hpp"
 
 namespace skerry::server {
 namespace {
 
 // A scene is used for one tick and the half beam ahead of it, well within this.
 constexpr double kSceneLife = 0.5;  // seconds
+constexpr double kRoughestSea = 6.0;
+constexpr double kDuctReach = 150.0 * 1852.0;
+constexpr double kEmitterReach = 60.0 * 1852.0;
+constexpr double kEmitterScaleNm = 12.0;  // the range scale on which targets have their radars
 
 double length_of(PlanePoint v) { return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m); }
 
-PlanePoint velocity_of(const ShipState& ship, double true_north_deg) {
-  const echo::SinCos course = echo::sin_cos_degrees(ship.course_over_ground_deg + true_north_deg);
-  return {ship.speed_mps * course.sin, ship.speed_mps * course.cos};
-}
-
-echo::Hull hull_of(const ShipState& ship, std::uint64_t identity, const echo::LocalPlane& plane) {
-  const double north = plane.true_north_degrees(ship.position);
-  return {plane.to_plane(ship.position),
-          velocity_of(ship, north),
-          ship.heading_deg + north,
-          ship.rate_of_turn_deg_s,
-          ship.length_m,
-          ship.beam_m,
-          ship.height_m,
-          identity};
+PlanePoint velocity_of(const ShipState& ship, const echo::LocalPlane& plane) {
+  return velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.speed_mps);
 }
 
 }  // namespace
 
-echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSightPtr& coast) {
-  if (scene_ && state == state_ && coast == coast_) return scene_;
-  const ShipState& own = state->own_ships[own_ship_];
-  auto scene = std::make_shared<echo::Scene>();
-  scene->time = state->time;
-  scene->seed = seed_;
-  const echo::CoastPicture& picture = *coast->picture;
-  scene->coast = coast->picture;
-  scene->own_ship_geo = own.position;
-  scene->own_ship = picture.plane.to_plane(own.position);
-  scene->true_north_deg = picture.plane.true_north_degrees(own.position);
-  scene->own_velocity = velocity_of(own, scene->true_north_deg);
-  scene->heading_deg = own.heading_deg;
-  scene->water_level_m = state->water_level_m;
-  scene->wave_height_m = state->wave_height_m;
-  scene->turn_rate_deg_s = own.rate_of_turn_deg_s;
+SceneBuilder::Reach SceneBuilder::reach_of(const WorldState& state, double range_m) {
+  const Environment& environment = *state.environment;
+  const double echoes = 2.0 * range_m + 1000.0;
+  if (environment.atmosphere.ducting <= 0.0) return {echoes, kEmitterReach};
+  return {environment.artefacts.second_trace ? std::max(echoes, kDuctReach) : echoes, kDuctReach};
+}
 
-  const PlanePoint later = scene->own_ship + scene->own_velocity * kSceneLife;
+void SceneBuilder::lay_own_ship(const WorldState& state, const echo::LocalPlane& plane,
+                                echo::Scene& scene) const {
+  const ShipState& own = state.own_ships[role_.own_ship];
+  scene.own_ship_geo = own.position;
+  scene.own_ship = plane.to_plane(own.position);
+  scene.true_north_deg = plane.true_north_degrees(own.position);
+  scene.own_velocity = velocity_of(own, plane);
+  scene.heading_deg = own.heading_deg;
+  scene.turn_rate_deg_s = own.rate_of_turn_deg_s;
+  scene.own_hull = {own.length_m, own.beam_m};
+  scene.obstructions = role_.obstructions;
+  scene.blanked = role_.blanked;
+  const scenario::ShipMotion& motion =
+      state.scenario->own_ships(static_cast<int>(role_.own_ship)).motion();
+  const double part = std::min(state.environment->sea.state / kRoughestSea, 1.0);
+  scene.motion = {motion.roll_deg() * part, motion.roll_period_s(), motion.pitch_deg() * part,
+                  motion.pitch_period_s()};
+}
+
+void SceneBuilder::find_coast(const CoastInSightPtr& coast, echo::Scene& scene) {
+  const echo::CoastPicture& picture = *coast->picture;
+  scene.coast = coast->picture;
+  const PlanePoint later = scene.own_ship + scene.own_velocity * kSceneLife;
   const auto serves = [&](const echo::PolarIndex& index) {
-    return index.serves(scene->own_ship) && index.serves(later);
+    return index.serves(scene.own_ship) && index.serves(later);
   };
   if (coast != coast_) own_index_ = nullptr;
-  scene->index = own_index_ ? own_index_ : coast->index;
-  scene->structure_index = own_index_ ? own_structure_index_ : coast->structure_index;
-  if (!serves(*scene->index)) {
-    const double slack = index_slack_for(picture.range_m, length_of(scene->own_velocity));
-    own_index_ = std::make_shared<const echo::PolarIndex>(picture, scene->own_ship, slack);
-    own_structure_index_ = structures_in_sight(picture, scene->own_ship, slack);
-    scene->index = own_index_;
-    scene->structure_index = own_structure_index_;
+  scene.index = own_index_ ? own_index_ : coast->index;
+  scene.structure_index = own_index_ ? own_structure_index_ : coast->structure_index;
+  if (!serves(*scene.index)) {
+    const double slack = index_slack_for(picture.range_m, length_of(scene.own_velocity));
+    own_index_ = std::make_shared<const echo::PolarIndex>(picture, scene.own_ship, slack);
+    own_structure_index_ = structures_in_sight(picture, scene.own_ship, slack);
+    scene.index = own_index_;
+    scene.structure_index = own_structure_index_;
   }
+  scene.ashore = echo::is_ashore(picture, *scene.index, scene.own_ship);
+}
 
-  scene->ashore = echo::is_ashore(picture, *scene->index, scene->own_ship);
-
+void SceneBuilder::lay_ships(const WorldState& state, const echo::LocalPlane& plane,
+                             const Reach& reach, echo::Scene& scene) const {
   // Identities count targets first, so that a ship keeps hers whoever looks.
-  std::uint64_t identity = echo::mixed(seed_, 0x5817);
-  const auto add = [&](const ShipState& ship) {
-    // Out of reach of any radar, and of the plane.
-    const double apart_deg = std::fabs(ship.position.latitude_deg - own.position.latitude_deg);
-    const std::uint64_t mine = identity++;
-    if (apart_deg > 3.0) return;
-    const echo::Hull hull = hull_of(ship, mine, picture.plane);
-    if (length_of(hull.centre - scene->own_ship) < 2.0 * picture.range_m + 1000.0) {
-      scene->hulls.push_back(hull);
-    }
+  const std::uint64_t first = echo::mixed(role_.seed, 0x5817);
+  const auto add = [&](const ShipState& ship, std::uint64_t number) {
+    if (!in_plane(plane, ship.position)) return;
+    const double north = plane.true_north_degrees(ship.position);
+    echo::Hull hull;
+    hull.centre = plane.to_plane(ship.position);
+    if (length_of(hull.centre - scene.own_ship) >= reach.echoes_m) return;
+    hull.velocity = velocity_of(ship, plane);
+    hull.heading_deg = ship.heading_deg + north;
+    hull.turn_rate_deg_s = ship.rate_of_turn_deg_s;
+    hull.length_m = ship.length_m;
+    hull.beam_m = ship.beam_m;
+    hull.height_m = ship.height_m;
+    hull.identity = first + number;
+    hull.cross_section_m2 = ship.cross_section_m2;
+    hull.wake = ship.wake;
+    scene.hulls.push_back(hull);
   };
-  for (const ShipState& ship : state->targets) add(ship);
-  for (std::size_t i = 0; i < state->own_ships.size(); ++i) {
-    if (i == own_ship_) {
-      ++identity;
-    } else {
-      add(state->own_ships[i]);
-    }
+  const auto targets = static_cast<std::uint64_t>(state.scenario->targets_size());
+  for (const ShipState& ship : state.targets) add(ship, ship.number);
+  for (const ShipState& ship : state.own_ships) {
+    if (ship.number != role_.own_ship) add(ship, targets + ship.number);
   }
+}
+
+void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emission>& emissions,
+                                const echo::LocalPlane& plane, const Reach& reach,
+                                echo::Scene& scene) const {
+  const auto band_of = [](double hz) { return hz < 6e9 ? echo::Band::s : echo::Band::x; };
+  const auto add = [&](echo::Emitter emitter, const ShipState& ship) {
+    if (band_of(emitter.frequency_hz) != role_.band || !in_plane(plane, ship.position)) return;
+    emitter.place = plane.to_plane(ship.position);
+    if (length_of(emitter.place - scene.own_ship) > reach.emitters_m) return;
+    emitter.velocity = velocity_of(ship, plane);
+    // Antennas turn from the bow on; her turning since is no more than an offset.
+    emitter.bearing_deg += ship.heading_deg + plane.true_north_degrees(ship.position);
+    scene.emitters.push_back(emitter);
+  };
+  for (const Emission& emission : emissions) {
+    if (!emission.transmits || emission.own_ship == role_.own_ship) continue;
+    add(emission.emitter, state.own_ships[emission.own_ship]);
+  }
+  for (const ShipState& ship : state.targets) {
+    if (ship.radar == nullptr) continue;
+    echo::Emitter emitter =
+        emitter_of(*ship.radar, ship.radar->pulse_for(*RangeScale::find(kEmitterScaleNm)),
+                   identity_of(role_.seed, Fixture::emitter, kFirstTargetEmitter + ship.number));
+    // Not all of them at the bow at once.
+    emitter.bearing_deg = static_cast<double>(emitter.identity % 360u);
+    add(emitter, ship);
+  }
+}
+
+echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSightPtr& coast) {
+  const EmissionsPtr emissions = airwaves_.get();
+  if (scene_ && state == state_ && coast == coast_ && emissions == emissions_) return scene_;
+  const echo::LocalPlane& plane = coast->picture->plane;
+  if (!fixtures_ || !(fixtures_anchor_ == plane.anchor())) {
+    fixtures_.emplace(*state->scenario, role_.seed, plane);
+    fixtures_anchor_ = plane.anchor();
+  }
+  auto scene = std::make_shared<echo::Scene>();
+  scene->time = state->time;
+  scene->seed = role_.seed;
+  const Reach reach = reach_of(*state, coast->picture->range_m);
+  lay_own_ship(*state, plane, *scene);
+  find_coast(coast, *scene);
+  lay_weather(*state, plane, reach.echoes_m, role_.seed, *scene);
+  lay_ships(*state, plane, reach, *scene);
+  fixtures_->add_to(*scene, reach.echoes_m);
+  lay_drifting(*state, plane, reach.echoes_m, role_.seed, *scene);
+  lay_emitters(*state, *emissions, plane, reach, *scene);
   state_ = state;
   coast_ = coast;
+  emissions_ = emissions;
   scene_ = std::move(scene);
   return scene_;
 }

@@ -37,6 +37,7 @@ OwnShip::OwnShip(const scenario::OwnShip& ship, Duration tick)
   state_.length_m = ship.length_m();
   state_.beam_m = ship.beam_m();
   state_.height_m = ship.height_m();
+  state_.wake = ship.wake();
   begin_tick();
 }
 

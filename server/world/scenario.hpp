@@ -8,16 +8,30 @@
 namespace skerry::server {
 
 inline constexpr int kMaxOwnShips = 64;
-inline constexpr int kMaxRadars = 64;  // of all own ships together
-inline constexpr int kMaxTargets = 1000;
+inline constexpr int kMaxRadars = 64;          // of all own ships together
+inline constexpr int kMaxTargets = 1000;       // ships
+inline constexpr int kMaxSmallTargets = 4000;  // buoys, craft, markers, reflectors
+inline constexpr int kMaxEmitters = 64;        // ships with a radar of their own
+inline constexpr int kMaxRainCells = 64;
+inline constexpr int kMaxWindTurbines = 1000;
+inline constexpr int kMaxCables = 200;
+inline constexpr int kMaxRacons = 200;
+inline constexpr int kMaxSarts = 64;
+inline constexpr int kMaxPulses = 8;  // of a radar
+inline constexpr int kMaxObstructions = 16;
+inline constexpr int kMaxBlankedSectors = 8;
 inline constexpr int kMaxWaypoints = 1000;  // of a target
 inline constexpr int kMaxCoastPlaces = 1000;
 
 // The scenario of a YAML file, defaults filled in.  Beyond the schema it must hold that
-// - there are no more ships, radars and waypoints than the limits above, and at least one radar;
+// - there is no more of anything than the limits above, and at least one radar;
 // - own ships differ in name, and so do all radars; a radar without a name is called after its ship
 //   and its number aboard: "Frida 1";
+// - a radar's set is a shipped one and, as altered, passes its checks (radar_sets.hpp);
 // - no ship is broader than long;
+// - a target has only keys of its kind; a reflector stands still;
+// - a racon's code is 1 to 4 letters, it is on for at most its period and on one band or both;
+// - a cable is 1 m to 20 km long;
 // - a target with waypoints has a speed, no course, and legs of 1 m to 5000 NM.
 // Whether anything lies ashore is not looked at.
 // Error: ConfigError naming file, line, column, key, value and what is allowed.

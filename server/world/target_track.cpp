@@ -8,7 +8,7 @@
 
 namespace skerry::server {
 
-TargetTrack::TargetTrack(const scenario::TargetShip& target) {
+TargetTrack::TargetTrack(const scenario::Target& target) {
   start_.name = target.name();
   start_.position = geo_point(target.position());
   start_.heading_deg = wrapped_course(target.course_deg());
@@ -17,6 +17,9 @@ TargetTrack::TargetTrack(const scenario::TargetShip& target) {
   start_.length_m = target.length_m();
   start_.beam_m = target.beam_m();
   start_.height_m = target.height_m();
+  start_.cross_section_m2 = target.cross_section_m2();
+  start_.wake = target.wake();
+  start_.sart = target.sart();
 
   GeoPoint from = start_.position;
   double way_m = 0.0;

@@ -18,7 +18,7 @@ namespace skerry::server {
 class TargetTrack {
  public:
   // Requires what load_scenario() checks.
-  explicit TargetTrack(const scenario::TargetShip& target);
+  explicit TargetTrack(const scenario::Target& target);
 
   // The target `since_start` after scenario time 0; before it, she lies at her start.
   ShipState at(Duration since_start) const;

@@ -45,4 +45,15 @@ std::uint64_t Timeline::order(std::size_t own_ship, std::optional<double> course
   return world_.tick() + 1;
 }
 
+EnvironmentPtr Timeline::environment() const {
+  const std::lock_guard lock(mutex_);
+  return world_.environment();
+}
+
+std::uint64_t Timeline::set_environment(Environment environment) {
+  const std::lock_guard lock(mutex_);
+  world_.set_environment(std::move(environment));
+  return world_.tick() + 1;
+}
+
 }  // namespace skerry::server

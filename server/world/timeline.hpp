@@ -38,6 +38,12 @@ class Timeline {
   std::uint64_t order(std::size_t own_ship, std::optional<double> course_deg,
                       std::optional<double> speed_kn);
 
+  // In force from the next tick not yet made on, whose number is returned.  Requires what
+  // World::set_environment() does.  Whoever changes what environment() gives must keep others from
+  // doing so meanwhile.
+  EnvironmentPtr environment() const;
+  std::uint64_t set_environment(Environment environment);
+
  private:
   void make_up_to(std::uint64_t tick);
 

@@ -7,7 +7,9 @@
 #include <numbers>
 #include <ratio>
 #include <stdexcept>
+#include <utility>
 
+#include "server/world/radar_sets.hpp"
 #include "server/world/ship_units.hpp"
 
 namespace skerry::server {
@@ -17,9 +19,33 @@ constexpr double kTideHours = 12.4206;  // principal lunar semidiurnal, M2
 
 }  // namespace
 
-World::World(const scenario::Scenario& scenario) : sea_(scenario.sea()) {
+World::World(const scenario::Scenario& scenario)
+    : scenario_(std::make_shared<const scenario::Scenario>(scenario)),
+      environment_(std::make_shared<const Environment>(environment_of(scenario))) {
   for (const scenario::OwnShip& ship : scenario.own_ships()) own_ships_.emplace_back(ship, kTick);
-  for (const scenario::TargetShip& target : scenario.targets()) targets_.emplace_back(target);
+  for (int i = 0; i < scenario.targets_size(); ++i) {
+    const scenario::Target& target = scenario.targets(i);
+    const auto number = static_cast<std::size_t>(i);
+    if (target.kind() == scenario::Target::ship) {
+      RadarSetPtr radar;
+      if (target.has_radar()) {
+        radar = std::make_shared<const echo::RadarSet>(*shipped_set(target.radar()));
+      }
+      ships_.push_back({TargetTrack(target), number, std::move(radar)});
+    } else if (target.speed_kn() > 0.0) {
+      adrift_.push_back({TargetTrack(target), number, nullptr});
+    }
+    if (target.sart() && target.kind() != scenario::Target::ship) {
+      sarts_.push_back({TargetTrack(target), target.height_m()});
+    }
+  }
+  for (const scenario::Sart& sart : scenario.sarts()) {
+    scenario::Target raft;
+    *raft.mutable_position() = sart.position();
+    raft.set_course_deg(sart.course_deg());
+    raft.set_speed_kn(sart.speed_kn());
+    sarts_.push_back({TargetTrack(raft), sart.height_m()});
+  }
 }
 
 WorldState World::state() const {
@@ -27,14 +53,38 @@ WorldState World::state() const {
   WorldState state;
   state.time = ScenarioTime(since_start);
   state.own_ships.reserve(own_ships_.size());
-  state.targets.reserve(targets_.size());
-  for (const OwnShip& ship : own_ships_) state.own_ships.push_back(ship.state());
-  for (const TargetTrack& target : targets_) state.targets.push_back(target.at(since_start));
+  state.targets.reserve(ships_.size());
+  for (const OwnShip& ship : own_ships_) {
+    state.own_ships.push_back(ship.state());
+    state.own_ships.back().number = state.own_ships.size() - 1;
+  }
+  for (const Track& ship : ships_) {
+    state.targets.push_back(ship.way.at(since_start));
+    state.targets.back().number = ship.number;
+    state.targets.back().radar = ship.radar;
+  }
+  for (const Track& small : adrift_) {
+    const ShipState at = small.way.at(since_start);
+    state.adrift.push_back({small.number, at.position, at.course_over_ground_deg, at.speed_mps});
+  }
+  for (const Drift& sart : sarts_) {
+    const ShipState at = sart.way.at(since_start);
+    state.sarts.push_back({at.position, at.course_over_ground_deg, at.speed_mps, sart.height_m});
+  }
+  const scenario::Sea& sea = scenario_->sea();
   const double hours = std::chrono::duration<double, std::ratio<3600>>(since_start).count();
-  const double phase = 2.0 * std::numbers::pi * (hours - sea_.high_water_h()) / kTideHours;
-  state.water_level_m = -0.5 * sea_.tide_range_m() * (1.0 - std::cos(phase));
-  state.wave_height_m = sea_.wave_height_m();
+  const double phase = 2.0 * std::numbers::pi * (hours - sea.high_water_h()) / kTideHours;
+  state.water_level_m = -0.5 * sea.tide_range_m() * (1.0 - std::cos(phase));
+  state.environment = environment_;
+  for (const RainCloud& cloud : environment_->rain) {
+    state.rain.push_back({&cloud, place_of(cloud, state.time)});
+  }
+  state.scenario = scenario_;
   return state;
+}
+
+void World::set_environment(Environment environment) {
+  environment_ = std::make_shared<const Environment>(std::move(environment));
 }
 
 void World::step() {

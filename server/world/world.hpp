@@ -1,4 +1,4 @@
-// World: all ships of a scenario, tick by tick.
+// World: all that a scenario holds, tick by tick.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,9 @@
 
 namespace skerry::server {
 
-// Tick k is at scenario time k * kTick, and a pure function of the scenario, of the orders and of
-// the ticks at which they were given: two runs on one machine agree bit for bit.
+// Tick k is at scenario time k * kTick, and a pure function of the scenario, of the orders and
+// changes of the environment, and of the ticks at which they were given: two runs on one machine
+// agree bit for bit.
 // Thread: one at a time; Timeline shares it.
 class World {
  public:
@@ -29,7 +30,8 @@ class World {
   std::uint64_t tick() const { return tick_; }
   std::size_t own_ship_count() const { return own_ships_.size(); }
   WorldState state() const;
-  // Cost: about 1 us per own ship; targets cost nothing before state().
+  // Cost: about 1 us per own ship; targets cost nothing before state(), and there about 1 us for
+  // each that makes way.
   void step();
 
   // Takes effect with the next tick; what is not given stays as ordered.
@@ -38,11 +40,27 @@ class World {
   void order(std::size_t own_ship, std::optional<double> course_deg,
              std::optional<double> speed_kn);
 
+  // In force from the present tick on.  Requires values within the ranges of scenario.proto.
+  EnvironmentPtr environment() const { return environment_; }
+  void set_environment(Environment environment);
+
  private:
+  struct Track {
+    TargetTrack way;
+    std::size_t number;
+    RadarSetPtr radar;
+  };
+  struct Drift {
+    TargetTrack way;
+    double height_m;
+  };
   std::uint64_t tick_ = 0;
   std::vector<OwnShip> own_ships_;
-  std::vector<TargetTrack> targets_;
-  scenario::Sea sea_;
+  std::shared_ptr<const scenario::Scenario> scenario_;
+  std::vector<Track> ships_;   // among the targets
+  std::vector<Track> adrift_;  // small targets that make way
+  std::vector<Drift> sarts_;
+  EnvironmentPtr environment_;
 };
 
 }  // namespace skerry::server

@@ -1,14 +1,19 @@
-// WorldState: where every ship is and how it moves, at one instant.
+// WorldState: where everything is and how it moves, at one instant.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "echo/radar/radar_set.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
+#include "server/world/environment.hpp"
+#include "server/world/scenario.pb.h"
 
 namespace skerry::server {
+
+using RadarSetPtr = std::shared_ptr<const echo::RadarSet>;
 
 // Motion is straight or a steady turn from `time` of the WorldState on: good for one tick.
 struct ShipState {
@@ -22,15 +27,48 @@ struct ShipState {
   double ordered_speed_mps = 0.0;
   double length_m = 0.0;
   double beam_m = 0.0;
-  double height_m = 0.0;  // of the echoing hull and superstructure above the water
+  double height_m = 0.0;          // of the echoing hull and superstructure above the water
+  double cross_section_m2 = 0.0;  // median at X band, bow aspect; 0: from her size
+  bool wake = false;
+  bool sart = false;            // carries one that is on
+  std::size_t number = 0;       // in the scenario's list of own ships or targets
+  RadarSetPtr radar = nullptr;  // of a target that has one on, else null
+};
+
+// A target other than a ship: smaller than a radar can resolve.
+struct SmallTargetState {
+  std::size_t number = 0;  // in the scenario's list of targets
+  GeoPoint position;
+  double course_over_ground_deg = 0.0;  // true
+  double speed_mps = 0.0;
+};
+
+struct SartState {
+  GeoPoint position;
+  double course_over_ground_deg = 0.0;  // true
+  double speed_mps = 0.0;
+  double height_m = 1.0;
+};
+
+// A rain cell where it is now.
+struct RainState {
+  const RainCloud* cloud;  // of the state's environment
+  GeoPoint centre;
 };
 
 struct WorldState {
   ScenarioTime time{};
   std::vector<ShipState> own_ships;
-  std::vector<ShipState> targets;
-  double water_level_m = 0.0;  // over the charted coastline, 0 or less
-  double wave_height_m = 0.0;  // significant
+  std::vector<ShipState> targets;  // the ships among them
+  double water_level_m = 0.0;      // over the charted coastline, 0 or less
+
+  EnvironmentPtr environment;  // never null
+  std::vector<RainState> rain;
+  std::vector<SmallTargetState> adrift;  // small targets that make way
+  std::vector<SartState> sarts;          // not those that ships carry
+  // What neither moves nor changes: small targets without way, turbines, cables, racons are read
+  // from here.  Never null.
+  std::shared_ptr<const scenario::Scenario> scenario;
 };
 using WorldStatePtr = std::shared_ptr<const WorldState>;
 

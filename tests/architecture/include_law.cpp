@@ -70,7 +70,9 @@ const std::vector<Room>& table() {
       // The server: radar and net do not know each other, app joins them.
       {"server/core", {"protocol/"}},
       {"server/config", {"protocol/"}},
-      {"server/world", {"protocol/", "server/config/"}},
+      {"server/world",
+       {"protocol/", "server/config/", "echo/radar/", "echo/scene/artefacts.hpp",
+        "echo/scene/weather.hpp"}},
       {"server/radar", {"protocol/", "echo/", "server/core/", "server/world/"}},
       {"server/net", {"protocol/", "server/core/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},

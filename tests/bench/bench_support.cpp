@@ -3,8 +3,12 @@
 #include <ctime>
 #include <stdexcept>
 
+#include "echo/receiver/log_video.hpp"
+
 namespace skerry::bench {
 namespace {
+
+constexpr double kStepsPerDb = 256.0 / echo::kLogVideoDb;
 
 void set_up(benchmark::internal::Benchmark* registered, benchmark::TimeUnit unit,
             bool manual_time) {
@@ -40,13 +44,17 @@ double thread_seconds() {
 }
 
 Floor::Floor(std::uint32_t cells) : power_(cells, 0.0f), offset_(cells), video_(cells) {
-  const echo::Receiver receiver({4096, cells, 8}, {});
-  offset_.assign(receiver.offsets().begin(), receiver.offsets().end());
+  const double cell_m = ScanGeometry{4096, cells, 8}.cell_size(RangeScale{}).in_metres();
+  for (std::uint32_t i = 0; i < cells; ++i) {
+    offset_[i] = static_cast<float>(
+        -kStepsPerDb * (echo::threshold_db(50.0) + echo::stc_db(20.0, (i + 0.5) * cell_m)));
+  }
 }
 
 void Floor::run() {
-  static const echo::QuantiserScale scale = echo::Receiver({}, {}).scale();
-  echo::detect_and_quantise(power_, offset_, echo::noise_key(1, 0, 0, spoke_++), scale, video_);
+  constexpr echo::QuantiserScale kScale{static_cast<float>(kStepsPerDb * echo::kDecibelsPerOctave),
+                                        255.0f};
+  echo::detect_and_quantise(power_, offset_, echo::noise_key(1, 0, 0, spoke_++), kScale, video_);
   benchmark::DoNotOptimize(video_.data());
   benchmark::ClobberMemory();
 }

@@ -83,13 +83,18 @@ void bench_relief_noise(benchmark::State& state) {
 }
 
 void bench_receiver(benchmark::State& state, double rain) {
-  const echo::Receiver receiver({4096, kCells, 8}, {*RangeScale::find(6.0), 50.0, 20.0, rain});
+  echo::ViewControls controls;
+  controls.range_scale = *RangeScale::find(6.0);
+  controls.rain = rain;
+  const echo::RadarModel model =
+      echo::radar_model({}, {4096, kCells, 8}, controls.range_scale, {24.0, 4096}, 0);
+  echo::ViewReceiver receiver(model, controls);
   const std::vector<float> power = busy_row(kCells);
   std::vector<std::uint8_t> video(kCells);
-  std::uint32_t spoke = 0;
+  std::uint64_t spoke = 0;
   Meter meter(state, kCells);
   for (auto _ : state) {
-    receiver.receive(power, echo::noise_key(1, 0, 0, spoke++), video);
+    receiver.receive(power, kCells, spoke++, 1, 1, echo::serial_for, video);
     benchmark::DoNotOptimize(video.data());
     benchmark::ClobberMemory();
   }

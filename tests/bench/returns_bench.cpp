@@ -1,11 +1,8 @@
 // What one ray brings back: all rays of a turn are one iteration, and ns/cell is per cell of a ray.
 // These scenes have one ray per spoke.
-#include <algorithm>
-
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/returns/land_returns.hpp"
-#include "echo/targets/hull_returns.hpp"
 #include "protocol/quantity/bearing.hpp"
 #include "tests/bench/bench_support.hpp"
 
@@ -73,43 +70,14 @@ void bench_add_land(benchmark::State& state, const NamedScene& named) {
   state.SetLabel(rays_label(model));
 }
 
-// As the rays of a turn see the ships: chosen once per sector, cut into points once per ray.
-void bench_hulls(benchmark::State& state, const NamedScene& named) {
-  constexpr std::uint32_t kSector = 32;
-  const echo::RayModel model = ray_model_of(named);
-  const echo::Scene& scene = *named.scene;
-  std::vector<echo::Scatterer> scatterers;
-  std::size_t looked_at = 0;
-  Meter meter(state, cells_per_turn(model));
-  for (auto _ : state) {
-    echo::HullsInSight hulls;
-    looked_at = 0;
-    for (std::uint32_t ray = 0; ray < model.rays_per_turn; ++ray) {
-      if (ray % kSector == 0) hulls = echo::hulls_in_sight(scene, 0.1, 0.02, model);
-      for (const echo::HullsInSight::Entry& entry : hulls.entries) {
-        const std::uint32_t off = ray_units(ray, model) - entry.middle_units;
-        if (std::min(off, 0u - off) > entry.reach_units) continue;
-        echo::scatterers_of(scene.hulls[entry.hull], scene.own_ship, 0.1,
-                            model.set.antenna_height_m, model.set.frequency_hz, 0.5 * model.cell_m,
-                            scatterers);
-        benchmark::DoNotOptimize(scatterers.data());
-        ++looked_at;
-      }
-    }
-  }
-  meter.stop();
-  state.SetLabel(rays_label(model) + " " + std::to_string(looked_at) + " hulls looked at");
-}
-
 void bench_ray_returns(benchmark::State& state, const NamedScene& named) {
   const echo::RayModel model = ray_model_of(named);
-  const echo::HullsInSight hulls = echo::hulls_in_sight(*named.scene, 0.1, 0.02, model);
   echo::RayScratch scratch;
   std::vector<float> power(model.cells);
   Meter meter(state, cells_per_turn(model));
   for (auto _ : state) {
     for (std::uint32_t ray = 0; ray < model.rays_per_turn; ++ray) {
-      echo::ray_returns(*named.scene, hulls, model, ray_units(ray, model), 0.1, scratch, power);
+      echo::ray_returns(*named.scene, model, ray_units(ray, model), 0.1, scratch, power);
       benchmark::DoNotOptimize(power.data());
     }
   }
@@ -127,12 +95,10 @@ void register_returns() {
       return [bench, &named](benchmark::State& state) { bench(state, named); };
     };
     const bool land = named.scene->coast->edge_count() > 0;
-    const bool ships = !named.scene->hulls.empty();
     if (land) {
       register_once("find_crossings+land_along/" + named.name, on(bench_crossings), kMs);
       register_per_isa("add_land/" + named.name, on(bench_add_land), kMs);
     }
-    if (ships) register_once("hulls/" + named.name, on(bench_hulls), kMs);
     register_per_isa("ray_returns/" + named.name, on(bench_ray_returns), kMs);
   }
 }

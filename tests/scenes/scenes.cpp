@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/returns/coast_crossings.hpp"
 
 namespace skerry::scenes {
 

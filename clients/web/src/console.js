@@ -7,7 +7,7 @@ import { NAUTICAL_MILE_M } from './view_geometry.js';
 const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
-  // events: hello(hello), settings(settings), reply(reply, text, refused).
+  // events: hello(hello), settings(settings), world(world), reply(reply, text, refused).
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -33,6 +33,7 @@ export class RadarConsole {
     this.lastSpokeS = -Infinity;
     this.ownShip = null;
     this.settings = null;
+    this.world = null;
   }
 
   takeAll(messages, nowS) {
@@ -41,6 +42,7 @@ export class RadarConsole {
       else if (message.hello) this.#takeHello(message.hello);
       else if (message.settings) this.#takeSettings(message.settings);
       else if (message.ownShip && message.ownShip.radar === this.radar) this.ownShip = message.ownShip;
+      else if (message.world) { this.world = message.world; this.events.world(message.world); }
       else if (message.reply) this.#takeReply(message.reply);
     }
   }
@@ -58,6 +60,18 @@ export class RadarConsole {
     this.lastSpokeS = nowS;
   }
 
+  #goDark() {
+    this.store.clear();
+    this.scans.reset();
+    this.spokeRate.clear();
+    this.turnRate.clear();
+    this.lastSpokeS = -Infinity;
+  }
+
+  get inStandby() {
+    return this.settings?.standby === true;
+  }
+
   #takeHello(hello) {
     this.hello = hello;
     if (!hello.radars.some((r) => r.radar === this.radar) && hello.radars.length > 0) {
@@ -68,6 +82,8 @@ export class RadarConsole {
 
   #takeSettings(settings) {
     if (settings.radar !== this.radar || settings.view !== this.view) return;
+    // What was seen before standby is no picture of now.
+    if (settings.standby && !this.settings?.standby) this.#goDark();
     this.settings = settings;
     this.events.settings(settings);
   }

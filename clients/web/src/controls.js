@@ -1,6 +1,5 @@
 // Controls: the panel's elements and the keys, joined to what they do.
-import { SharedSetting } from './shared_setting.js';
-import { rangeNm as formatRange } from './format.js';
+import { showSlider } from './receiver_controls.js';
 
 export const $ = (id) => document.getElementById(id);
 
@@ -28,80 +27,6 @@ export class PictureSettings {
     } catch {
       // A browser that keeps nothing still shows a picture.
     }
-  }
-}
-
-function showSlider(slider, value) {
-  slider.value = value;
-  slider.style.setProperty('--part', `${value}%`);
-}
-
-// The receiver's settings and range: shared with every console on the same view.
-// set(values): sends them, and returns the request number or null.
-export class ReceiverControls {
-  constructor(set) {
-    this.set = set;
-    this.scales = [];
-    this.pending = new Map();  // request -> SharedSetting
-    this.settings = {};
-    for (const name of ['gain', 'sea', 'rain']) this.settings[name] = this.#slider(name);
-    const select = $('range');
-    this.settings.rangeNm = new SharedSetting((value) => this.#send('rangeNm', value), (value, pending) => {
-      select.value = String(value);
-      select.classList.toggle('pending', pending);
-      $('range-less').disabled = this.scales.indexOf(value) === 0;
-      $('range-more').disabled = this.scales.indexOf(value) === this.scales.length - 1;
-    });
-    select.addEventListener('change', () => this.settings.rangeNm.change(Number(select.value)));
-    $('range-less').addEventListener('click', () => this.stepRange(-1));
-    $('range-more').addEventListener('click', () => this.stepRange(1));
-  }
-
-  #slider(name) {
-    const slider = $(name), output = $(`${name}-value`);
-    const setting = new SharedSetting((value) => this.#send(name, value), (value, pending) => {
-      showSlider(slider, value);
-      output.textContent = String(Math.round(value));
-      output.classList.toggle('pending', pending);
-    });
-    slider.addEventListener('input', () => setting.change(Number(slider.value)));
-    return setting;
-  }
-
-  #send(name, value) {
-    const request = this.set({ [name]: value });
-    if (request === null) this.settings[name].settle();
-    else this.pending.set(request, this.settings[name]);
-    if (this.pending.size > 64) this.pending.delete(this.pending.keys().next().value);
-  }
-
-  // Whether the reply was to one of these controls.
-  takeReply(reply) {
-    const setting = this.pending.get(reply.request);
-    this.pending.delete(reply.request);
-    if (setting && reply.code !== 0) setting.settle();
-    return setting !== undefined;
-  }
-
-  takeSettings(settings) {
-    for (const name of ['gain', 'sea', 'rain', 'rangeNm']) this.settings[name].take(settings[name]);
-  }
-
-  setScales(scales) {
-    this.scales = scales;
-    $('range').replaceChildren(...scales.map((nm) => new Option(`${formatRange(nm)} NM`, String(nm))));
-    if (this.settings.rangeNm.value() !== null) $('range').value = String(this.settings.rangeNm.value());
-  }
-
-  stepRange(by) {
-    const at = this.scales.indexOf(this.settings.rangeNm.value());
-    const next = this.scales[at + by];
-    if (at >= 0 && next !== undefined) this.settings.rangeNm.change(next);
-  }
-
-  stepGain(by) {
-    const gain = this.settings.gain.value();
-    if (gain !== null) this.settings.gain.change(Math.min(100, Math.max(0, Math.round(gain) + by)));
   }
 }
 

@@ -1,14 +1,17 @@
 // The console: joins the stream, the picture and the panel.
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
-import { $, bindKeys, bindPicture, PictureSettings, ReceiverControls } from './controls.js';
+import { $, bindKeys, bindPicture, PictureSettings } from './controls.js';
 import { rangeNm as formatRange } from './format.js';
+import { Instructor } from './instructor.js';
 import { Markers } from './markers.js';
+import { REFUSED } from './messages.js';
 import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
 import { echoColours, PALETTES } from './palette.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
+import { ReceiverControls } from './receiver_controls.js';
 import { Rate } from './stream_stats.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
@@ -31,7 +34,8 @@ const picture = new PictureSettings();
 const markers = new Markers($('ppi'));
 const overlay = new Overlay($('graticule'), $('marks'));
 const frames = { drawn: 0, rate: new Rate(2) };
-const radarChoice = new URLSearchParams(location.search).get('radar');
+const choices = new URLSearchParams(location.search);
+const radarChoice = choices.get('radar');
 
 let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection;
@@ -41,6 +45,7 @@ const set = (values) => {
   return request;
 };
 const receiver = new ReceiverControls(set);
+const instructor = new Instructor(set, () => radar.ownShip);
 
 const radar = new RadarConsole(renderer.maxRows, {
   hello: (hello) => {
@@ -52,18 +57,62 @@ const radar = new RadarConsole(renderer.maxRows, {
     subscribe();
   },
   settings: (settings) => receiver.takeSettings(settings),
+  world: (world) => instructor.take(world),
   reply: (reply, text, refused) => {
+    if (takeSubscription(reply)) return;
     receiver.takeReply(reply);
+    instructor.takeReply(reply);
     if (reply.code !== 0) notices.show(text);
     if (refused) $('access').hidden = false;
   },
 });
 if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
+// Whether this console has a view of its own, and the subscription that is under way.
+let ownView = choices.get('view') === 'own';
+let asked = null;
+
 function subscribe() {
+  const like = ownView ? radar.view : 0;
+  asked = { request: connection.subscribe(radar.radar, like, ownView, token), radar: radar.radar, like, ownView };
   radar.forget();
-  connection.subscribe(radar.radar, radar.view);
+  radar.view = 0;
+  showView();
 }
+
+// Whether the reply is the subscription's. A view to copy may have ended: then the shared one is.
+function takeSubscription(reply) {
+  if (asked === null || reply.request !== asked.request) return false;
+  const { like, ownView: wanted } = asked;
+  asked = null;
+  if (reply.code === 0) {
+    radar.view = reply.view;
+    if (wanted && reply.view === 0) { ownView = false; notices.show('This server has no views of one\u2019s own'); }
+  } else if (wanted) {
+    ownView = like !== 0;
+    radar.view = 0;
+    if (like === 0) notices.show(reply.text);
+    if (reply.code === REFUSED) $('access').hidden = false;
+    subscribe();
+  } else {
+    notices.show(reply.text);
+  }
+  showView();
+  return true;
+}
+
+function showView() {
+  document.querySelector(`input[name=view][value=${ownView ? 'own' : 'shared'}]`).checked = true;
+  $('receiver-note').textContent = ownView ? 'this console\u2019s own' : 'shared by all consoles';
+}
+for (const input of document.querySelectorAll('input[name=view]')) {
+  input.addEventListener('change', () => {
+    ownView = input.value === 'own';
+    radar.view = 0;
+    subscribe();
+  });
+}
+showView();
 
 const url = new URL('ws', location.href);
 url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
@@ -132,6 +181,7 @@ function alarmText() {
   if (connection.state === 'waiting' || connection.state === 'connecting') {
     return radar.hello ? 'Connection lost' : 'No connection to the server';
   }
+  if (radar.inStandby) return 'Standby';
   const turns = (seconds() - radar.lastSpokeS) / radar.turnS();
   if (connection.state === 'live' && radar.spoke && turns > 0.75) return 'No video';
   if (radar.heldAfter !== null && radar.spoke && turns > 0.1) return 'Picture held';
@@ -151,6 +201,7 @@ function showReadouts() {
   });
   const alarm = alarmText();
   $('alarm').hidden = alarm === '';
+  $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
   if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
   const summary = `Range ${formatRange(rangeNm)} nautical miles, ${picture.headUp ? 'head up' : 'north up'}.`;
   if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
@@ -166,6 +217,7 @@ applyPicture();
 
 $('radar').addEventListener('change', () => {
   radar.radar = Number($('radar').value);
+  radar.view = 0;
   subscribe();
 });
 $('orders').addEventListener('submit', (event) => {
@@ -188,6 +240,7 @@ bindKeys({
   '+': () => receiver.stepRange(1), '=': () => receiver.stepRange(1), '-': () => receiver.stepRange(-1),
   n: () => document.querySelector('input[name=orientation][value=north]').click(),
   h: () => document.querySelector('input[name=orientation][value=head]').click(),
+  s: () => document.querySelector(`input[name=transmit][value=${radar.inStandby ? 'on' : 'off'}]`).click(),
   g: (event) => receiver.stepGain(event.shiftKey ? -1 : 1),
   e: () => markers.toggle('ebl'), v: () => markers.toggle('vrm'),
   r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),

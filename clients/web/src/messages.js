@@ -18,16 +18,36 @@ const Spoke = message({
 const RadarInfo = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['ownShip', 'string'],
   4: ['spokesPerTurn', 'uint32'], 5: ['cells', 'uint32'], 6: ['bits', 'uint32'],
-  7: ['rpm', 'double'], 8: ['beamWidthDeg', 'double'],
+  7: ['rpm', 'double'], 8: ['beamWidthDeg', 'double'], 9: ['set', 'string'], 10: ['band', 'string'],
+  11: ['antennaHeightM', 'double'],
 });
 const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
 });
-const Reply = message({ 1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'] });
+const Reply = message({
+  1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
+});
 const Settings = message({
   1: ['radar', 'uint32'], 2: ['view', 'uint32'], 3: ['rangeNm', 'double'],
-  4: ['gain', 'double'], 5: ['sea', 'double'], 6: ['rain', 'double'],
+  4: ['gain', 'double'], 5: ['sea', 'double'], 6: ['rain', 'double'], 7: ['seaAuto', 'bool'],
+  8: ['interferenceRejection', 'double'], 9: ['echoStretch', 'double'], 10: ['integration', 'double'],
+  11: ['standby', 'bool'], 12: ['pulse', 'uint32'], 13: ['tuneAuto', 'bool'], 14: ['tune', 'double'],
+  15: ['pulseLengthUs', 'double'], 16: ['prfHz', 'double'], 17: ['radarRangeNm', 'double'],
+  18: ['stretchBearing', 'bool'], 19: ['decimation', 'uint32'],
+});
+const RainCell = message({
+  1: ['id', 'uint32'], 2: ['latitudeDeg', 'double'], 3: ['longitudeDeg', 'double'], 4: ['radiusNm', 'double'],
+  5: ['rateMmH', 'double'], 6: ['driftDeg', 'double'], 7: ['driftKn', 'double'],
+});
+const World = message({
+  1: ['scenarioS', 'double'], 2: ['seaState', 'double'], 3: ['windFromDeg', 'double'],
+  4: ['swellHeightM', 'double'], 5: ['swellPeriodS', 'double'], 6: ['swellFromDeg', 'double'],
+  7: ['waveHeightM', 'double'], 8: ['kFactor', 'double'], 9: ['ducting', 'double'], 10: ['rain', [RainCell]],
+  11: ['sideLobes', 'bool'], 12: ['multipleEchoes', 'bool'], 13: ['indirectEchoes', 'bool'],
+  14: ['shadowSectors', 'bool'], 15: ['secondTrace', 'bool'], 16: ['interference', 'bool'],
+  17: ['overheadCables', 'bool'], 18: ['saturation', 'bool'], 19: ['minimumRange', 'bool'],
+  20: ['antennaMotion', 'bool'],
 });
 const OwnShip = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['latitudeDeg', 'double'],
@@ -36,7 +56,7 @@ const OwnShip = message({
 });
 const ServerMessage = message({
   1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', Settings],
-  6: ['ownShip', OwnShip],
+  6: ['ownShip', OwnShip], 7: ['world', World],
 });
 
 // Calls take(serverMessage) for every frame of one WebSocket message. What is whole before an error
@@ -51,7 +71,8 @@ export function decodeFrames(bytes, take) {
     }
     const decoded = ServerMessage.decode(new Reader(bytes, reader.at, end));
     if (decoded.spoke) checkSpoke(decoded.spoke, at);
-    for (const part of [decoded.settings, decoded.ownShip, ...(decoded.hello?.radars ?? [])]) {
+    for (const part of [decoded.settings, decoded.ownShip, decoded.world,
+                        ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? [])]) {
       if (part) checkFinite(part, at);
     }
     if (decoded.hello) checkHello(decoded.hello, at);
@@ -95,18 +116,52 @@ function frame(request, field, body) {
   return out;
 }
 
-export function encodeSubscribe(request, radar, view) {
-  return frame(request, 2, new Writer().uint32(1, radar).uint32(2, view).finish());
+// newView: a view of this console's own, with the settings of `view`.
+export function encodeSubscribe(request, radar, view, newView = false, token = '') {
+  const writer = new Writer().uint32(1, radar).uint32(2, view);
+  if (newView) writer.uint32(3, 1);
+  if (newView && token) writer.string(4, token);
+  return frame(request, 2, writer.finish());
 }
 
-const SET_FIELDS = { courseDeg: 3, speedKn: 4, rangeNm: 5, gain: 6, sea: 7, rain: 8 };
+// Name: field number and how it is written; bool and enum go as uint32.
+const SET_FIELDS = {
+  courseDeg: [3, 'double'], speedKn: [4, 'double'], rangeNm: [5, 'double'], gain: [6, 'double'], sea: [7, 'double'],
+  rain: [8, 'double'], seaAuto: [10, 'uint32'], interferenceRejection: [11, 'double'], echoStretch: [12, 'double'],
+  integration: [13, 'double'], transmit: [14, 'uint32'], pulse: [15, 'uint32'], tuneAuto: [16, 'uint32'],
+  tune: [17, 'double'], stretchBearing: [19, 'uint32'], decimation: [20, 'uint32'],
+};
+const WORLD_FIELDS = {
+  seaState: [1, 'double'], windFromDeg: [2, 'double'], swellHeightM: [3, 'double'], swellPeriodS: [4, 'double'],
+  swellFromDeg: [5, 'double'], waveHeightM: [6, 'double'], kFactor: [7, 'double'], ducting: [8, 'double'],
+  removeAllRain: [11, 'uint32'], sideLobes: [12, 'uint32'], multipleEchoes: [13, 'uint32'], indirectEchoes: [14, 'uint32'],
+  shadowSectors: [15, 'uint32'], secondTrace: [16, 'uint32'], interference: [17, 'uint32'], overheadCables: [18, 'uint32'],
+  saturation: [19, 'uint32'], minimumRange: [20, 'uint32'], antennaMotion: [21, 'uint32'],
+};
+const RAIN_FIELDS = {
+  id: [1, 'uint32'], latitudeDeg: [2, 'double'], longitudeDeg: [3, 'double'], radiusNm: [4, 'double'],
+  rateMmH: [5, 'double'], driftDeg: [6, 'double'], driftKn: [7, 'double'],
+};
 
-// values: any of courseDeg, speedKn, rangeNm, gain, sea, rain; what is absent stays as it is.
-export function encodeSet(request, radar, view, values, token = '') {
-  const writer = new Writer().uint32(1, radar).uint32(2, view);
-  for (const [name, field] of Object.entries(SET_FIELDS)) {
-    if (values[name] !== undefined) writer.double(field, values[name]);
+function write(writer, fields, values) {
+  for (const [name, [field, type]] of Object.entries(fields)) {
+    if (values[name] !== undefined) writer[type](field, Number(values[name]));
   }
+  return writer;
+}
+
+function encodeWorld(world) {
+  const writer = write(new Writer(), WORLD_FIELDS, world);
+  for (const cell of world.rain ?? []) writer.bytes(9, write(new Writer(), RAIN_FIELDS, cell).finish());
+  for (const id of world.removeRain ?? []) writer.uint32(10, id);
+  return writer.finish();
+}
+
+// values: any of the names above, and world: any of its names, rain (cells; id 0 is a new one) and
+// removeRain (ids); what is absent stays as it is.
+export function encodeSet(request, radar, view, values, token = '') {
+  const writer = write(new Writer().uint32(1, radar).uint32(2, view), SET_FIELDS, values);
   if (token) writer.string(9, token);
+  if (values.world) writer.bytes(18, encodeWorld(values.world));
   return frame(request, 3, writer.finish());
 }

@@ -129,6 +129,7 @@ export class Reader {
 const SCALARS = {
   uint32: { wireType: VARINT, zero: 0, read: (r) => r.uint32() },
   uint64: { wireType: VARINT, zero: 0, read: (r) => r.uint64() },
+  bool: { wireType: VARINT, zero: false, read: (r) => { const { low, high } = r.varint(); return low !== 0 || high !== 0; } },
   fixed32: { wireType: FIXED32, zero: 0, read: (r) => r.fixed32() },
   fixed64: { wireType: FIXED64, zero: 0, read: (r) => r.fixed64() },
   double: { wireType: FIXED64, zero: 0, read: (r) => r.double() },

@@ -3,6 +3,7 @@
 //
 //   state()               connection, counters, scan, rates, range, orientation, frames, canvas
 //   settings()            the view's settings as the server last sent them, or null
+//   world()               sea, air, rain and artefacts as the server last sent them, or null
 //   lastScan()            the newest turn received whole: { scan, spokes, cells, rangeM, headingDeg,
 //                         mixedRanges }, or null
 //   ppi                   { centre: {x, y}, radiusPx, side, pixelRatio, upDeg, rangeM }, CSS pixels
@@ -19,6 +20,8 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       garbage: connection().garbage,
       bytes: connection().bytes,
       radar: radar.radar,
+      view: radar.view,
+      standby: radar.inStandby,
       received: radar.loss.received,
       lost: radar.loss.lost,
       restarts: radar.loss.restarts,
@@ -34,6 +37,7 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       ownShip: radar.ownShip,
     }),
     settings: () => radar.settings,
+    world: () => radar.world,
     lastScan: () => radar.scans.last,
     get ppi() {
       const { side, centre, radius, pixelRatio, upDeg, rangeM } = view();

@@ -25,7 +25,18 @@ export class MockServer {
       silent: [], refuse: null, host: '127.0.0.1',
     }, options);
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
-    this.settings = { rangeNm: 6, gain: 50, sea: 30, rain: 0, ...options.settings };
+    this.settings = {
+      rangeNm: 6, gain: 50, sea: 30, rain: 0, seaAuto: false, interferenceRejection: 0, echoStretch: 0, integration: 0,
+      stretchBearing: false, decimation: 0, ...options.settings,
+    };
+    this.radarSettings = { standby: false, pulse: 0, tuneAuto: true, tune: 50, pulseLengthUs: 0.5, prfHz: 1000 };
+    this.world = {
+      seaState: 2, windFromDeg: 225, swellHeightM: 0, swellPeriodS: 10, swellFromDeg: 0, waveHeightM: 0, kFactor: 4 / 3,
+      ducting: 0, rain: [], sideLobes: true, multipleEchoes: true, indirectEchoes: true, shadowSectors: true,
+      secondTrace: true, interference: true, overheadCables: true, saturation: true, minimumRange: true, antennaMotion: true,
+    };
+    this.views = new Map([[0, this.settings]]);  // by number
+    this.lastView = 0;
     this.ordered = { courseDeg: this.headingDeg, speedKn: 12 };
     this.received = [];   // decoded ClientMessages
     this.dropNext = 0;
@@ -86,7 +97,7 @@ export class MockServer {
   }
 
   #greet(socket) {
-    const client = { socket, radar: null };
+    const client = { socket, radar: null, view: 0 };
     this.clients.add(client);
     socket.on('close', () => this.clients.delete(client));
     socket.on('error', () => {});
@@ -105,15 +116,27 @@ export class MockServer {
     this.received.push(message);
     const reply = (code, text = '') => this.#send(client, { reply: { request: message.request, code, text } });
     if (message.kind === 'subscribe') {
+      let { view } = message.subscribe;
+      if (!this.views.has(view)) { reply(3, `no view ${view}`); return; }
+      if (message.subscribe.newView) {
+        this.views.set(++this.lastView, { ...this.views.get(view) });
+        view = this.lastView;
+      }
       client.radar = message.subscribe.radar;
+      client.view = view;
+      this.#send(client, { reply: { request: message.request, code: 0, view } });
       this.#sendSettings(client);
+      this.#send(client, { world: this.world });
       this.#ownShip();
-      reply(0);
     } else if (message.kind === 'set') {
       if (this.refuse) { reply(this.refuse.code, this.refuse.text); return; }
-      for (const name of ['rangeNm', 'gain', 'sea', 'rain']) {
-        if (message.set[`_${name}`]) this.settings[name] = message.set[name];
-      }
+      const take = (names, from, into) => {
+        for (const name of names) if (from[`_${name}`]) into[name] = from[name];
+      };
+      take(Object.keys(this.settings), message.set, this.views.get(message.set.view));
+      take(Object.keys(this.radarSettings), message.set, this.radarSettings);
+      if (message.set._transmit) this.radarSettings.standby = !message.set.transmit;
+      if (message.set.world) this.#changeWorld(message.set.world, take);
       for (const name of ['courseDeg', 'speedKn']) {
         if (message.set[`_${name}`]) this.ordered[name] = message.set[name];
       }
@@ -122,12 +145,25 @@ export class MockServer {
     }
   }
 
+  #changeWorld(change, take) {
+    take(Object.keys(this.world).filter((name) => name !== 'rain'), change, this.world);
+    this.world.rain = this.world.rain.filter((cell) => !change.removeRain.includes(cell.id));
+    for (const cell of change.rain) {
+      if (cell.id === 0) this.world.rain.push({ ...cell, id: (this.lastRain = (this.lastRain ?? 0) + 1) });
+    }
+    for (const client of this.clients) this.#send(client, { world: this.world });
+  }
+
   #send(client, ...messages) {
     client.socket.send(Buffer.concat(messages.map((m) => ServerMessage.encodeDelimited(ServerMessage.fromObject(m)).finish())));
   }
 
   #sendSettings(client) {
-    if (client.radar !== null) this.#send(client, { settings: { radar: client.radar, view: 0, ...this.settings } });
+    if (client.radar === null) return;
+    this.#send(client, { settings: {
+      radar: client.radar, view: client.view, ...this.views.get(client.view), ...this.radarSettings,
+      radarRangeNm: this.settings.rangeNm,
+    } });
   }
 
   #ownShip() {
@@ -147,6 +183,7 @@ export class MockServer {
     if (due - this.made > this.spokes / 4) {
       this.made = due - (due % BATCH);
     }
+    if (this.radarSettings.standby) { this.made = due - (due % BATCH); return; }
     while (due - this.made >= BATCH) {
       const batch = [];
       for (let i = 0; i < BATCH; ++i) {
@@ -156,7 +193,14 @@ export class MockServer {
       this.made += BATCH;
       for (const client of this.clients) {
         if (client.radar === null || batch.length === 0) continue;
-        this.#send(client, ...batch.map((spoke) => ({ spoke: { ...spoke, radar: client.radar } })));
+        const { rangeNm, gain } = this.views.get(client.view);
+        this.#send(client, ...batch.map((spoke) => ({ spoke: {
+          ...spoke, radar: client.radar, view: client.view,
+          ...(client.view === 0 ? {} : {
+            rangeScale: RANGES_NM.indexOf(rangeNm), cellSizeM: (rangeNm * NM) / this.cells,
+            cells: cellsAt(spoke.bearingDeg, { cells: this.cells, cellSizeM: (rangeNm * NM) / this.cells, gain }),
+          }),
+        } })));
       }
     }
   }
@@ -168,7 +212,7 @@ export class MockServer {
     if (this.dropNext > 0) { this.dropNext -= 1; return null; }
     if (this.silent.some(([from, to]) => bearingDeg >= from && bearingDeg < to)) return null;
     return {
-      view: 0, sequence, scan: Math.floor(number / this.spokes), index, spokesPerTurn: this.spokes,
+      bearingDeg, sequence, scan: Math.floor(number / this.spokes), index, spokesPerTurn: this.spokes,
       rangeScale: RANGES_NM.indexOf(this.settings.rangeNm), bits: this.bits, cellCount: this.cells,
       cellSizeM: this.cellSizeM(), heading: Math.round((this.headingDeg / 360) * 2 ** 32) >>> 0,
       latitudeDeg: 60.3925, longitudeDeg: 5.3233,

@@ -33,6 +33,9 @@ std::optional<OutlineDimensions> measured_off_bergen(double range_nm) {
     scenes::NamedScene named;
     named.scene = scenes::scene_at(std::move(*chart), place, scale, geometry);
     named.controls.range_scale = scale;
+    // As the recorded sets show theirs: few decibels of video, pulses integrated over the beam.
+    named.set.video_range_db = 6.0;
+    named.controls.integration = 100.0;
     const auto video = scenes::render_scans(named, 1);
     const PictureTurn turn{geometry.spokes_per_turn,
                            geometry.cells,

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "server/core/radar_host.hpp"
@@ -41,8 +46,33 @@ class FakeHost final : public RadarHost {
     return hello;
   }
   std::uint32_t radar_count() const override { return static_cast<std::uint32_t>(radars_.size()); }
-  VideoChannel* find_channel(std::uint32_t radar, std::uint32_t view) override {
-    return radar < radars_.size() && view == 0 ? &radars_[radar]->channel : nullptr;
+  VideoChannelPtr find_channel(std::uint32_t radar, std::uint32_t view) override {
+    const std::lock_guard lock(mutex_);
+    if (radar >= radars_.size()) return nullptr;
+    const auto& channels = radars_[radar]->channels;
+    const auto found = channels.find(view);
+    return found == channels.end() ? nullptr : found->second;
+  }
+  // As many as kMaxViews, 0 among them, numbered upwards.
+  static constexpr std::size_t kMaxViews = 3;
+  std::optional<std::uint32_t> open_view(
+      std::uint32_t radar, std::uint32_t,
+      const std::function<void(VideoChannel&)>& prepare) override {
+    const std::lock_guard lock(mutex_);
+    Radar& mine = *radars_[radar];
+    if (mine.channels.size() == kMaxViews) return std::nullopt;
+    auto channel = std::make_shared<VideoChannel>(64);
+    prepare(*channel);
+    mine.channels.emplace(++mine.last_view, std::move(channel));
+    return mine.last_view;
+  }
+  void close_view(std::uint32_t radar, std::uint32_t view) override {
+    const std::lock_guard lock(mutex_);
+    if (view != 0) radars_[radar]->channels.erase(view);
+  }
+  std::size_t view_count(std::uint32_t radar) const {
+    const std::lock_guard lock(mutex_);
+    return radars_[radar]->channels.size();
   }
 
   wire::Reply apply(const wire::Set& set) override {
@@ -65,9 +95,20 @@ class FakeHost final : public RadarHost {
     return last_set_;
   }
 
-  wire::Settings settings(std::uint32_t radar, std::uint32_t) const override {
+  wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override {
     const std::lock_guard lock(mutex_);
-    return radars_[radar]->settings;
+    wire::Settings settings = radars_[radar]->settings;
+    settings.set_view(view);
+    return settings;
+  }
+  wire::World world() const override {
+    const std::lock_guard lock(mutex_);
+    return world_;
+  }
+  void change_world(double sea_state) {
+    const std::lock_guard lock(mutex_);
+    world_.set_sea_state(sea_state);
+    ++world_version_;
   }
   wire::OwnShip own_ship(std::uint32_t radar) const override {
     wire::OwnShip ship;
@@ -83,6 +124,10 @@ class FakeHost final : public RadarHost {
   std::uint64_t settings_version() const override {
     const std::lock_guard lock(mutex_);
     return settings_version_;
+  }
+  std::uint64_t world_version() const override {
+    const std::lock_guard lock(mutex_);
+    return world_version_;
   }
 
   Spoke spoke(std::uint32_t radar, std::uint64_t sequence) const {
@@ -102,32 +147,45 @@ class FakeHost final : public RadarHost {
     return spoke;
   }
 
-  // The next sector of the radar.
+  // The next sector of the radar, the same in all its views but for their number.
   void publish(std::uint32_t radar = 0) {
-    Sector sector;
-    for (std::uint32_t i = 0; i < kSectorSpokes; ++i) {
-      sector.spokes.push_back(
-          std::make_shared<const Spoke>(spoke(radar, radars_[radar]->published++)));
+    std::map<std::uint32_t, VideoChannelPtr> channels;
+    {
+      const std::lock_guard lock(mutex_);
+      channels = radars_[radar]->channels;
     }
-    radars_[radar]->channel.publish(sector);
+    for (const auto& [view, channel] : channels) {
+      Sector sector;
+      for (std::uint32_t i = 0; i < kSectorSpokes; ++i) {
+        Spoke made = spoke(radar, radars_[radar]->published + i);
+        made.header.view = view;
+        sector.spokes.push_back(std::make_shared<const Spoke>(std::move(made)));
+      }
+      channel->publish(sector);
+    }
+    radars_[radar]->published += kSectorSpokes;
   }
   // Spokes.  Thread: the publishing one.
   std::uint64_t published(std::uint32_t radar = 0) const { return radars_[radar]->published; }
   std::uint64_t encoded(const std::string& format, std::uint32_t radar = 0) const {
-    return radars_[radar]->channel.spokes_encoded().at(format);
+    return radars_[radar]->channels.at(0)->spokes_encoded().at(format);
   }
 
  private:
   struct Radar {
-    explicit Radar(std::size_t ring_sectors) : channel(ring_sectors) {}
-    VideoChannel channel;
+    explicit Radar(std::size_t ring_sectors) {
+      channels.emplace(0, std::make_shared<VideoChannel>(ring_sectors));
+    }
+    std::map<std::uint32_t, VideoChannelPtr> channels;
+    std::uint32_t last_view = 0;
     wire::Settings settings;
     std::uint64_t published = 0;
   };
   std::vector<std::unique_ptr<Radar>> radars_;
-  mutable std::mutex mutex_;  // of settings, settings_version_ and last_set_
+  mutable std::mutex mutex_;  // of all but what is published
   wire::Set last_set_;
-  std::uint64_t settings_version_ = 1;
+  wire::World world_;
+  std::uint64_t settings_version_ = 1, world_version_ = 1;
 };
 
 }  // namespace skerry::server

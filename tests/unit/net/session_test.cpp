@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "server/net/encoders.hpp"
@@ -74,13 +76,20 @@ class FakeTransport final : public ByteTransport {
   Done waiting_read_;
 };
 
-std::vector<wire::Reply> replies_in(const Bytes& outgoing) {
-  std::vector<wire::Reply> replies;
+std::vector<wire::ServerMessage> messages_in(const Bytes& outgoing) {
+  std::vector<wire::ServerMessage> messages;
   FrameReader reader(kMaxServerFrame);
   reader.feed(outgoing);
   for (auto frame = reader.next(); frame.ok() && frame->has_value(); frame = reader.next()) {
-    wire::ServerMessage message;
+    wire::ServerMessage& message = messages.emplace_back();
     EXPECT_TRUE(message.ParseFromArray((*frame)->data(), static_cast<int>((*frame)->size())));
+  }
+  return messages;
+}
+
+std::vector<wire::Reply> replies_in(const Bytes& outgoing) {
+  std::vector<wire::Reply> replies;
+  for (const wire::ServerMessage& message : messages_in(outgoing)) {
     if (message.has_reply()) replies.push_back(message.reply());
   }
   return replies;
@@ -146,6 +155,110 @@ TEST_F(Session, ControlFromTheServersOwnHostNeedsNone) {
   begin();
   ASSERT_EQ(replies_in(line_.outgoing).size(), 1u);
   EXPECT_EQ(host_.settings(0, 0).gain(), 77);
+}
+
+wire::ClientMessage new_view_message(std::uint32_t request, std::uint32_t like,
+                                     const std::string& token = "") {
+  wire::ClientMessage message = subscribe_message(request, 0);
+  message.mutable_subscribe()->set_view(like);
+  message.mutable_subscribe()->set_new_view(true);
+  message.mutable_subscribe()->set_token(token);
+  return message;
+}
+
+TEST_F(Session, AViewOfItsOwnIsNamedInTheReplyAndInWhatFollows) {
+  line_.incoming = {frame_of(new_view_message(1, 0))};
+  begin();
+  host_.publish();
+  run();
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 1u);
+  EXPECT_EQ(replies[0].code(), wire::Reply::OK);
+  EXPECT_EQ(replies[0].view(), 1u);
+  bool settings = false, world = false;
+  int spokes = 0;
+  for (const wire::ServerMessage& message : messages_in(line_.outgoing)) {
+    if (message.has_settings()) settings = message.settings().view() == 1;
+    if (message.has_world()) world = true;
+    if (message.has_spoke() && message.spoke().view() == 1) ++spokes;
+  }
+  EXPECT_TRUE(settings);
+  EXPECT_TRUE(world);
+  EXPECT_EQ(spokes, 16);
+}
+
+TEST_F(Session, AViewOfItsOwnNeedsTheTokenFromAnotherHost) {
+  NetConfig config = test_config();
+  config.control_token = "secret";
+  line_.peer_is_loopback = false;
+  line_.incoming = {frame_of(new_view_message(1, 0)), frame_of(new_view_message(2, 0, "secret"))};
+  begin(config);
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 2u);
+  EXPECT_EQ(replies[0].code(), wire::Reply::REFUSED);
+  EXPECT_EQ(replies[1].code(), wire::Reply::OK);
+  EXPECT_EQ(host_.view_count(0), 2u);
+}
+
+TEST_F(Session, MoreViewsThanThereMayBeAreRefusedAndTheOldSubscriptionStays) {
+  line_.incoming = {frame_of(new_view_message(1, 0)), frame_of(new_view_message(2, 1)),
+                    frame_of(new_view_message(3, 0)), frame_of(new_view_message(4, 99))};
+  begin();
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 4u);
+  EXPECT_EQ(replies[1].view(), 2u);
+  EXPECT_EQ(replies[2].code(), wire::Reply::REFUSED);
+  EXPECT_EQ(replies[3].code(), wire::Reply::UNKNOWN);
+  line_.outgoing.clear();
+  host_.publish();
+  run();
+  for (const wire::ServerMessage& message : messages_in(line_.outgoing)) {
+    if (message.has_spoke()) {
+      EXPECT_EQ(message.spoke().view(), 2u);
+    }
+  }
+  EXPECT_FALSE(line_.outgoing.empty());
+}
+
+TEST_F(Session, AViewEndsSomeTimeAfterItsLastReaderHasLeft) {
+  line_.incoming = {frame_of(new_view_message(1, 0))};
+  begin();
+  const auto now = std::chrono::steady_clock::now();
+  context_->end_views(now + std::chrono::hours(1));
+  EXPECT_EQ(host_.view_count(0), 2u) << "it is being read";
+  context_->connections.close_all();
+  context_->end_views(now + std::chrono::hours(1) + NetContext::kViewGrace / 2);
+  EXPECT_EQ(host_.view_count(0), 2u);
+  context_->end_views(now + std::chrono::hours(1) + NetContext::kViewGrace);
+  EXPECT_EQ(host_.view_count(0), 1u);
+  EXPECT_EQ(context_->find_feed(0, 1, kNativeFormat), nullptr);
+  host_.publish();
+  run();
+}
+
+TEST_F(Session, AViewThatEndsWithAWakeUpOnItsWayLeavesNothingBehind) {
+  line_.incoming = {frame_of(new_view_message(1, 0))};
+  begin();
+  host_.publish();  // posts a wake-up that has not run
+  context_->connections.close_all();
+  context_->end_views(std::chrono::steady_clock::now() + std::chrono::hours(1));
+  EXPECT_EQ(host_.view_count(0), 1u);
+  run();
+}
+
+TEST_F(Session, TheWorldIsToldWhenItChanges) {
+  line_.incoming = {frame_of(subscribe_message(1, 0))};
+  begin();
+  line_.outgoing.clear();
+  context_->tell_settings();
+  run();
+  EXPECT_TRUE(line_.outgoing.empty()) << "nothing has changed";
+  host_.change_world(4.0);
+  context_->tell_settings();
+  run();
+  const auto messages = messages_in(line_.outgoing);
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].world().sea_state(), 4.0);
 }
 
 // Runs a whole conversation, failing its first operation, then its second, and so on until it gets

@@ -38,7 +38,7 @@ TEST(SpokeRenderer, ASceneIsTheSameOnEveryInstructionSet) {
   }
 }
 
-TEST(SpokeRenderer, SectorsOfAnySizeGiveTheSameVideo) {
+TEST(SpokeRenderer, CallsOfAnySizeGiveTheSameVideo) {
   const auto named = scenes::made_up_scenes()[1];
   const auto expected = scenes::render_scans(named, 1);
   SpokeRenderer renderer(named.set, named.geometry, {named.rpm, named.geometry.spokes_per_turn}, 0);

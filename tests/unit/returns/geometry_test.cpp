@@ -17,8 +17,8 @@
 #include "echo/kernel/hash.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/coast_crossings.hpp"
+#include "echo/returns/ray_returns.hpp"
 #include "echo/scene/edge_detail.hpp"
-#include "echo/spoke_renderer.hpp"
 #include "protocol/quantity/bearing.hpp"
 #include "tests/scenes/scenes.hpp"
 
@@ -309,7 +309,7 @@ TEST(LeadingEdge, NoRayFromAShipAfloatBeginsOnLand) {
   EXPECT_EQ(rays, 0);
 }
 
-// The video's first echo stands in the cell of the crossing, wherever neither the transmitter nor
+// A ray's first echo stands in the cell of the crossing, wherever neither the transmitter nor
 // the horizon hides it.
 TEST(LeadingEdge, StandsInTheCellOfItsCrossing) {
   const ScanGeometry geometry;
@@ -317,13 +317,18 @@ TEST(LeadingEdge, StandsInTheCellOfItsCrossing) {
   auto scene = *scenes::scene_at(scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 120, 4),
                                  scenes::kBergen, scale, geometry);
   scene.own_velocity = {};
-  SpokeRenderer renderer({}, geometry, {24.0, geometry.spokes_per_turn}, 0);
-  renderer.set_controls({scale, 50.0, 0.0, 0.0});
+  RayModel model;
+  model.pulse = model.set.pulse_for(scale);
+  model.rays_per_turn = geometry.spokes_per_turn;
+  model.cells = geometry.cells;
+  model.cell_m = geometry.cell_size(scale).in_metres();
+  RayScratch scratch;
   std::vector<float> power(geometry.cells);
   std::vector<Crossing> crossings;
   int compared = 0;
   for (std::uint32_t ray = 0; ray < geometry.spokes_per_turn; ++ray) {
-    renderer.ray_power(scene, ray, power);
+    ray_returns(scene, model, RelativeBearing::of_spoke(ray, geometry.spokes_per_turn).units(), 0.0,
+                scratch, power);
     find_crossings(*scene.coast, *scene.index,
                    {scene.own_ship, TrueBearing::of_spoke(ray, geometry.spokes_per_turn).units()},
                    crossings);

@@ -6,6 +6,8 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/isa.hpp"
+#include "echo/returns/coast_crossings.hpp"
+#include "echo/returns/ray_returns.hpp"
 #include "tests/scenes/scenes.hpp"
 
 namespace skerry::echo {
@@ -137,15 +139,18 @@ TEST(TypedScene, StructuresChangeNothingButWhereTheyStand) {
     buoys->points.push_back({{1000 * at.sin, 1000 * at.cos}, 5.0f, 30.0f, ObjectClass::buoy, 1});
   }
   const NamedScene with = scene(With::nothing, false, buoys);
-  SpokeRenderer a(with.set, with.geometry, {24.0, 1024}, 0), b = a;
-  a.set_controls(with.controls);
-  b.set_controls(with.controls);
+  RayModel model;
+  model.pulse = with.set.pulse_for(with.controls.range_scale);
+  model.rays_per_turn = 2048;
+  model.cells = 512;
+  model.cell_m = with.geometry.cell_size(with.controls.range_scale).in_metres();
+  RayScratch scratch;
   std::vector<float> power_a(512), power_b(512);
   int changed = 0;
-  const std::uint32_t rays = 1024 * a.rays_per_spoke();
-  for (std::uint32_t k = 0; k < rays; ++k) {
-    a.ray_power(*with.scene, k, power_a);
-    b.ray_power(*without.scene, k, power_b);
+  for (std::uint32_t k = 0; k < model.rays_per_turn; ++k) {
+    const std::uint32_t relative = k << 21;
+    ray_returns(*with.scene, model, relative, 0.0, scratch, power_a);
+    ray_returns(*without.scene, model, relative, 0.0, scratch, power_b);
     for (std::size_t i = 0; i < 512; ++i) {
       if (power_a[i] == power_b[i]) continue;
       ++changed;
@@ -154,7 +159,7 @@ TEST(TypedScene, StructuresChangeNothingButWhereTheyStand) {
       EXPECT_LE(i, 97u);
     }
   }
-  std::printf("16 buoys changed %d cells of %u rays\n", changed, rays);
+  std::printf("16 buoys changed %d cells of %u rays\n", changed, model.rays_per_turn);
   EXPECT_GT(changed, 16);
   EXPECT_LE(changed, 16 * 3 * 6);
 }

@@ -7,6 +7,7 @@
 
 #include "echo/chart/gshhg_reader.hpp"
 #include "echo/chart/land_mask.hpp"
+#include "server/world/radar_sets.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/world.hpp"
 
@@ -20,17 +21,21 @@ double distance_m(const GeoPoint& a, const GeoPoint& b) {
   return distance;
 }
 
-TEST(DefaultScenario, HasTwoOwnShipsWithARadarEachAndADozenTargets) {
+TEST(DefaultScenario, HasTwoOwnShipsOneOfThemWithXAndSBandAndADozenTargets) {
   const scenario::Scenario bergen = default_scenario();
   ASSERT_EQ(bergen.own_ships_size(), 2);
-  EXPECT_EQ(bergen.targets_size(), 12);
+  EXPECT_EQ(std::count_if(bergen.targets().begin(), bergen.targets().end(),
+                          [](const auto& t) { return t.kind() == scenario::Target::ship; }),
+            12);
   for (const scenario::OwnShip& ship : bergen.own_ships()) {
-    ASSERT_EQ(ship.radars_size(), 1);
-    const scenario::Radar& radar = ship.radars(0);
-    EXPECT_EQ(radar.spokes(), 4096u);
-    EXPECT_EQ(radar.cells(), 1024u);
-    EXPECT_EQ(radar.bits(), 8u);
-    EXPECT_EQ(radar.rpm(), 24.0);
+    ASSERT_GE(ship.radars_size(), 1);
+    for (const scenario::Radar& radar : ship.radars()) {
+      EXPECT_EQ(radar.spokes(), 4096u);
+      EXPECT_EQ(radar.cells(), 1024u);
+      EXPECT_EQ(radar.bits(), 8u);
+    }
+    EXPECT_EQ(radar_set(ship.radars(0)).rpm, 24.0);
+    EXPECT_EQ(radar_set(ship.radars(0)).band(), echo::Band::x);
     EXPECT_GT(ship.speed_kn(), 5.0);
     EXPECT_GT(ship.position().lat(), 60.2);
     EXPECT_LT(ship.position().lat(), 60.6);
@@ -39,6 +44,18 @@ TEST(DefaultScenario, HasTwoOwnShipsWithARadarEachAndADozenTargets) {
   }
   EXPECT_EQ(bergen.own_ships(0).radars(0).range_nm(), 6.0);
   EXPECT_EQ(bergen.own_ships(1).radars(0).range_nm(), 12.0);
+  ASSERT_EQ(bergen.own_ships(1).radars_size(), 2);
+  EXPECT_EQ(radar_set(bergen.own_ships(1).radars(1)).band(), echo::Band::s);
+}
+
+TEST(DefaultScenario, HasALightSeaSomeBuoysAndARacon) {
+  const scenario::Scenario bergen = default_scenario();
+  EXPECT_EQ(bergen.sea().state(), 2.0);
+  EXPECT_EQ(bergen.rain_size(), 0);
+  EXPECT_EQ(bergen.racons_size(), 1);
+  EXPECT_GE(std::count_if(bergen.targets().begin(), bergen.targets().end(),
+                          [](const auto& t) { return t.kind() != scenario::Target::ship; }),
+            4);
 }
 
 TEST(DefaultScenario, IsTheFileItWasBuiltFrom) {
@@ -87,7 +104,13 @@ TEST(DefaultScenario, EveryShipStaysClearOfLandForHalfAnHour) {
     }
   };
   ASSERT_TRUE(echo::is_land(chart, {60.39, 5.33})) << "Bergen is on land";
-  World world(default_scenario());
+  const scenario::Scenario bergen = default_scenario();
+  for (const scenario::Target& target : bergen.targets()) {
+    if (target.kind() == scenario::Target::ship) continue;
+    EXPECT_FALSE(echo::is_land(chart, {target.position().lat(), target.position().lon()}))
+        << target.name();
+  }
+  World world(bergen);
   for (int tick = 0; tick <= 18'000 && !HasFailure(); ++tick) {
     if (tick % 50 == 0) {
       const WorldState state = world.state();

@@ -46,7 +46,8 @@ TEST(Scenario, RefusesWhatTheSchemaForbids) {
   EXPECT_EQ(refusal(kOwnShip + "    coarse_deg: 3\n"),
             "6:5: own_ships[0].coarse_deg: unknown key; did you mean \"course_deg\"?; known keys: "
             "name, position, course_deg, speed_kn, length_m, beam_m, height_m, "
-            "speed_time_constant_s, turn_time_constant_s, max_rate_of_turn_deg_min, radars");
+            "speed_time_constant_s, turn_time_constant_s, max_rate_of_turn_deg_min, radars, "
+            "motion, wake");
   EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 91, lon: 5}\n"),
             "4:21: own_ships[0].position.lat: 91 is out of range; allowed: -90 to 90 deg");
   EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 60}\n"),
@@ -118,7 +119,7 @@ TEST(Scenario, CountsAreBounded) {
   for (int i = 0; i <= kMaxTargets; ++i) {
     targets += "  - {name: t, position: {lat: 0, lon: 0}}\n";
   }
-  EXPECT_EQ(refusal(targets), "7:3: targets: 1001 entries; allowed: at most 1000");
+  EXPECT_EQ(refusal(targets), "7:3: targets: 1001 ships; allowed: at most 1000");
   std::string places = kOwnShip + "coast:\n  places:\n";
   for (int i = 0; i <= kMaxCoastPlaces; ++i) places += "    - {position: {lat: 0, lon: 0}}\n";
   EXPECT_EQ(refusal(places), "8:5: coast.places: 1001 entries; allowed: at most 1000");

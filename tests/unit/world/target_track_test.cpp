@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-scenario::TargetShip target(double latitude, double longitude, double course, double speed_kn) {
-  scenario::TargetShip ship;
+scenario::Target target(double latitude, double longitude, double course, double speed_kn) {
+  scenario::Target ship;
   ship.set_name("Rosund");
   ship.mutable_position()->set_lat(latitude);
   ship.mutable_position()->set_lon(longitude);
@@ -26,7 +26,7 @@ scenario::TargetShip target(double latitude, double longitude, double course, do
   return ship;
 }
 
-void add_waypoint(scenario::TargetShip& ship, double latitude, double longitude) {
+void add_waypoint(scenario::Target& ship, double latitude, double longitude) {
   scenario::Position& waypoint = *ship.add_waypoints();
   waypoint.set_lat(latitude);
   waypoint.set_lon(longitude);
@@ -58,7 +58,7 @@ TEST(TargetTrack, LiesStillWithoutSpeedAndBeforeTheStart) {
 }
 
 TEST(TargetTrack, SailsItsWaypointsAlongGeodesicsAndStops) {
-  scenario::TargetShip ship = target(60.0, 179.0, 0.0, 36.0);  // 18.52 m/s
+  scenario::Target ship = target(60.0, 179.0, 0.0, 36.0);  // 18.52 m/s
   add_waypoint(ship, 61.0, -179.0);
   add_waypoint(ship, 61.5, -178.0);
   const TargetTrack track(ship);
@@ -90,7 +90,7 @@ TEST(TargetTrack, SailsItsWaypointsAlongGeodesicsAndStops) {
 }
 
 TEST(TargetTrack, HeadsAlongItsLeg) {
-  scenario::TargetShip ship = target(60.0, 5.0, 0.0, 10.0);
+  scenario::Target ship = target(60.0, 5.0, 0.0, 10.0);
   add_waypoint(ship, 60.0, 6.0);
   add_waypoint(ship, 59.0, 6.0);
   const TargetTrack track(ship);

@@ -131,14 +131,14 @@ TEST(World, TheTideFallsFromHighWaterByItsRangeInHalfAPeriod) {
   EXPECT_NEAR(run_to_hour(1.0), 0.0, 1e-6);
   EXPECT_NEAR(run_to_hour(1.0 + 12.4206 / 4.0), -2.0, 1e-3);
   EXPECT_NEAR(run_to_hour(1.0 + 12.4206 / 2.0), -4.0, 1e-6);
-  EXPECT_DOUBLE_EQ(world.state().wave_height_m, 1.5);
+  EXPECT_DOUBLE_EQ(world.state().environment->wave_height_m, 1.5);
 }
 
 TEST(World, ASeaOfWhichNothingIsSaidIsStillAtTheChartedCoastline) {
   World world = world_with("");
   world.step();
   EXPECT_EQ(world.state().water_level_m, 0.0);
-  EXPECT_EQ(world.state().wave_height_m, 0.0);
+  EXPECT_EQ(world.state().environment->wave_height_m, 0.0);
 }
 
 }  // namespace

@@ -17,8 +17,9 @@ afterEach(async () => {
   page = server = null;
 });
 
+// Turns are a second long, unless a test is about their length.
 async function open(options = {}, viewport) {
-  server = new MockServer(options);
+  server = new MockServer({ rpm: 60, ...options });
   const url = await server.start();
   page = await openConsole(browser, url, viewport);
   return url;
@@ -200,6 +201,77 @@ test('gain, sea and rain ask the server, and the picture follows', async () => {
   assert.ok(Math.abs(again - full) < full * 0.02, `${again} after ${full}`);
 });
 
+test('standby darkens the picture and says so, and transmit brings it back', async () => {
+  await openFlat({});
+  await page.locator('#ppi').focus();
+  await page.keyboard.press('s');
+  await page.locator('#alarm', { hasText: 'Standby' }).waitFor();
+  assert.equal(server.received.at(-1).set.transmit, false);
+  assert.equal(echoPixels(await capture(page)), 0);
+  assert.equal((await state(page)).standby, true);
+  await page.keyboard.press('s');
+  await page.locator('#alarm').waitFor({ state: 'hidden' });
+  await waitForScan(page);
+  const { lost, restarts } = await state(page);
+  assert.deepEqual([lost, restarts], [0, 0]);
+  checkPicture(await capture(page));
+});
+
+test('a view of one’s own has its own gain and range, and the shared one keeps its', async () => {
+  await openFlat({});
+  await page.locator('input[name=view][value=own] + span').click();
+  await page.waitForFunction(() => window.skerry.settings()?.view === 1);
+  assert.equal(await page.locator('#range option[value="12"]').isDisabled(), true, 'no farther than the radar');
+  await setSlider('gain', 40);
+  await page.locator('#range').selectOption('3');
+  await page.waitForFunction(() => window.skerry.settings().gain === 40 && window.skerry.settings().rangeNm === 3);
+  assert.deepEqual([server.settings.gain, server.settings.rangeNm], [50, 6]);
+  await waitForScan(page);
+  checkPicture(await capture(page));
+  await page.locator('input[name=view][value=shared] + span').click();
+  await page.waitForFunction(() => window.skerry.settings()?.view === 0 && window.skerry.settings().gain === 50);
+  assert.deepEqual(page.problems, []);
+});
+
+test('every control of receiver and transmitter reaches the server', async () => {
+  await openFlat({});
+  await page.locator('details.more summary').click();
+  for (const [id, value] of [['interferenceRejection', 40], ['echoStretch', 30], ['integration', 20]]) await setSlider(id, value);
+  for (const id of ['seaAuto', 'stretchBearing', 'tuneAuto']) await page.locator(`#${id} + span`).click();
+  await page.locator('#pulse').selectOption('3');
+  await page.locator('#decimation').selectOption('1');
+  await page.waitForFunction(() => {
+    const s = window.skerry.settings();
+    return s.interferenceRejection === 40 && s.echoStretch === 30 && s.integration === 20 && s.seaAuto && s.stretchBearing &&
+      !s.tuneAuto && s.pulse === 3 && s.decimation === 1;
+  });
+  await setSlider('tune', 61);
+  await page.waitForFunction(() => window.skerry.settings().tune === 61);
+});
+
+test('the instructor changes sea, rain and false echoes', async () => {
+  await openFlat({});
+  assert.equal(await page.locator('#seaState').isVisible(), false, 'folded away');
+  await page.locator('#instructor > summary').click();
+  await setSlider('seaState', 4.5);
+  await page.locator('#windFromDeg').fill('310');
+  await page.locator('#windFromDeg').press('Tab');
+  await page.locator('#sideLobes + span').click();
+  await page.locator('#rain-range').fill('2');
+  await page.locator('#rain-rate').fill('16');
+  await page.locator('#rain-add button').click();
+  await page.waitForFunction(() => {
+    const w = window.skerry.world();
+    return w.seaState === 4.5 && w.windFromDeg === 310 && !w.sideLobes && w.rain.length === 1;
+  });
+  const [cell] = server.world.rain;
+  assert.ok(Math.abs(cell.latitudeDeg - 60.3925 - 2 / 60) < 1e-3 && Math.abs(cell.longitudeDeg - 5.3233) < 1e-3);
+  assert.equal(cell.rateMmH, 16);
+  await page.locator('#rain-cells button').click();
+  await page.waitForFunction(() => window.skerry.world().rain.length === 0);
+  assert.deepEqual(page.problems, []);
+});
+
 test('a change made at another console appears here', async () => {
   await openFlat({});
   server.change({ gain: 81, rangeNm: 24 });
@@ -371,7 +443,7 @@ test('a browser without WebGL2 is told so', async () => {
 });
 
 test('sixty seconds of 4096 spokes of 1024 cells keep the memory bounded', async (t) => {
-  await open({ headingDeg: 37 });
+  await open({ headingDeg: 37, rpm: 24 });
   const client = await page.context().newCDPSession(page);
   const heapMiB = async () => {
     await client.send('HeapProfiler.collectGarbage');

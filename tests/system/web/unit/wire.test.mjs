@@ -34,14 +34,14 @@ test('a spoke is read as protobuf wrote it', () => {
 test('any number of frames in one message come in order', () => {
   const bytes = Buffer.concat([frame({ hello: { protocolVersion: 1, server: 'skerryd ü', radars: [{ radar: 3, name: 'S' }], rangeScalesNm: [0.125, 6] } }),
     frame({ settings: { rangeNm: 6, gain: 55.5 } }), frame({ ownShip: { name: 'Fulmar', rateOfTurnDegMin: -12 } }),
-    frame({ reply: { request: 9, code: 2, text: 'gain 101: 0 .. 100' } }), frame({ spoke: spoke() })]);
+    frame({ reply: { request: 9, code: 2, text: 'gain 101: 0 .. 100', view: 0 } }), frame({ spoke: spoke() })]);
   const [hello, settings, ship, reply, last] = decode(bytes);
   assert.deepEqual(hello.hello.rangeScalesNm, [0.125, 6]);
   assert.equal(hello.hello.server, 'skerryd ü');
   assert.equal(hello.hello.radars[0].radar, 3);
   assert.equal(settings.settings.gain, 55.5);
   assert.equal(ship.ownShip.rateOfTurnDegMin, -12);
-  assert.deepEqual({ ...reply.reply }, { request: 9, code: 2, text: 'gain 101: 0 .. 100' });
+  assert.deepEqual({ ...reply.reply }, { request: 9, code: 2, text: 'gain 101: 0 .. 100', view: 0 });
   assert.equal(last.spoke.index, 4095);
 });
 
@@ -129,4 +129,34 @@ test('what the console sends is what protobuf reads', () => {
   assert.equal(set.request, 4294967295);
   assert.deepEqual(set.set.toJSON(), { radar: 1, courseDeg: 359.5, rangeNm: 0.125, gain: 0, token: 'geheim' });
   assert.equal(set.set._speedKn, undefined);
+});
+
+test('controls, views and the world are written as the schema reads them', () => {
+  const own = ClientMessage.decodeDelimited(encodeSubscribe(7, 1, 3, true, 'geheim')).subscribe;
+  assert.deepEqual([own.radar, own.view, own.newView, own.token], [1, 3, true, 'geheim']);
+  const { set } = ClientMessage.decodeDelimited(encodeSet(8, 0, 2, {
+    seaAuto: true, transmit: false, pulse: 0, decimation: 1, tune: 0,
+    world: { seaState: 0, ducting: 0.5, sideLobes: false, removeRain: [3, 300],
+      rain: [{ id: 0, latitudeDeg: 60.4, longitudeDeg: -5.1, rateMmH: 16 }, { id: 2, driftKn: 0 }] },
+  }));
+  assert.deepEqual([set.view, set.seaAuto, set.transmit, set.pulse, set.decimation, set.tune], [2, true, false, 0, 1, 0]);
+  for (const name of ['_transmit', '_pulse', '_tune']) assert.ok(set[name], `${name} is present though zero`);
+  assert.equal(set._gain, undefined);
+  const { world } = set;
+  assert.deepEqual([world.seaState, world.ducting, world.sideLobes, [...world.removeRain]], [0, 0.5, false, [3, 300]]);
+  assert.ok(world._seaState && world._sideLobes && !world._windFromDeg && !world._interference);
+  assert.deepEqual([world.rain[0].id, world.rain[0].latitudeDeg, world.rain[0].longitudeDeg, world.rain[0].rateMmH], [0, 60.4, -5.1, 16]);
+  assert.ok(world.rain[1]._driftKn && !world.rain[1]._rateMmH);
+});
+
+test('settings of a server that knows fewer controls are no standby', () => {
+  const [message] = decode(frame({ settings: { gain: 7 } }));
+  assert.equal(message.settings.standby, false);
+  assert.equal(message.settings.seaAuto, false);
+});
+
+test('a world is read whole, and refused with a number that is none', () => {
+  const [{ world }] = decode(frame({ world: { seaState: 3.5, sideLobes: true, rain: [{ id: 4, rateMmH: 8 }] } }));
+  assert.deepEqual([world.seaState, world.sideLobes, world.interference, world.rain[0].id, world.rain[0].rateMmH], [3.5, true, false, 4, 8]);
+  refused(frame({ world: { rain: [{ id: 1, radiusNm: NaN }] } }), 'out_of_range');
 });

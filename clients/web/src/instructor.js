@@ -1,0 +1,83 @@
+// Instructor: sea, air, rain and artefacts of the whole world, for all radars.
+import { $ } from './controls.js';
+import { bearing, fixed } from './format.js';
+import { bindSlider, bindSwitch, PendingRequests } from './receiver_controls.js';
+import { SharedSetting } from './shared_setting.js';
+import { NAUTICAL_MILE_M } from './view_geometry.js';
+
+const NUMBERS = ['windFromDeg', 'swellHeightM', 'swellPeriodS', 'swellFromDeg', 'waveHeightM', 'kFactor'];
+const ARTEFACTS = ['sideLobes', 'multipleEchoes', 'indirectEchoes', 'shadowSectors', 'secondTrace', 'interference',
+  'overheadCables', 'saturation', 'minimumRange', 'antennaMotion'];
+const EARTH_M = 6371000;
+
+// A place that far from another, on a sphere: a rain cell need not be put more exactly.
+export function placeFrom({ latitudeDeg, longitudeDeg }, bearingDeg, rangeM) {
+  const rad = Math.PI / 180;
+  const north = (rangeM / EARTH_M) * Math.cos(bearingDeg * rad) / rad;
+  const latitude = Math.max(-90, Math.min(90, latitudeDeg + north));
+  const across = Math.max(0.01, Math.cos((latitudeDeg + north / 2) * rad));
+  const longitude = longitudeDeg + (rangeM / EARTH_M) * Math.sin(bearingDeg * rad) / (rad * across);
+  return { latitudeDeg: latitude, longitudeDeg: ((longitude + 540) % 360 + 360) % 360 - 180 };
+}
+
+export class Instructor {
+  // set(values): sends them, and returns the request number or null. ownShip(): OwnShip or null.
+  constructor(set, ownShip) {
+    this.set = set;
+    this.ownShip = ownShip;
+    this.pending = new PendingRequests();
+    const settings = this.settings = {};
+    const send = (name) => (value) => this.pending.add(set({ world: { [name]: value } }), settings[name]);
+    settings.seaState = bindSlider('seaState', send('seaState'), (value) => fixed(value, 1));
+    settings.ducting = bindSlider('ducting', send('ducting'), (value) => fixed(value, 2));
+    for (const name of NUMBERS) settings[name] = this.#number(name, send(name));
+    for (const name of ARTEFACTS) settings[name] = bindSwitch(name, send(name));
+    $('rain-add').addEventListener('submit', (event) => { event.preventDefault(); this.#addRain(); });
+  }
+
+  #number(name, send) {
+    const field = $(name);
+    // What is being typed is not overwritten.
+    const setting = new SharedSetting(send, (value) => {
+      if (document.activeElement !== field) field.value = String(Number(value.toFixed(2)));
+    });
+    field.addEventListener('change', () => {
+      if (field.validity.valid && field.value !== '') setting.change(field.valueAsNumber);
+      else if (setting.value() !== null) field.value = String(setting.value());
+    });
+    return setting;
+  }
+
+  #addRain() {
+    const ship = this.ownShip();
+    if (!ship) return;
+    const value = (id) => $(id).valueAsNumber;
+    const cell = { id: 0, ...placeFrom(ship, value('rain-bearing'), value('rain-range') * NAUTICAL_MILE_M),
+      radiusNm: value('rain-radius'), rateMmH: value('rain-rate'), driftDeg: value('rain-drift'), driftKn: value('rain-speed') };
+    for (const name of Object.keys(cell)) if (Number.isNaN(cell[name])) delete cell[name];
+    if (cell.latitudeDeg !== undefined && cell.longitudeDeg !== undefined) this.set({ world: { rain: [cell] } });
+  }
+
+  takeReply(reply) {
+    this.pending.takeReply(reply);
+  }
+
+  take(world) {
+    for (const name of ['seaState', 'ducting', ...NUMBERS, ...ARTEFACTS]) this.settings[name].take(world[name]);
+    $('rain-cells').replaceChildren(...world.rain.map((cell) => this.#rainItem(cell)));
+  }
+
+  #rainItem(cell) {
+    const item = document.createElement('li');
+    const text = document.createElement('span');
+    text.textContent = `${cell.id}: ${fixed(cell.rateMmH, 0)} mm/h, ${fixed(cell.radiusNm, 1)} NM, ` +
+      `to ${bearing(cell.driftDeg, 0)}° at ${fixed(cell.driftKn, 0)} kn`;
+    const remove = document.createElement('button');
+    remove.type = 'button';
+    remove.textContent = 'Remove';
+    remove.ariaLabel = `Remove rain cell ${cell.id}`;
+    remove.addEventListener('click', () => this.set({ world: { removeRain: [cell.id] } }));
+    item.append(text, remove);
+    return item;
+  }
+}

@@ -1,0 +1,68 @@
+#include "echo/artefacts/saturation.hpp"
+
+#include <algorithm>
+
+#include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/fast_exp2.hpp"
+#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/row_losses.hpp"
+
+namespace skerry::echo {
+namespace {
+
+constexpr double kOctavesPerDb = 0.33219280948873623;
+constexpr float kLevel = 1e9f;
+static_assert(kSaturationDb == 90.0, "kLevel is that as a ratio");
+constexpr auto kMostExcess = static_cast<float>(kMostExcessDb * kOctavesPerDb);
+// A loss of 0.02 dB is none.
+constexpr float kNone = 0.0066f;
+constexpr std::size_t kBlock = 64;  // cells, skipped where nothing is to be done
+
+}  // namespace
+
+Saturation::Saturation(const RadarModel& model) {
+  const double cell_seconds = 2.0 * model.cell_m / kLightSpeed;
+  constexpr double kLog2E = 1.4426950408889634;
+  const auto decay =
+      static_cast<float>(exact_exp2(std::max(-100.0, -kLog2E * cell_seconds / kRecoverySeconds)));
+  float left = 1.0f;
+  for (float& d : decay_) {
+    left = left * decay < 1e-20f ? 0.0f : left * decay;
+    d = left;
+  }
+}
+
+bool Saturation::apply(const Artefacts& artefacts, std::span<float> power) const {
+  if (!artefacts.saturation || peak_of(power) <= kLevel) return false;
+  float loss = 0.0f;  // octaves
+  const auto dim = [&](std::span<float> run) {
+    if (peak_of(run) <= kLevel) {
+      if (loss == 0.0f) return;
+      lose_dying(loss, decay_, run);
+      loss *= decay_[run.size() - 1];
+      if (loss <= kNone) loss = 0.0f;
+      return;
+    }
+    for (float& p : run) {
+      const float excess =
+          p > kLevel ? std::min(kMostExcess, fast_log2(p * (1.0f / kLevel))) : 0.0f;
+      loss *= decay_[0];
+      if (excess >= loss) {
+        loss = excess;  // drives the receiver itself: full on the screen
+      } else if (loss > kNone) {
+        p *= fast_exp2(-loss);
+      } else {
+        loss = 0.0f;
+      }
+    }
+  };
+  for (std::size_t begin = 0; begin < power.size(); begin += kBlock) {
+    const auto block = power.subspan(begin, std::min(kBlock, power.size() - begin));
+    if (loss == 0.0f && peak_of(block) <= kLevel) continue;
+    for (std::size_t at = 0; at < block.size(); at += kRun)
+      dim(block.subspan(at, std::min(kRun, block.size() - at)));
+  }
+  return true;
+}
+
+}  // namespace skerry::echo

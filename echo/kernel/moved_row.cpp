@@ -1,0 +1,146 @@
+#include "echo/kernel/moved_row.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "echo/kernel/isa.hpp"
+
+namespace skerry::echo {
+namespace {
+
+inline __attribute__((always_inline)) PackedPower packed_of(float x, float least) {
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(x < least ? 0.0f : x);
+  return static_cast<PackedPower>((bits + 0x8000u) >> 16);
+}
+inline __attribute__((always_inline)) float unpacked(PackedPower x) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(x) << 16);
+}
+
+SKERRY_KERNEL_BODY pack_body(const float* __restrict power, std::size_t n, float least,
+                             PackedPower* __restrict packed, float* __restrict peaks) {
+  for (std::size_t i = 0; i < n; ++i) packed[i] = packed_of(power[i], least);
+  for (std::size_t b = 0; b * kPackBlock < n; ++b) {
+    const float* block = power + b * kPackBlock;
+    float peak = 0.0f;
+    if ((b + 1) * kPackBlock <= n) {
+      float lanes[4] = {};
+      for (std::size_t k = 0; k < kPackBlock; k += 4) {
+        for (std::size_t l = 0; l < 4; ++l)
+          lanes[l] = lanes[l] < block[k + l] ? block[k + l] : lanes[l];
+      }
+      for (const float lane : lanes) peak = peak < lane ? lane : peak;
+    } else {
+      for (std::size_t k = 0; b * kPackBlock + k < n; ++k) peak = peak < block[k] ? block[k] : peak;
+    }
+    peaks[b] = peak;
+  }
+}
+SKERRY_KERNEL(pack,
+              (const float* __restrict power, std::size_t n, float least,
+               PackedPower* __restrict packed, float* __restrict peaks),
+              (power, n, least, packed, peaks))
+
+inline __attribute__((always_inline)) float moved(const PackedPower* row, const RowShift& s,
+                                                  std::int32_t i) {
+  const float gain = s.gain + s.gain_step * static_cast<float>(i);
+  return (s.near_weight * unpacked(row[i]) + s.far_weight * unpacked(row[i + 1])) * gain;
+}
+
+constexpr std::int32_t kLanes = 16;
+
+// Parts of rows are short: whole blocks, of which what does not count adds nothing, save the
+// last cells of all, one by one.
+template <bool kSpeckled>
+inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict runs,
+                                                    std::size_t run_count,
+                                                    const float* __restrict speckle, float share,
+                                                    float* __restrict all, std::int32_t room) {
+  const float steady = 1.0f - share;
+  const auto factor = [&](std::int32_t i) {
+    return kSpeckled ? steady + share * speckle[i] : 1.0f;
+  };
+  for (std::size_t r = 0; r < run_count; ++r) {
+    const RowShift s = runs[r].shift;
+    const PackedPower* __restrict row = runs[r].row;
+    const auto first = static_cast<std::int32_t>(runs[r].first);
+    const auto count = static_cast<std::int32_t>(runs[r].count);
+    std::int32_t i = 0;
+    for (; i < count && first + i + kLanes <= room; i += kLanes) {
+      float sum[kLanes];
+      for (std::int32_t k = 0; k < kLanes; ++k) {
+        const float value = moved(row, s, i + k) * factor(first + i + k);
+        // All ones where it counts: a branch here would keep the loop from the vector units.
+        const auto counts = static_cast<std::uint32_t>((i + k - count) >> 31);
+        sum[k] =
+            all[first + i + k] + std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & counts);
+      }
+      std::memcpy(all + first + i, sum, sizeof(sum));
+    }
+    for (; i < count; ++i) all[first + i] += moved(row, s, i) * factor(first + i);
+  }
+}
+
+SKERRY_KERNEL_BODY add_mean_body(const MovedRun* runs, std::size_t run_count, float* power,
+                                 std::int32_t room) {
+  add_runs<false>(runs, run_count, nullptr, 0.0f, power, room);
+}
+SKERRY_KERNEL(add_mean,
+              (const MovedRun* __restrict runs, std::size_t run_count, float* __restrict power,
+               std::int32_t room),
+              (runs, run_count, power, room))
+
+SKERRY_KERNEL_BODY add_speckled_body(const MovedRun* runs, std::size_t run_count,
+                                     const float* speckle, float share, float* power,
+                                     std::int32_t room) {
+  add_runs<true>(runs, run_count, speckle, share, power, room);
+}
+SKERRY_KERNEL(add_speckled,
+              (const MovedRun* __restrict runs, std::size_t run_count,
+               const float* __restrict speckle, float share, float* __restrict power,
+               std::int32_t room),
+              (runs, run_count, speckle, share, power, room))
+
+}  // namespace
+
+void pack_power(std::span<const float> power, float least, std::span<PackedPower> packed,
+                std::span<float> peaks) noexcept {
+  pack(power.data(), power.size(), least, packed.data(), peaks.data());
+}
+
+void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept {
+  add_mean(runs.data(), runs.size(), power.data(), static_cast<std::int32_t>(power.size()));
+}
+
+void add_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
+               std::span<float> power) noexcept {
+  add_speckled(runs.data(), runs.size(), speckle.data(), share, power.data(),
+               static_cast<std::int32_t>(power.size()));
+}
+
+double unpacked_reference(PackedPower packed) {
+  const int exponent = packed >> 7;
+  const int mantissa = packed & 0x7F;
+  return exponent == 0 ? 0.0 : std::ldexp(1.0 + mantissa / 128.0, exponent - 127);
+}
+
+void add_moved_reference(std::span<const MovedRun> runs, std::span<const float> speckle,
+                         float share, std::span<double> power) {
+  for (const MovedRun& run : runs) {
+    const RowShift& shift = run.shift;
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      const double gain = static_cast<double>(shift.gain) +
+                          static_cast<double>(shift.gain_step) * static_cast<double>(i);
+      double value = (static_cast<double>(shift.near_weight) * unpacked_reference(run.row[i]) +
+                      static_cast<double>(shift.far_weight) * unpacked_reference(run.row[i + 1])) *
+                     gain;
+      if (!speckle.empty()) {
+        value *= 1.0 - static_cast<double>(share) +
+                 static_cast<double>(share) * static_cast<double>(speckle[run.first + i]);
+      }
+      power[run.first + i] += value;
+    }
+  }
+}
+
+}  // namespace skerry::echo

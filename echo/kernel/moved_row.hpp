@@ -1,0 +1,57 @@
+// Rows of mean power, packed in half the space and added back at another range, with or without
+// speckle.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace skerry::echo {
+
+// The upper half of a float: its sign, exponent and seven bits of its mantissa.
+using PackedPower = std::uint16_t;
+
+// Cells whose greatest power pack_power() tells as one.
+inline constexpr std::size_t kPackBlock = 16;
+
+// packed[i] = power[i], rounded to nearest; 0 where power[i] < `least`.  peaks[b] is the greatest
+// power[i] of block b, the last one of what is left; peaks.size() == blocks.
+// Error: 2^-8 relative, 0.017 dB.  Held by MovedRow.PacksWithinItsBound.
+// Requires power >= 0, finite, below 1e38, and least > 0.
+void pack_power(std::span<const float> power, float least, std::span<PackedPower> packed,
+                std::span<float> peaks) noexcept;
+
+// How a stretch of a row stands in another row.
+struct RowShift {
+  float near_weight = 1.0f;  // of row[i]
+  float far_weight = 0.0f;   // of row[i + 1]
+  float gain = 1.0f;         // of cell 0
+  float gain_step = 0.0f;    // more for each cell
+};
+
+// A stretch of a row, and the cells of another that it is added to.
+struct MovedRun {
+  const PackedPower* row = nullptr;
+  RowShift shift;
+  std::uint32_t first = 0, count = 0;  // cells of the other
+};
+
+// Rows are read up to so many cells beyond the last that counts.
+inline constexpr std::size_t kRowPadding = 16;
+
+// power[first + i] += (near_weight row[i] + far_weight row[i + 1]) (gain + gain_step i) of each
+// run, for i < its count; the second form times (1 - share + share speckle[first + i]) as well.
+// Reads count + kRowPadding cells of each row.  Requires first + count <= power.size() <=
+// speckle.size(); the cells behind a run stay as they are, but they are written: no two threads on
+// one row.  Error: four float roundings, six of the second form.  Held by
+// MovedRow.IsAddedAsItsReferenceHasIt.
+void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept;
+void add_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
+               std::span<float> power) noexcept;
+
+// Twins in double; of the first, without speckle.
+double unpacked_reference(PackedPower packed);
+void add_moved_reference(std::span<const MovedRun> runs, std::span<const float> speckle,
+                         float share, std::span<double> power);
+
+}  // namespace skerry::echo

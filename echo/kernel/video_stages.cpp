@@ -1,0 +1,192 @@
+#include "echo/kernel/video_stages.hpp"
+
+#include <algorithm>
+
+#include "echo/kernel/isa.hpp"
+
+namespace skerry::echo {
+namespace {
+
+inline __attribute__((always_inline)) std::uint8_t mean_up(std::uint8_t a, std::uint8_t b) {
+  return static_cast<std::uint8_t>((a + b + 1) >> 1);
+}
+// Rounded down, through the complement: processors round such means up only.
+inline __attribute__((always_inline)) std::uint8_t mean_down(std::uint8_t a, std::uint8_t b) {
+  const auto not_a = static_cast<std::uint8_t>(~a), not_b = static_cast<std::uint8_t>(~b);
+  return static_cast<std::uint8_t>(~mean_up(not_a, not_b));
+}
+
+SKERRY_KERNEL_BODY mean_of_two_body(const std::uint8_t* a, std::size_t shift,
+                                    std::uint8_t* __restrict out, std::size_t n) {
+  const std::uint8_t* b = a - shift;
+  for (std::size_t i = 0; i < n; ++i) out[i] = mean_up(a[i], b[i]);
+}
+SKERRY_KERNEL(mean_of_two,
+              (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
+               std::size_t n),
+              (a, shift, out, n))
+
+// Two steps of doubling at once.
+SKERRY_KERNEL_BODY mean_of_four_body(const std::uint8_t* a, std::size_t shift,
+                                     std::uint8_t* __restrict out, std::size_t n) {
+  const std::uint8_t *b = a - shift, *c = b - shift, *d = c - shift;
+  for (std::size_t i = 0; i < n; ++i) out[i] = mean_down(mean_up(a[i], b[i]), mean_up(c[i], d[i]));
+}
+SKERRY_KERNEL(mean_of_four,
+              (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
+               std::size_t n),
+              (a, shift, out, n))
+
+SKERRY_KERNEL_BODY take_share_body(std::uint8_t* __restrict video, const std::uint8_t* mean,
+                                   std::uint16_t weight, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto product = static_cast<std::uint16_t>(mean[i] * weight + 128);
+    const auto share = static_cast<std::uint8_t>(product >> 8);
+    video[i] = static_cast<std::uint8_t>(video[i] > share ? video[i] - share : 0);
+  }
+}
+SKERRY_KERNEL(take_share,
+              (std::uint8_t* __restrict video, const std::uint8_t* mean, std::uint16_t weight,
+               std::size_t n),
+              (video, mean, weight, n))
+
+template <int kReach>
+inline __attribute__((always_inline)) void largest_within(const std::uint8_t* row,
+                                                          std::uint8_t* __restrict out,
+                                                          std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint8_t largest = row[i];
+    for (int k = 1; k <= kReach; ++k) {
+      const std::uint8_t before = (row - k)[i], after = (row + k)[i];
+      largest = largest > before ? largest : before;
+      largest = largest > after ? largest : after;
+    }
+    out[i] = largest;
+  }
+}
+#define SKERRY_LARGEST_KERNEL(name, reach)                                                    \
+  SKERRY_KERNEL_BODY name##_body(const std::uint8_t* row, std::uint8_t* __restrict out,       \
+                                 std::size_t n) {                                             \
+    largest_within<reach>(row, out, n);                                                       \
+  }                                                                                           \
+  SKERRY_KERNEL(name, (const std::uint8_t* row, std::uint8_t* __restrict out, std::size_t n), \
+                (row, out, n))
+SKERRY_LARGEST_KERNEL(largest_within_1, 1)
+SKERRY_LARGEST_KERNEL(largest_within_2, 2)
+SKERRY_LARGEST_KERNEL(largest_within_3, 3)
+#undef SKERRY_LARGEST_KERNEL
+
+SKERRY_KERNEL_BODY grow_body(std::uint8_t* __restrict video, const std::uint8_t* a,
+                             const std::uint8_t* b, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint8_t ab = a[i] > b[i] ? a[i] : b[i];
+    video[i] = video[i] > ab ? video[i] : ab;
+  }
+}
+SKERRY_KERNEL(grow,
+              (std::uint8_t* __restrict video, const std::uint8_t* a, const std::uint8_t* b,
+               std::size_t n),
+              (video, a, b, n))
+
+SKERRY_KERNEL_BODY upper_half_body(std::uint8_t* video, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) video[i] = static_cast<std::uint8_t>(video[i] >> 4);
+}
+SKERRY_KERNEL(upper_half, (std::uint8_t * video, std::size_t n), (video, n))
+
+}  // namespace
+
+// The first doubling, or the first two, of one spoke: nothing lies before its first cell.
+void first_means(const std::uint8_t* video, unsigned doublings, std::uint8_t* out,
+                 std::size_t cells) {
+  if (doublings == 0) {
+    std::copy_n(video, cells, out);
+    return;
+  }
+  const std::size_t back = doublings == 2 ? 3 : 1;
+  const auto at = [&](std::size_t i, std::size_t k) {
+    return i < k ? std::uint8_t{0} : video[i - k];
+  };
+  for (std::size_t i = 0; i < std::min(back, cells); ++i) {
+    const std::uint8_t first = mean_up(at(i, 0), at(i, 1));
+    out[i] = doublings == 2 ? mean_down(first, mean_up(at(i, 2), at(i, 3))) : first;
+  }
+  if (cells <= back) return;
+  const auto mean = doublings == 2 ? mean_of_four : mean_of_two;
+  mean(video + back, 1, out + back, cells - back);
+}
+
+// All spokes lie in one row, each behind so many zeros that its first cells look back on them and
+// never on the spoke before.
+void differentiate_video(std::span<std::uint8_t> video, std::size_t cells, unsigned octaves,
+                         unsigned weight, std::vector<std::uint8_t>& scratch) {
+  if (weight == 0 || video.empty()) return;
+  const std::size_t length = std::size_t{1} << octaves, pitch = length + cells;
+  const std::size_t spokes = video.size() / cells, n = spokes * pitch;
+  scratch.resize(2 * (length + n));
+  std::uint8_t* mean = scratch.data() + length;
+  std::uint8_t* next = mean + n + length;
+  std::fill(mean - length, mean, std::uint8_t{0});
+  std::fill(next - length, next, std::uint8_t{0});
+  unsigned done = std::min(octaves, 2u);
+  for (std::size_t s = 0; s < spokes; ++s) {
+    std::uint8_t* row = std::fill_n(mean + s * pitch, length, std::uint8_t{0});
+    first_means(video.data() + s * cells, done, row, cells);
+  }
+  for (; done + 2 <= octaves; done += 2) {
+    mean_of_four(mean, std::size_t{1} << done, next, n);
+    std::swap(mean, next);
+  }
+  if (done < octaves) {
+    mean_of_two(mean, std::size_t{1} << done, next, n);
+    std::swap(mean, next);
+  }
+  for (std::size_t s = 0; s < spokes; ++s) {
+    take_share(video.data() + s * cells, mean + s * pitch + length - 1,
+               static_cast<std::uint16_t>(weight), cells);
+  }
+}
+
+void stretch_video(std::span<std::uint8_t> video, std::size_t cells, unsigned reach,
+                   std::vector<std::uint8_t>& scratch) {
+  if (reach == 0) return;
+  constexpr std::size_t kPad = kMaxStretch;  // zeros at both ends
+  scratch.resize(cells + 2 * kPad);
+  std::uint8_t* row = scratch.data() + kPad;
+  std::fill_n(scratch.data(), kPad, std::uint8_t{0});
+  std::fill_n(row + cells, kPad, std::uint8_t{0});
+  const auto widen = reach == 1   ? largest_within_1
+                     : reach == 2 ? largest_within_2
+                                  : largest_within_3;
+  for (std::size_t s = 0; s < video.size(); s += cells) {
+    std::copy_n(video.data() + s, cells, row);
+    widen(row, video.data() + s, cells);
+  }
+}
+
+void keep_largest(std::span<std::uint8_t> video, std::span<const std::uint8_t> a,
+                  std::span<const std::uint8_t> b) noexcept {
+  grow(video.data(), a.data(), b.data(), video.size());
+}
+
+void halve_bits(std::span<std::uint8_t> video) noexcept { upper_half(video.data(), video.size()); }
+
+void differentiate_video_reference(std::span<const std::uint8_t> video, unsigned octaves,
+                                   unsigned weight, std::span<double> out) {
+  const std::size_t length = std::size_t{1} << octaves;
+  for (std::size_t i = 0; i < video.size(); ++i) {
+    double sum = 0.0;
+    for (std::size_t k = 1; k <= length && k <= i; ++k) sum += video[i - k];
+    out[i] = std::max(0.0, video[i] - weight / 256.0 * sum / static_cast<double>(length));
+  }
+}
+
+void stretch_video_reference(std::span<const std::uint8_t> video, unsigned reach,
+                             std::span<std::uint8_t> out) {
+  for (std::size_t i = 0; i < video.size(); ++i) {
+    out[i] = 0;
+    for (std::size_t k = i > reach ? i - reach : 0; k <= i + reach && k < video.size(); ++k)
+      out[i] = std::max(out[i], video[k]);
+  }
+}
+
+}  // namespace skerry::echo

@@ -1,0 +1,144 @@
+#include "echo/propagation/rain_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/fast_exp2.hpp"
+#include "echo/kernel/fast_log2.hpp"
+
+namespace skerry::echo {
+namespace {
+
+constexpr double kKnotsPerRadius = 20.0;
+constexpr double kOctavesPerKnot = 0.23;  // two-way, 0.7 dB
+constexpr int kMostDoublings = 4;         // of a cell from knot to knot
+constexpr float kMostOctaves = 66.0f;     // 199 dB two-way: all is lost
+constexpr double kOctavesPerDb = 0.33219280948873623;
+
+}  // namespace
+
+double rain_rate_at(std::span<const RainCell> rain, PlanePoint place, double dt) {
+  double rate = 0.0;
+  for (const RainCell& cell : rain) {
+    const PlanePoint off = place - (cell.centre + cell.velocity * dt);
+    const double squared = off.east_m * off.east_m + off.north_m * off.north_m;
+    rate += cell.rate_mm_h * rain_profile(squared, cell.radius_m);
+  }
+  return rate;
+}
+
+double rain_profile(double distance_squared, double radius_m) {
+  const double radius = radius_m * radius_m;
+  const double s = std::clamp((radius - distance_squared) / (0.75 * radius), 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+// Clouds whose circle the spoke cuts, and the stretch of the spoke that they cover.
+void RainPath::find_clouds(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
+  clouds_.clear();
+  from_m_ = std::numeric_limits<double>::infinity();
+  to_m_ = 0.0;
+  least_radius_m_ = from_m_;
+  const double reach = model.cell_m * model.geometry.cells;
+  const SinCos ray = sin_cos_units(aim.plane_units);
+  for (const RainCell& cell : scene.rain) {
+    const PlanePoint off = cell.centre + cell.velocity * aim.dt - aim.own_ship;
+    const double along = off.east_m * ray.sin + off.north_m * ray.cos;
+    const double across = off.east_m * ray.cos - off.north_m * ray.sin;
+    const double squared = cell.radius_m * cell.radius_m - across * across;
+    if (!(squared > 0.0) || !(cell.rate_mm_h > 0.0)) continue;
+    const double half = std::sqrt(squared);
+    const double from = std::max(along - half, 0.0), to = std::min(along + half, reach);
+    if (from >= to) continue;
+    clouds_.push_back({static_cast<float>(along), static_cast<float>(across * across),
+                       static_cast<float>(cell.radius_m * cell.radius_m),
+                       static_cast<float>(cell.rate_mm_h)});
+    from_m_ = std::min(from_m_, from);
+    to_m_ = std::max(to_m_, to);
+    least_radius_m_ = std::min(least_radius_m_, cell.radius_m);
+  }
+}
+
+void RainPath::take_law(const RadarModel& model) {
+  if (frequency_hz_ == model.set.frequency_hz && polarisation_ == model.set.polarisation &&
+      cell_m_ == model.cell_m)
+    return;
+  frequency_hz_ = model.set.frequency_hz;
+  polarisation_ = model.set.polarisation;
+  cell_m_ = model.cell_m;
+  const RainLaw law = rain_law(frequency_hz_, polarisation_);
+  alpha_ = static_cast<float>(law.alpha);
+  log2_octaves_ = static_cast<float>(exact_log2(2e-3 * law.k * cell_m_ * kOctavesPerDb));
+}
+
+// Rate at the middle of every step_-th wet cell, and what is left of the power up to there.
+void RainPath::lay_knots() {
+  float greatest = 0.0f;
+  for (const CloudChord& cloud : clouds_) greatest += cloud.rate_mm_h;
+  const float octaves = fast_exp2(log2_octaves_ + alpha_ * fast_log2(greatest));
+  const double spacing = std::min(least_radius_m_ / kKnotsPerRadius,
+                                  cell_m_ * kOctavesPerKnot / static_cast<double>(octaves));
+  int doublings = kMostDoublings;
+  while (doublings > 0 && static_cast<double>(1 << doublings) * cell_m_ > spacing) --doublings;
+  step_ = std::size_t{1} << doublings;
+  const std::size_t knots = (end_ - first_ + step_ - 1) / step_ + 1;
+  knot_rates_.assign(knots, 0.0f);
+  knots_.resize(knots);
+  const double first_m = (static_cast<double>(first_) + 0.5) * cell_m_;
+  const double step_m = static_cast<double>(step_) * cell_m_;
+  for (const CloudChord& cloud : clouds_)
+    add_cloud(cloud, static_cast<float>(first_m), static_cast<float>(step_m), knot_rates_);
+  rain_losses(knot_rates_, log2_octaves_ + static_cast<float>(doublings), alpha_, knots_);
+  // The first knot stands half a cell into the rain; from knot to knot, the mean of the two.
+  float before = knots_.front();
+  float sum = before * (0.5f / static_cast<float>(step_));
+  knots_.front() = std::min(sum, kMostOctaves);
+  for (std::size_t j = 1; j < knots; ++j) {
+    const float loss = knots_[j];
+    sum += 0.5f * (before + loss);
+    before = loss;
+    knots_[j] = std::min(sum, kMostOctaves);
+  }
+  power_left(knots_);
+}
+
+void RainPath::trace(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
+  any_ = false;
+  if (scene.rain.empty()) return;
+  find_clouds(scene, model, aim);
+  if (clouds_.empty()) return;
+  any_ = true;
+  take_law(model);
+  const std::size_t cells = model.geometry.cells;
+  first_ = std::min(static_cast<std::size_t>(from_m_ / cell_m_), cells - 1);
+  end_ = std::clamp(static_cast<std::size_t>(to_m_ / cell_m_) + 1, first_ + 1, cells);
+  lay_knots();
+}
+
+void RainPath::lay(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
+  trace(scene, model, aim);
+  if (!any_) return;
+  rate_.assign(model.geometry.cells, 0.0f);
+  transmission_.resize(model.geometry.cells);
+  const std::size_t wet = end_ - first_;
+  const auto row = std::span(transmission_);
+  spread_knots(knot_rates_, step_, std::span(rate_).subspan(first_, wet));
+  spread_knots(knots_, step_, row.subspan(first_, wet));
+  fill_row(1.0f, row.first(first_));
+  fill_row(knots_.back(), row.subspan(end_));
+}
+
+double RainPath::transmission_at(double range_m) const {
+  const double at = range_m / cell_m_ - 0.5;
+  if (!(at > 0.0)) return static_cast<double>(transmission_.front());
+  const std::size_t last = transmission_.size() - 1;
+  const auto cell = static_cast<std::size_t>(std::min(at, static_cast<double>(last)));
+  const double here = static_cast<double>(transmission_[cell]);
+  const double next = static_cast<double>(transmission_[std::min(cell + 1, last)]);
+  return here + (at - static_cast<double>(cell) < 1.0 ? at - static_cast<double>(cell) : 0.0) *
+                    (next - here);
+}
+
+}  // namespace skerry::echo

@@ -1,0 +1,122 @@
+#include "echo/radar/shipped_sets.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace skerry::echo {
+namespace {
+
+// A river radar.  All [M]: short pulses, a long antenna, turning fast.
+RadarSet river_x() {
+  RadarSet set;
+  set.name = "river X";
+  set.peak_power_w = 4e3;
+  set.antenna_gain_db = 30.0;
+  set.beam_width_deg = 1.0;
+  set.vertical_beam_deg = 25.0;
+  set.rpm = 40.0;
+  set.antenna_height_m = 8.0;
+  set.losses_db = 1.0;
+  set.pulses = {{0.05e-6, 25e6, 4000.0, 1.5},
+                {0.15e-6, 12e6, 3000.0, 3.0},
+                {0.3e-6, 6e6, 1500.0, 12.0},
+                {0.6e-6, 4e6, 800.0, 96.0}};
+  return set;
+}
+
+// 30 kW, 12 ft, 21 or 26 rpm [V: Furuno FAR-2137S, physics.md B1]; bandwidths [V: SN/Circ.197]; the
+// rest [M: table of B1].
+RadarSet thirty_kilowatt_s() {
+  RadarSet set;
+  set.name = "30 kW S";
+  set.frequency_hz = 3.05e9;
+  set.peak_power_w = 30e3;
+  set.antenna_gain_db = 28.0;
+  set.beam_width_deg = 1.8;
+  set.vertical_beam_deg = 25.0;
+  set.near_side_lobe_db = -26.0;
+  set.far_side_lobe_db = -30.0;
+  set.rpm = 26.0;
+  set.antenna_height_m = 22.0;
+  set.noise_figure_db = 4.0;
+  set.losses_db = 2.0;
+  set.pulses = {{0.08e-6, 20e6, 3000.0, 1.5},
+                {0.3e-6, 10e6, 1500.0, 3.0},
+                {0.6e-6, 5e6, 1000.0, 12.0},
+                {1.2e-6, 3e6, 600.0, 96.0}};
+  return set;
+}
+
+// Domes of small craft send long coded pulses or sweeps of a few watts.  They are modelled as the
+// pulse set that is as good: a pulse as long as the compressed one, of the same energy, in a
+// receiver of one over its length.  The code's range side lobes, and the near blindness of long
+// codes, are left out. Power [C] from 25 W and codes of 5 to 100 us [M]: a time-bandwidth product
+// of about 120.
+RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, double gain_db,
+              double rpm) {
+  RadarSet set;
+  set.name = std::move(name);
+  set.frequency_hz = 9.41e9;
+  set.peak_power_w = peak_power_w;
+  set.antenna_gain_db = gain_db;
+  set.beam_width_deg = beam_width_deg;
+  set.vertical_beam_deg = 25.0;
+  set.near_side_lobe_db = -23.0;
+  set.far_side_lobe_db = -30.0;
+  set.rpm = rpm;
+  set.antenna_height_m = 4.0;
+  set.losses_db = 1.0;
+  // [C]: of a Gaussian beam's echo over the first level by x dB sqrt(x / 6) beam widths are seen;
+  // saturated points are from 0.86 of a beam wide, medium ones 0.67, weak ones a quarter
+  // (recordings.md e).
+  set.video_range_db = 6.0;
+  set.pulses = {{0.06e-6, 17e6, 3000.0, 0.5},
+                {0.1e-6, 10e6, 3000.0, 1.5},
+                {0.2e-6, 5e6, 2000.0, 3.0},
+                {0.4e-6, 2.5e6, 1500.0, 12.0},
+                {0.8e-6, 1.25e6, 750.0, 96.0}};
+  return set;
+}
+
+// Sweeps of 165 mW over 1.3 ms, 200 a second [M]: the energy of 0.2 us of 1.1 kW [C].
+RadarSet sweeping_dome(std::string name, double beam_width_deg, double gain_db, double rpm) {
+  RadarSet set = dome(std::move(name), 1.1e3, beam_width_deg, gain_db, rpm);
+  for (Pulse& pulse : set.pulses) pulse.prf_hz = 200.0;
+  return set;
+}
+
+const auto& all() {
+  // Turns of the recorded sets [V: recordings.md j]; their beams [M], which the azimuth extents of
+  // saturated points bear out at 1.0 to 1.5 beam widths (recordings.md e).  The 4G's is the beam as
+  // its processing sharpens it; its aperture's is 5.2 deg.
+  static const std::array sets = {
+      RadarSet{},
+      river_x(),
+      thirty_kilowatt_s(),
+      dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
+      dome("HALO20", 1.2e3, 4.9, 23.5, 22.8),
+      sweeping_dome("4G", 2.6, 24.5, 23.874),
+      sweeping_dome("3G", 5.2, 23.0, 24.0),
+      sweeping_dome("BR24", 5.2, 23.0, 24.0),
+      dome("Quantum 2", 2.4e3, 4.9, 23.5, 24.0),
+  };
+  return sets;
+}
+
+}  // namespace
+
+std::span<const RadarSet> shipped_sets() { return all(); }
+
+RadarSet find_set(std::string_view name) {
+  std::string names;
+  for (const RadarSet& set : all()) {
+    if (set.name == name) return set;
+    names += (names.empty() ? "\"" : ", \"") + set.name + "\"";
+  }
+  throw std::invalid_argument("there is no radar set \"" + std::string(name) + "\"; there are " +
+                              names);
+}
+
+}  // namespace skerry::echo

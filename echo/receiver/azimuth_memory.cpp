@@ -1,0 +1,120 @@
+#include "echo/receiver/azimuth_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/video_stages.hpp"
+
+namespace skerry::echo {
+namespace {
+constexpr float kUnknown = 1e30f;  // before the first spoke: nothing is far above it
+}
+
+AzimuthStages azimuth_stages(double beam_width_deg, std::uint32_t spokes_per_turn, double rejection,
+                             double integration, unsigned stretch) {
+  const double spoke_deg = 360.0 / spokes_per_turn;
+  const double beam = beam_width_deg / std::numbers::sqrt2 / spoke_deg;
+  AzimuthStages stages;
+  if (rejection > 0.0 && beam >= 2.0) {
+    stages.rejection_db =
+        kLeastRejectionDb + (kMostRejectionDb - kLeastRejectionDb) * rejection / 100.0;
+  }
+  const double most = std::clamp(std::floor(beam), 1.0, static_cast<double>(kMaxIntegrated));
+  stages.integrated = 1 + static_cast<std::uint32_t>((most - 1.0) * integration / 100.0 + 0.5);
+  stages.stretch = std::min(stretch, static_cast<unsigned>(0.5 / spoke_deg));
+  return stages;
+}
+
+void AzimuthMemory::set_up(const AzimuthStages& stages, std::uint32_t cells, double mean_noise) {
+  floor_ = static_cast<float>(mean_noise);
+  if (stages == stages_ && cells == cells_) return;
+  stages_ = stages;
+  cells_ = cells;
+  // Rows must not lie a multiple of 4 KiB apart.
+  pitch_ = (cells + 15) / 16 * 16 + 16;
+  ratio_ = static_cast<float>(ratio_from_decibels(stages.rejection_db));
+  totals_.resize(stages.rejection_db > 0.0 ? 3 * pitch_ : 0);
+  const bool sums = stages.integrated > 1;
+  group_.resize(sums ? stages.integrated * pitch_ : 0);
+  so_far_.resize(sums ? pitch_ : 0);
+  nothing_.assign(sums ? pitch_ : 0, 0.0f);
+  shown_.resize(2 * std::size_t{stages.stretch} * cells);
+  forget();
+}
+
+void AzimuthMemory::forget() {
+  std::fill(totals_.begin(), totals_.end(), kUnknown);
+  std::fill(group_.begin(), group_.end(), 0.0f);
+  std::fill(so_far_.begin(), so_far_.end(), 0.0f);
+  std::fill(shown_.begin(), shown_.end(), std::uint8_t{0});
+  spokes_ = 0;
+}
+
+// A group of spokes is full: each becomes the sum of itself and those behind it in the group.
+void AzimuthMemory::close_group(std::size_t begin, std::size_t columns) {
+  for (std::size_t j = stages_.integrated - 1; j-- > 0;) {
+    const auto row = std::span(group_).subspan(j * pitch_ + begin, columns);
+    add_row(row, std::span(group_).subspan((j + 1) * pitch_ + begin, columns));
+  }
+  std::fill_n(so_far_.begin() + static_cast<std::ptrdiff_t>(begin), columns, 0.0f);
+}
+
+void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t begin,
+                            std::span<const float> power, float gain, const NoiseRow& noise,
+                            std::span<const float> offset, QuantiserScale scale,
+                            std::span<std::uint8_t> video) {
+  RejectionRows rejection;
+  if (stages_.rejection_db > 0.0) {
+    const auto row = [&](std::uint64_t number) {
+      return totals_.data() + number % 3 * pitch_ + begin;
+    };
+    rejection = {row(spoke + 2), row(spoke + 1), row(spoke), ratio_, floor_};
+  }
+  IntegrationRows integration;
+  if (stages_.integrated > 1) {
+    const std::uint64_t place = spoke % stages_.integrated;
+    if (place == 0) close_group(begin, video.size());
+    float* kept = group_.data() + place * pitch_ + begin;
+    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : nothing_.data() + begin;
+    const std::uint64_t summed = std::min<std::uint64_t>(stages_.integrated, spokes_ + k + 1);
+    integration = {later, so_far_.data() + begin, kept, 1.0f / static_cast<float>(summed)};
+  }
+  if (stages_.rejection_db <= 0.0) {
+    receive_integrated(power, gain, noise, integration, offset, scale, video);
+  } else if (stages_.integrated <= 1) {
+    receive_rejected(power, gain, noise, rejection, offset, scale, video);
+  } else {
+    receive_rejected_and_integrated(power, gain, noise, rejection, integration, offset, scale,
+                                    video);
+  }
+}
+
+// From the last spoke back, so that each still finds those before it as they were.
+void AzimuthMemory::stretch(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
+                            std::size_t columns) {
+  const std::size_t kept = 2 * std::size_t{stages_.stretch};
+  const auto shown = [&](std::size_t k) {  // the last `kept` spokes, then this call's
+    return k < kept ? std::span(shown_).subspan(k * cells_ + begin, columns)
+                    : video.subspan((k - kept) * cells_ + begin, columns);
+  };
+  thread_local std::vector<std::uint8_t> last;
+  last.resize(kept * columns);
+  for (std::size_t k = 0; k < kept; ++k) {
+    const auto row = shown(count + k);
+    std::copy(row.begin(), row.end(), last.begin() + static_cast<std::ptrdiff_t>(k * columns));
+  }
+  for (std::size_t k = count; k-- > 0;) {
+    for (std::size_t back = 0; back < kept; back += 2)
+      keep_largest(shown(kept + k), shown(k + back), shown(k + back + 1));
+  }
+  for (std::size_t k = 0; k < kept; ++k) {
+    const auto row = std::span(last).subspan(k * columns, columns);
+    std::copy(row.begin(), row.end(), shown(k).begin());
+  }
+}
+
+void AzimuthMemory::end_spokes(std::uint32_t count) { spokes_ += count; }
+
+}  // namespace skerry::echo

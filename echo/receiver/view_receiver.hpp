@@ -1,0 +1,98 @@
+// ViewReceiver: from the power on the air to the video of one view of a radar.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "echo/kernel/aligned_floats.hpp"
+#include "echo/kernel/coherent_receiver.hpp"
+#include "echo/kernel/parallel_for.hpp"
+#include "echo/radar/radar_model.hpp"
+#include "echo/receiver/auto_sea.hpp"
+#include "echo/receiver/azimuth_memory.hpp"
+#include "echo/receiver/controls.hpp"
+#include "echo/receiver/log_video.hpp"
+#include "echo/receiver/receiver_noise.hpp"
+#include "echo/receiver/row_resampler.hpp"
+
+namespace skerry::echo {
+
+// The stages, in order: cells of the view's range scale - noise, coherent - square-law detector -
+// interference rejection - integration - log - gain and STC - 8 bits - rain control - stretch -
+// 4 bits if so.  A stage that is off costs nothing.
+//
+// Views of one radar share its rows and its noise: the same noise, cell by cell, on the same range
+// scale and decimation.  The receiver is blind, and its video 0, before model.blind_cells and
+// beyond the radar's range.
+// Integration and stretch across spokes look back only: what they show lies lag_spokes() late.
+//
+// Deterministic: the video is a function of the sequence of rows and controls, of no matter how
+// many spokes to a call, threads or instruction set.  Calls go on where the last one ended; after a
+// jump what was learnt of earlier spokes is forgotten (automatic STC keeps its turn).
+// Thread: one at a time; `parallel` hands out the work of a call.
+class ViewReceiver {
+ public:
+  // Requires controls without fault_of.
+  ViewReceiver(const RadarModel& model, const ViewControls& controls);
+
+  const ViewControls& controls() const { return controls_; }
+  // Stages that stay as they are keep what they have learnt.
+  void set_controls(const ViewControls& controls);
+
+  // Whether the radar's range covers the view's; what it does not is 0.
+  bool reaches() const { return resampler_.reach() == model_.geometry.cells; }
+  double lag_spokes() const;
+
+  // rows: echo power over mean noise, >= 0, < 1e30, `pitch` floats from spoke to spoke, the radar's
+  // cells of each; spokes first .. first + count - 1 from the antenna's start; video: one byte per
+  // cell, spoke after spoke.
+  void receive(std::span<const float> rows, std::size_t pitch, std::uint64_t first,
+               std::uint32_t count, std::uint64_t seed, const ParallelFor& parallel,
+               std::span<std::uint8_t> video);
+
+  // What a power (echo and noise together, over mean noise) reads at a cell before it is rounded
+  // and clamped, with the STC now in force: video steps.
+  double level_of(double power, std::uint32_t cell) const;
+
+ private:
+  struct Piece {
+    std::span<const float> rows;
+    std::size_t pitch;
+    std::uint64_t first;
+    std::uint32_t count;
+    std::uint64_t seed;
+    std::span<std::uint8_t> video;
+  };
+
+  void set_up();
+  void lay_offsets();
+  void lay_learnt(double constant, std::span<const double> bins);
+  void receive_piece(const Piece& piece, const ParallelFor& parallel);
+  void learn_sea(const Piece& piece, const ParallelFor& parallel);
+  NoiseRow noise_of(std::uint64_t seed, std::uint64_t spoke) const;
+  std::span<const float> row_of(const Piece& piece, std::size_t k) const;
+  std::span<std::uint8_t> video_of(const Piece& piece, std::size_t k) const;
+  void finish(std::span<std::uint8_t> video) const;
+
+  RadarModel model_;
+  ViewControls controls_;
+  RowResampler resampler_;
+  double cell_m_;  // of the view
+  std::uint32_t blind_cells_;
+  std::shared_ptr<const ReceiverNoise> noise_;
+  double steps_per_db_;    // of 8 bits
+  QuantiserScale scale_;   // the same
+  AlignedFloats offsets_;  // gain and STC by cell, in steps
+  unsigned rain_octaves_ = 0, rain_weight_ = 0;
+  unsigned stretch_cells_ = 0;
+  AzimuthMemory memory_;
+  AlignedFloats seen_;  // rows of a call in the view's cells, where they must be in order
+  std::optional<AutoSea> auto_sea_;
+  std::uint32_t laid_sector_ = AutoSea::kBearings;  // whose STC the offsets have
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace skerry::echo

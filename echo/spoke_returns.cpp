@@ -1,0 +1,247 @@
+#include "echo/spoke_returns.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "echo/artefacts/antenna_motion.hpp"
+#include "echo/artefacts/false_echoes.hpp"
+#include "echo/artefacts/minimum_range.hpp"
+#include "echo/artefacts/saturation.hpp"
+#include "echo/artefacts/shadow_sectors.hpp"
+#include "echo/beacons/beacon_returns.hpp"
+#include "echo/beacons/far_echoes.hpp"
+#include "echo/clutter/rain_returns.hpp"
+#include "echo/clutter/sea_returns.hpp"
+#include "echo/clutter/speckle.hpp"
+#include "echo/kernel/aligned_floats.hpp"
+#include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/hash.hpp"
+#include "echo/kernel/row_factors.hpp"
+#include "echo/propagation/propagation.hpp"
+#include "echo/propagation/rain_path.hpp"
+#include "echo/returns/static_returns.hpp"
+#include "echo/scene/spoke_aim.hpp"
+#include "echo/targets/echo_splat.hpp"
+#include "echo/targets/target_returns.hpp"
+
+namespace skerry::echo {
+namespace {
+
+// Rock, trees and houses keep their phases for as long as a beam takes to pass: what is renewed
+// from turn to turn (recordings.md g) is a matter of the ship's own way.
+constexpr double kLandLifetime = 1.0;  // seconds
+// Share of land's mean power that comes from what stands out in its cell and stays: a Rician cell.
+// Turns then correlate as land's do (recordings.md g).
+constexpr double kSteadyLand = 0.35;
+constexpr std::uint64_t kLandSpeckle = 0x1A4D5;
+
+struct Look {
+  SpokeAim aim;  // as the antenna, swayed with the ship, sees it
+  Motion motion;
+};
+
+}  // namespace
+
+struct SpokeReturns::Contributors {
+  Contributors(const RadarModel& radar, ParallelFor in_parallel)
+      : model(radar),
+        parallel(std::move(in_parallel)),
+        statics(radar, parallel),
+        sea(radar),
+        rain(radar),
+        targets(radar),
+        splat(radar),
+        far_echoes(radar),
+        false_echoes(radar),
+        false_splat(radar),
+        beacons(radar),
+        rig(radar),
+        motion(radar),
+        minimum_range(radar),
+        saturation(radar),
+        pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u),
+        rows(std::size_t{kMaxSector} * pitch),
+        looks(kMaxSector),
+        dry(kMaxSector) {
+    const SpeckleLengths lengths = speckle_lengths(radar, kLandLifetime);
+    land_speckle = speckle_for(lengths.spokes, lengths.cells);
+  }
+
+  void look_at_weather(const Scene& scene);
+  void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
+  // Land on empty rows, and where it leaves no water.
+  void lay_land(const Scene& scene, const SpokeAim& aim, std::span<float> row,
+                std::vector<CellRun>& no_water) const;
+  void look_for_water(std::uint32_t count);
+  void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
+  // And all else.
+  void make_row(const Scene& scene, const Look& look, std::span<const CellRun> no_water,
+                std::span<float> row) const;
+
+  RadarModel model;
+  ParallelFor parallel;
+  float tune_factor = 1.0f;
+
+  // Of the weather last seen.
+  std::optional<Propagation> propagation;
+  Atmosphere atmosphere;
+  double wave_height_m = -1.0;
+
+  StaticReturns statics;
+  std::shared_ptr<const Speckle> land_speckle;
+  SeaReturns sea;
+  RainReturns rain;
+  TargetReturns targets;
+  EchoSplat splat;
+  FarEchoes far_echoes;
+  FalseEchoes false_echoes;
+  EchoSplat false_splat;
+  BeaconReturns beacons;
+  OwnShipGain rig;
+  AntennaMotionModel motion;
+  MinimumRange minimum_range;
+  Saturation saturation;
+
+  std::size_t pitch;
+  AlignedFloats rows;
+  std::vector<Look> looks;
+  std::vector<std::vector<CellRun>> dry;  // of each spoke
+  std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
+  std::vector<PointEcho> points, false_points;
+};
+
+void SpokeReturns::Contributors::look_at_weather(const Scene& scene) {
+  if (propagation && scene.atmosphere == atmosphere && scene.wave_height_m == wave_height_m) return;
+  atmosphere = scene.atmosphere;
+  wave_height_m = scene.wave_height_m;
+  propagation.emplace(model.set, atmosphere, wave_height_m,
+                      std::max(model.scale.length().in_metres(), FarEchoes::kFarthest));
+  targets.set_propagation(&*propagation);
+}
+
+void SpokeReturns::Contributors::prepare(const Scene& scene, std::uint64_t first,
+                                         std::uint32_t count) {
+  look_at_weather(scene);
+  rig.prepare(scene);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const SpokeAim aim = aim_of(scene, model.clock, first + k);
+    const Motion moved = motion.at(scene, aim);
+    looks[k] = {moved.moves ? AntennaMotionModel::moved(aim, moved) : aim, moved};
+  }
+  const SpokeAim& from = looks[0].aim;
+  const SpokeAim& to = looks[count - 1].aim;
+  statics.prepare(scene, first, count);
+  const HiddenHeight hidden = [this](std::uint32_t units, double range_m) {
+    return statics.hidden_height(units, range_m);
+  };
+  points.clear();
+  targets.prepare(scene, from, to, hidden, points);
+  const StrongEchoes& strong = targets.strong();
+  false_points.clear();
+  if (!points.empty() || !strong.points.empty())
+    false_echoes.add(scene, from, to, points, strong.points, false_points);
+  far_echoes.append(scene, *propagation, from, to, hidden, points);
+  if (scene.artefacts.side_lobes) {
+    splat.prepare(points, from, to, strong);
+  } else {
+    splat.prepare(points, from, to);
+  }
+  false_splat.prepare(false_points, from, to);
+  beacons.prepare(scene, *propagation, from, to, hidden);
+}
+
+void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& aim,
+                                          std::span<float> row,
+                                          std::vector<CellRun>& no_water) const {
+  std::fill(row.begin(), row.end(), 0.0f);
+  no_water.clear();
+  if (statics.empty()) return;
+  const auto speckle = land_speckle->row(mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
+                                         aim.index, model.geometry.cells);
+  statics.add(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
+}
+
+// Of all spokes together.
+void SpokeReturns::Contributors::look_for_water(std::uint32_t count) {
+  wet.assign((model.geometry.cells + SeaReturns::kWetCells - 1) / SeaReturns::kWetCells, 0);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    std::size_t from = 0;
+    const auto mark = [&](std::size_t end) {
+      if (from >= end) return;
+      for (std::size_t b = from / SeaReturns::kWetCells; b * SeaReturns::kWetCells < end; ++b)
+        wet[b] = 1;
+    };
+    for (const CellRun& run : dry[k]) {
+      mark(run.first);
+      from = std::max<std::size_t>(from, run.last);
+    }
+    mark(model.geometry.cells);
+  }
+}
+
+void SpokeReturns::Contributors::add_sea(const SpokeAim& aim, std::span<const CellRun> no_water,
+                                         std::span<float> row) const {
+  std::uint32_t from = 0;
+  for (const CellRun& run : no_water) {
+    sea.add(aim, row, from, run.first);
+    from = std::max<std::uint32_t>(from, run.last);
+  }
+  sea.add(aim, row, from, sea.reach_cells());
+}
+
+void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
+                                          std::span<const CellRun> no_water,
+                                          std::span<float> row) const {
+  const SpokeAim& aim = look.aim;
+  if (sea.any()) add_sea(aim, no_water, row);
+  if (targets.shadows().any()) targets.shadows().apply(aim, row);
+  splat.add(aim, row);
+  if (!scene.rain.empty()) {
+    thread_local RainPath path;
+    path.trace(scene, model, aim);
+    if (path.any()) {
+      rain.pass(scene.seed, aim,
+                {path.knot_rates(), path.knot_transmissions(), path.step(), path.first_wet(),
+                 path.end_wet()},
+                row);
+    }
+  }
+  if (look.motion.moves) motion.apply(look.motion, row);
+  if (rig.any()) scale_row(row, rig.two_way(aim.relative_units));
+  if (!false_points.empty() && rig.transmits(aim.relative_units)) false_splat.add(aim, row);
+  if (tune_factor != 1.0f) scale_row(row, tune_factor);
+  if (beacons.any()) beacons.add(aim, row, tune_factor);
+  minimum_range.apply(scene.artefacts, row);
+  saturation.apply(scene.artefacts, row);
+}
+
+SpokeReturns::SpokeReturns(const RadarModel& model, ParallelFor parallel)
+    : all_(std::make_unique<Contributors>(model, std::move(parallel))) {}
+SpokeReturns::~SpokeReturns() = default;
+SpokeReturns::SpokeReturns(SpokeReturns&&) noexcept = default;
+SpokeReturns& SpokeReturns::operator=(SpokeReturns&&) noexcept = default;
+
+const RadarModel& SpokeReturns::model() const { return all_->model; }
+
+void SpokeReturns::set_tune_loss(double db) {
+  all_->tune_factor = static_cast<float>(ratio_from_decibels(-db));
+}
+
+PowerRows SpokeReturns::make(const Scene& scene, std::uint64_t first, std::uint32_t count) {
+  Contributors& all = *all_;
+  all.prepare(scene, first, count);
+  const auto row = [&](std::size_t k) {
+    return std::span(all.rows).subspan(k * all.pitch, all.model.geometry.cells);
+  };
+  // The sea's waves are made only where some spoke sees water.
+  all.parallel(count,
+               [&](std::size_t k) { all.lay_land(scene, all.looks[k].aim, row(k), all.dry[k]); });
+  all.look_for_water(count);
+  all.sea.prepare(scene, all.looks[0].aim, all.looks[count - 1].aim, all.wet);
+  all.parallel(count,
+               [&](std::size_t k) { all.make_row(scene, all.looks[k], all.dry[k], row(k)); });
+  return {first, count, all.pitch, all.rows};
+}
+
+}  // namespace skerry::echo

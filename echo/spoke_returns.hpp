@@ -1,0 +1,51 @@
+// SpokeReturns: all that a radar's spokes bring back, before any receiver.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "echo/kernel/parallel_for.hpp"
+#include "echo/radar/radar_model.hpp"
+#include "echo/scene/scene.hpp"
+
+namespace skerry::echo {
+
+// Rows of power, one per spoke: instantaneous echo power over the receiver's mean noise, at the
+// cells of the radar's range scale, shared by all views of the radar.  >= 0, < 1e30.
+struct PowerRows {
+  std::uint64_t first = 0;  // spoke, from the antenna's start
+  std::uint32_t count = 0;
+  std::size_t pitch = 0;  // floats from row to row: not a multiple of 4 KiB
+  std::span<const float> cells;
+};
+
+// Joins what echoes (land, sea, rain, targets, beacons) and what is not there (false echoes) to the
+// power of each spoke.  A contributor of which the scene has nothing costs one branch.
+// The rows are a pure function of the sequence of (Scene, sector), for any number of threads and
+// any instruction set.  Thread: one at a time.
+class SpokeReturns {
+ public:
+  // The range scale of `model` is the one that the pulses are for.
+  SpokeReturns(const RadarModel& model, ParallelFor parallel);
+  ~SpokeReturns();
+  SpokeReturns(SpokeReturns&&) noexcept;
+  SpokeReturns& operator=(SpokeReturns&&) noexcept;
+
+  const RadarModel& model() const;
+
+  // What detuning takes from echoes, dB >= 0; SARTs and other radars keep their strength.
+  void set_tune_loss(double db);
+
+  // Rows of spokes first .. first + count - 1, valid until the next call.  count: 1 to kMaxSector.
+  // scene.index must serve its own ship.
+  static constexpr std::uint32_t kMaxSector = 64;
+  PowerRows make(const Scene& scene, std::uint64_t first, std::uint32_t count);
+
+ private:
+  struct Contributors;
+  std::unique_ptr<Contributors> all_;
+};
+
+}  // namespace skerry::echo

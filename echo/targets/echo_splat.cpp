@@ -1,0 +1,208 @@
+#include "echo/targets/echo_splat.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "echo/kernel/exact_math.hpp"
+#include "echo/radar/beam.hpp"
+#include "echo/targets/sector_view.hpp"
+
+namespace skerry::echo {
+namespace {
+
+constexpr double kUnitsPerDegree = 4294967296.0 / 360.0;
+constexpr std::uint32_t kMainPlaces = 512;
+constexpr double kNearLobesDeg = 5.0;
+constexpr double kStandsOut = 0.05;  // of the noise
+constexpr float kSlightest = 1e-4f;  // of the noise: weaker points are left out
+constexpr float kLeastLobe = 0.05f;  // of the noise: weaker side lobes are
+constexpr float kNull = 1e-6f;       // two-way voltage that counts as none
+
+constexpr std::uint32_t kPhases = 1024;
+struct Phasors {
+  std::array<float, kPhases> cosine, sine;
+};
+const Phasors& phasors() {
+  static const Phasors table = [] {
+    Phasors made;
+    for (std::uint32_t k = 0; k < kPhases; ++k) {
+      const SinCos at = sin_cos_units(k << 22);
+      made.cosine[k] = static_cast<float>(at.cos), made.sine[k] = static_cast<float>(at.sin);
+    }
+    return made;
+  }();
+  return table;
+}
+
+// A share so small that its square, with the slightest of levels, might be denormal counts as none.
+float root_of_share(double share) {
+  return share < 1e-4 ? 0.0f : std::sqrt(static_cast<float>(share));
+}
+
+}  // namespace
+
+EchoSplat::EchoSplat(const RadarModel& model)
+    : model_(model),
+      pattern_(*antenna_pattern_for(model.set)),
+      null_units_(static_cast<std::uint32_t>(1.25 * model.set.beam_width_deg * kUnitsPerDegree)),
+      lobes_units_(
+          std::max(null_units_, static_cast<std::uint32_t>(kNearLobesDeg * kUnitsPerDegree))),
+      to_place_(static_cast<float>(kMainPlaces) / static_cast<float>(null_units_)),
+      pulse_cells_(std::max(1.0, model.pulse_cells)),
+      far_(model) {
+  const double highest = std::max(model.set.near_side_lobe_db, model.set.far_side_lobe_db);
+  stands_out_ = static_cast<float>(kStandsOut / ratio_from_decibels(2.0 * highest));
+  for (std::uint32_t k = 0; k <= kMainPlaces + 1; ++k) {
+    const double off = null_units_ / kUnitsPerDegree * k / kMainPlaces;
+    const double v = std::max(0.0, cosine_taper_voltage(off, model.set.beam_width_deg));
+    main_lobe_.push_back(static_cast<float>(v * v));
+  }
+}
+
+// Two-way voltage is one-way power.
+float EchoSplat::voltage(std::uint32_t off_units) const {
+  if (off_units < null_units_) {
+    const float place = static_cast<float>(off_units) * to_place_;
+    const auto k = static_cast<std::uint32_t>(place);
+    const float t = place - static_cast<float>(k);
+    return main_lobe_[k] + t * (main_lobe_[k + 1] - main_lobe_[k]);
+  }
+  return side_lobes_ ? pattern_.one_way(off_units) : 0.0f;
+}
+
+bool EchoSplat::lay(const PointEcho& echo, Point& point) const {
+  const double start = echo.range_m / model_.cell_m;
+  if (!(start >= 0.0) || start >= model_.geometry.cells) return false;
+  const double end = start + pulse_cells_;
+  point.units = echo.bearing_units;
+  point.cell = static_cast<std::uint32_t>(start);
+  const auto last = static_cast<std::uint32_t>(end);
+  point.full = last - point.cell - 1;
+  point.lead = root_of_share(1.0 - (start - point.cell));
+  point.tail = root_of_share(end - last);
+  const float amplitude = std::sqrt(std::min(echo.power, kMaxPointPower));
+  const auto turn = static_cast<std::uint32_t>(
+      static_cast<std::int32_t>(echo.phase * static_cast<float>(kPhases)));
+  point.in_phase = amplitude * phasors().cosine[turn % kPhases];
+  point.quadrature = amplitude * phasors().sine[turn % kPhases];
+  return true;
+}
+
+void EchoSplat::prepare(const std::vector<PointEcho>& points, const SpokeAim& first,
+                        const SpokeAim& last, const StrongEchoes* strong) {
+  side_lobes_ = strong != nullptr;
+  near_.clear(), met_.clear(), points_.clear(), bodies_.clear(), far_.clear();
+  const auto turned = static_cast<std::int32_t>(last.plane_units - first.plane_units);
+  const std::uint32_t middle = first.plane_units + static_cast<std::uint32_t>(turned / 2);
+  const std::uint32_t half = static_cast<std::uint32_t>(std::abs(turned / 2)) + 1;
+  for (const PointEcho& echo : points) {
+    if (!(echo.power > kSlightest)) continue;
+    const std::uint32_t off = units_apart(echo.bearing_units, middle);
+    const std::uint32_t reach =
+        side_lobes_ && echo.power > stands_out_ ? lobes_units_ : null_units_;
+    if (off > half + reach) continue;
+    near_.push_back(echo);
+    if (met_.empty() || met_.back() != echo.body) met_.push_back(echo.body);
+  }
+  if (strong && !strong->points.empty()) {
+    take_near_of(*strong, middle, half + lobes_units_);
+    far_.prepare(pattern_, *strong, met_, half + lobes_units_, first, last);
+  }
+  const auto by_body = [](const PointEcho& a, const PointEcho& b) { return a.body < b.body; };
+  if (!std::is_sorted(near_.begin(), near_.end(), by_body))
+    std::stable_sort(near_.begin(), near_.end(), by_body);
+  lay_bodies();
+}
+
+void EchoSplat::take_near_of(const StrongEchoes& strong, std::uint32_t middle,
+                             std::uint32_t reach) {
+  for (const PointEcho& echo : strong.points) {
+    if (units_apart(echo.bearing_units, middle) > reach || !(echo.power > stands_out_)) continue;
+    if (std::find(met_.begin(), met_.end(), echo.body) == met_.end()) near_.push_back(echo);
+  }
+}
+
+void EchoSplat::lay_bodies() {
+  for (std::size_t i = 0; i < near_.size();) {
+    const auto begin = static_cast<std::uint32_t>(points_.size());
+    const std::uint32_t about = near_[i].bearing_units, number = near_[i].body;
+    std::int64_t left = 0, right = 0;
+    std::uint32_t cell = ~0u, cell_end = 0;
+    bool stands_out = false;
+    float power = 0.0f;
+    for (; i < near_.size() && near_[i].body == number; ++i) {
+      Point point;
+      if (!lay(near_[i], point)) continue;
+      points_.push_back(point);
+      const std::int64_t off = static_cast<std::int32_t>(point.units - about);
+      left = std::min(left, off), right = std::max(right, off);
+      cell = std::min(cell, point.cell);
+      cell_end = std::max(cell_end, point.cell + point.full + 2);
+      stands_out = stands_out || near_[i].power > stands_out_;
+      power += std::min(near_[i].power, kMaxPointPower);
+    }
+    const auto end = static_cast<std::uint32_t>(points_.size());
+    if (end == begin) continue;
+    const auto half = static_cast<std::uint32_t>((right - left) / 2 + 1);
+    const std::uint32_t lobes = side_lobes_ && stands_out ? lobes_units_ : null_units_;
+    bodies_.push_back({begin, end, about + static_cast<std::uint32_t>((left + right) / 2),
+                       std::min(half + lobes, 0x80000000u), half + null_units_, power, cell,
+                       std::min(cell_end, model_.geometry.cells)});
+  }
+}
+
+void EchoSplat::add_power(const Point& point, float factor, std::span<float> power) {
+  const float level =
+      factor * (point.in_phase * point.in_phase + point.quadrature * point.quadrature);
+  if (!(level > kSlightest)) return;
+  const std::size_t tail = std::size_t{point.cell} + point.full + 1;
+  power[point.cell] += level * point.lead * point.lead;
+  const std::size_t full_end = std::min(tail, power.size());
+  for (std::size_t c = point.cell + std::size_t{1}; c < full_end; ++c) power[c] += level;
+  if (tail < power.size()) power[tail] += level * point.tail * point.tail;
+}
+
+void EchoSplat::add_body(const Body& body, std::uint32_t axis_units, std::span<float> power) const {
+  thread_local std::vector<float> voltages;
+  const std::size_t width = body.cell_end - body.cell;
+  if (voltages.size() < 2 * width) voltages.resize(2 * width);
+  float* __restrict const in_phase = voltages.data();
+  float* __restrict const quadrature = in_phase + width;
+  std::fill(in_phase, in_phase + 2 * width, 0.0f);
+  bool any = false;
+  for (std::uint32_t i = body.begin; i < body.end; ++i) {
+    const Point& point = points_[i];
+    const float g = voltage(units_apart(point.units, axis_units));
+    if (g < kNull) continue;
+    any = true;
+    const float re = g * point.in_phase, im = g * point.quadrature;
+    const std::size_t at = point.cell - body.cell;
+    in_phase[at] += point.lead * re, quadrature[at] += point.lead * im;
+    const std::size_t last = at + point.full + 1;
+    const std::size_t full_end = std::min(last, width);
+    for (std::size_t c = at + 1; c < full_end; ++c) in_phase[c] += re, quadrature[c] += im;
+    if (last < width) in_phase[last] += point.tail * re, quadrature[last] += point.tail * im;
+  }
+  if (!any) return;
+  float* row = power.data() + body.cell;
+  for (std::size_t c = 0; c < width; ++c)
+    row[c] += in_phase[c] * in_phase[c] + quadrature[c] * quadrature[c];
+}
+
+void EchoSplat::add(const SpokeAim& aim, std::span<float> power) const {
+  for (const Body& body : bodies_) {
+    const std::uint32_t off = units_apart(aim.plane_units, body.middle);
+    if (off > body.reach) continue;
+    if (off < body.main_reach && body.end - body.begin > 1) {
+      add_body(body, aim.plane_units, power);
+      continue;
+    }
+    const float g = voltage(off);
+    if (off >= body.main_reach && !(g * g * body.power > kLeastLobe)) continue;
+    for (std::uint32_t i = body.begin; i < body.end; ++i) add_power(points_[i], g * g, power);
+  }
+  far_.add(aim, power);
+}
+
+}  // namespace skerry::echo

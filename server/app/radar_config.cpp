@@ -1,0 +1,57 @@
+#include "server/app/radar_config.hpp"
+
+#include "server/world/radar_sets.hpp"
+
+namespace skerry::server {
+namespace {
+
+echo::PulseChoice choice_of(scenario::Radar::PulseChoice choice) {
+  switch (static_cast<int>(choice)) {
+    case 1:
+      return echo::PulseChoice::short_pulse;
+    case 2:
+      return echo::PulseChoice::medium_pulse;
+    case 3:
+      return echo::PulseChoice::long_pulse;
+    default:
+      return echo::PulseChoice::automatic;
+  }
+}
+
+}  // namespace
+
+RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std::size_t own_ship,
+                         std::uint64_t seed) {
+  RadarConfig config;
+  config.radar = index;
+  config.own_ship = own_ship;
+  config.name = radar.name();
+  config.set = radar_set(radar);
+  config.geometry = {radar.spokes(), radar.cells(), radar.bits()};
+  config.controls.range_scale = *RangeScale::find(radar.range_nm());
+  config.controls.gain = radar.gain();
+  config.controls.sea = radar.sea();
+  config.controls.rain = radar.rain();
+  config.controls.sea_auto = radar.sea_auto();
+  config.controls.interference_rejection = radar.interference_rejection();
+  config.controls.echo_stretch = radar.echo_stretch();
+  config.controls.integration = radar.integration();
+  config.controls.stretch_bearing = radar.stretch_bearing();
+  config.controls.decimation =
+      radar.decimation() == scenario::Radar::mean ? echo::Decimation::mean : echo::Decimation::peak;
+  config.radar_controls.transmit = radar.transmit();
+  config.radar_controls.pulse = choice_of(radar.pulse());
+  config.radar_controls.tune_auto = radar.tune_auto();
+  config.radar_controls.tune = radar.tune();
+  for (const scenario::Obstruction& said : radar.obstructions()) {
+    config.obstructions.push_back(
+        {said.bearing_deg(), said.width_m(), said.distance_m(), said.reflectivity()});
+  }
+  for (const scenario::BlankedSector& said : radar.blanked_sectors()) {
+    config.blanked.push_back({said.from_deg(), said.to_deg()});
+  }
+  config.seed = seed;
+  return config;
+}
+
+}  // namespace skerry::server

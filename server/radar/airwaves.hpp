@@ -1,0 +1,50 @@
+// Airwaves: what every radar of the server has on the air, for the receivers of the others.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "echo/radar/radar_set.hpp"
+#include "echo/scene/beacons.hpp"
+
+namespace skerry::server {
+
+// An emitter without its place: that of the own ship it stands on.
+struct Emission {
+  std::size_t own_ship = 0;
+  bool transmits = false;
+  echo::Emitter emitter;
+  friend bool operator==(const Emission& a, const Emission& b) {
+    return a.own_ship == b.own_ship && a.transmits == b.transmits &&
+           a.emitter.pulse_s == b.emitter.pulse_s && a.emitter.prf_hz == b.emitter.prf_hz &&
+           a.emitter.identity == b.emitter.identity;
+  }
+};
+using EmissionsPtr = std::shared_ptr<const std::vector<Emission>>;
+
+// A set with one of its pulses as others hear it; no place nor bearing.  Its pulse rate is off the
+// set's by up to kRateSpread, which one by its identity: were two sets of one make to agree, each
+// would stand in the other's picture as a ring.
+inline constexpr double kRateSpread = 0.01;
+echo::Emitter emitter_of(const echo::RadarSet& set, const echo::Pulse& pulse,
+                         std::uint64_t identity);
+
+// Thread: any.
+class Airwaves {
+ public:
+  explicit Airwaves(std::size_t radars)
+      : emissions_(std::make_shared<const std::vector<Emission>>(radars)) {}
+
+  // Never null; one entry per radar, and the same pointer while nothing has changed.
+  EmissionsPtr get() const;
+  void set(std::size_t radar, const Emission& emission);
+
+ private:
+  mutable std::mutex mutex_;
+  EmissionsPtr emissions_;
+};
+
+}  // namespace skerry::server

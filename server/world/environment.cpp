@@ -1,0 +1,48 @@
+#include "server/world/environment.hpp"
+
+#include "protocol/quantity/length.hpp"
+#include "server/world/rhumb_step.hpp"
+#include "server/world/ship_units.hpp"
+
+namespace skerry::server {
+
+Environment environment_of(const scenario::Scenario& scenario) {
+  Environment environment;
+  environment.atmosphere = {scenario.atmosphere().k_factor(), scenario.atmosphere().ducting()};
+  const scenario::Sea& sea = scenario.sea();
+  environment.sea.state = sea.state();
+  environment.sea.wind_from_deg = wrapped_course(sea.wind_from_deg());
+  environment.sea.swell = {sea.swell().height_m(), sea.swell().period_s(),
+                           wrapped_course(sea.swell().from_deg())};
+  environment.wave_height_m = sea.wave_height_m();
+  for (const scenario::RainCell& cell : scenario.rain()) {
+    RainCloud cloud;
+    cloud.id = environment.next_rain_id++;
+    cloud.from = geo_point(cell.position());
+    cloud.course_deg = wrapped_course(cell.drift_deg());
+    cloud.speed_mps = knots_in_mps(cell.drift_kn());
+    cloud.radius_m = nautical_miles(cell.radius_nm()).in_metres();
+    cloud.rate_mm_h = cell.rate_mm_h();
+    environment.rain.push_back(cloud);
+  }
+  const scenario::Artefacts& said = scenario.artefacts();
+  echo::Artefacts& artefacts = environment.artefacts;
+  artefacts.side_lobes = said.side_lobes();
+  artefacts.multiple_echoes = said.multiple_echoes();
+  artefacts.indirect_echoes = said.indirect_echoes();
+  artefacts.shadow_sectors = said.shadow_sectors();
+  artefacts.second_trace = said.second_trace();
+  artefacts.interference = said.interference();
+  artefacts.overhead_cables = said.overhead_cables();
+  artefacts.saturation = said.saturation();
+  artefacts.minimum_range = said.minimum_range();
+  artefacts.antenna_motion = said.antenna_motion();
+  return environment;
+}
+
+GeoPoint place_of(const RainCloud& cloud, ScenarioTime time) {
+  return advanced(cloud.from, cloud.course_deg, cloud.speed_mps * in_seconds(time - cloud.since))
+      .position;
+}
+
+}  // namespace skerry::server

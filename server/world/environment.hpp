@@ -1,0 +1,44 @@
+// Environment: sea, air, rain and the artefacts let through: what an instructor may change.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "echo/scene/artefacts.hpp"
+#include "echo/scene/weather.hpp"
+#include "protocol/quantity/geo_point.hpp"
+#include "protocol/quantity/time.hpp"
+#include "server/world/scenario.pb.h"
+
+namespace skerry::server {
+
+// A rain cell and the way it takes: a rhumb line from where it was.
+struct RainCloud {
+  std::uint32_t id = 0;  // from 1, never given twice within a run
+  GeoPoint from;
+  ScenarioTime since{};     // when it was there
+  double course_deg = 0.0;  // true, whither
+  double speed_mps = 0.0;
+  double radius_m = 0.0;
+  double rate_mm_h = 0.0;
+};
+
+// Immutable once in force.  Directions of sea and swell are from true north here.
+struct Environment {
+  echo::Atmosphere atmosphere;
+  echo::SeaSurface sea;
+  double wave_height_m = 0.0;  // significant, on the beaches
+  std::vector<RainCloud> rain;
+  std::uint32_t next_rain_id = 1;
+  echo::Artefacts artefacts;
+};
+using EnvironmentPtr = std::shared_ptr<const Environment>;
+
+// As the scenario begins.  Its rain cells have the numbers 1, 2, ... in their order.
+Environment environment_of(const scenario::Scenario& scenario);
+
+// Where the middle of a cell is at a time.
+GeoPoint place_of(const RainCloud& cloud, ScenarioTime time);
+
+}  // namespace skerry::server

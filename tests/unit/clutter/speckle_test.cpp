@@ -1,0 +1,167 @@
+#include "echo/clutter/speckle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "echo/clutter/lattice_field.hpp"
+#include "tests/unit/clutter/clutter_scene.hpp"
+
+namespace skerry::echo {
+namespace {
+
+// Autocorrelation of a ring of values along and across, about its own mean.
+double correlation(std::span<const float> ring, std::uint32_t along, std::uint32_t across) {
+  double mean = 0.0, square = 0.0, product = 0.0;
+  for (std::uint32_t i = 0; i < kLatticeSize; ++i) {
+    mean += ring[i];
+    square += double{ring[i]} * ring[i];
+    product += double{ring[i]} * ring[(i + along + across * kLatticeStep) & kLatticeMask];
+  }
+  mean /= kLatticeSize;
+  return (product / kLatticeSize - mean * mean) / (square / kLatticeSize - mean * mean);
+}
+
+TEST(LatticeField, CorrelatesAsAskedFor) {
+  for (const auto& [along, across] : {std::pair{4.0, 4.0}, {8.0, 2.0}, {1.5, 6.0}}) {
+    const std::vector<float> field = lattice_field(along, across, 3);
+    // Independent values there are about so many; correlations scatter by one over their root.
+    const double bound = 4.0 / std::sqrt(kLatticeSize / (1.57 * along * across));
+    for (std::uint32_t d = 1; d <= 16; ++d) {
+      EXPECT_NEAR(correlation(field, d, 0), std::exp(-1.0 * d * d / (along * along)), bound) << d;
+      EXPECT_NEAR(correlation(field, 0, d), std::exp(-1.0 * d * d / (across * across)), bound) << d;
+    }
+  }
+}
+
+TEST(LatticeField, OfNoLengthIsWhiteAndGaussian) {
+  const std::vector<float> field = lattice_field(0.0, 0.0, 5);
+  double fourth = 0.0;
+  for (const float v : field) fourth += std::pow(double{v}, 4.0) / kLatticeSize;
+  EXPECT_NEAR(fourth, 3.0, 4.0 * std::sqrt(96.0 / kLatticeSize));
+  for (std::uint32_t d = 1; d <= 4; ++d) {
+    EXPECT_NEAR(correlation(field, d, 0), 0.0, 4.0 / std::sqrt(kLatticeSize));
+    EXPECT_NEAR(correlation(field, 0, d), 0.0, 4.0 / std::sqrt(kLatticeSize));
+  }
+}
+
+TEST(LatticeField, RepeatsNoNearerThanItSays) {
+  double nearest = 1e9;
+  for (std::uint32_t across = 1; across < 1200; ++across) {
+    const std::uint32_t at = across * kLatticeStep & kLatticeMask;
+    const double along = std::min(at, kLatticeSize - at);
+    nearest = std::min(nearest, std::sqrt(along * along + double{1} * across * across));
+  }
+  EXPECT_GE(nearest, 541.0);
+}
+
+TEST(Speckle, HasTheMomentsOfTheExponential) {
+  for (const auto& [spokes, cells] : {std::pair{0.0, 0.0}, {5.0, 2.0}, {11.6, 8.0}, {40.0, 30.0}}) {
+    const Speckle speckle(spokes, cells, 9);
+    double mean = 0.0, decibels = 0.0, squares = 0.0;
+    // The ring's values, read once each by walking across from its beginning.
+    std::set<const float*> seen;
+    std::uint32_t count = 0;
+    for (std::uint32_t spoke = 0; count < kLatticeSize; ++spoke) {
+      const auto row = speckle.row(1, 0, spoke, 16);
+      if (!seen.insert(row.data()).second) break;
+      for (const float v : row) {
+        const double db = 10.0 * std::log10(double{v});
+        mean += v, decibels += db, squares += db * db;
+        EXPECT_GE(v, 1.9e-6f);
+        EXPECT_LE(v, 13.2f);
+        ++count;
+      }
+    }
+    ASSERT_EQ(count, kLatticeSize);
+    mean /= count, decibels /= count;
+    const double deviation = std::sqrt(squares / count - decibels * decibels);
+    std::printf("%4.1f spokes %4.1f cells: mean %.5f, decibels %.4f +- %.4f\n", spokes, cells, mean,
+                decibels, deviation);
+    EXPECT_NEAR(mean, 1.0, 2e-4);
+    EXPECT_NEAR(decibels, -2.5068, 0.005);
+    EXPECT_NEAR(deviation, 5.5700, 0.005);
+  }
+}
+
+TEST(Speckle, CorrelatesAsTheSquareOfItsField) {
+  constexpr double kSpokes = 6.0, kCells = 4.0;
+  const Speckle speckle(kSpokes, kCells, 2);
+  const auto measured = [&](std::uint32_t spokes, std::uint32_t cells) {
+    double mean = 0.0, square = 0.0, product = 0.0;
+    int count = 0;
+    for (std::uint32_t s = 0; s < 4096; ++s) {
+      const auto a = speckle.row(7, 0, s, 256), b = speckle.row(7, 0, s + spokes, 256);
+      for (std::uint32_t i = 0; i + 32 < 256; ++i) {
+        mean += a[i], square += double{a[i]} * a[i], product += double{a[i]} * b[i + cells];
+        ++count;
+      }
+    }
+    mean /= count;
+    return (product / count - mean * mean) / (square / count - mean * mean);
+  };
+  // 2^18 / (1.57 * 24 / 2) independent values of the power: four deviations are 0.034.
+  for (std::uint32_t d = 1; d <= 12; ++d) {
+    EXPECT_NEAR(measured(d, 0), std::exp(-2.0 * d * d / (kSpokes * kSpokes)), 0.035) << d;
+    EXPECT_NEAR(measured(0, d), std::exp(-2.0 * d * d / (kCells * kCells)), 0.035) << d;
+  }
+}
+
+TEST(Speckle, OfTwoTurnsIsUnrelated) {
+  const Speckle speckle(8.0, 4.0, 2);
+  double mean = 0.0, square = 0.0, product = 0.0;
+  int count = 0;
+  for (std::uint32_t scan = 0; scan < 200; ++scan) {
+    for (std::uint32_t s = 0; s < 4096; s += 64) {
+      const auto a = speckle.row(7, scan, s, 512), b = speckle.row(7, scan + 1, s, 512);
+      for (std::uint32_t i = 0; i < 512; i += 16) {
+        mean += a[i], square += double{a[i]} * a[i], product += double{a[i]} * b[i];
+        ++count;
+      }
+    }
+  }
+  mean /= count;
+  EXPECT_NEAR((product / count - mean * mean) / (square / count - mean * mean), 0.0, 0.01);
+}
+
+TEST(Speckle, IsAlignedAndAsLongAsAskedFor) {
+  const Speckle speckle(2.0, 2.0, 2);
+  const auto* const first = speckle.row(0, 0, 0, 4096).data();
+  for (std::uint32_t s = 0; s < 8192; s += 37) {
+    const auto row = speckle.row(99, s % 5, s, 4096);
+    EXPECT_EQ(row.size(), 4096u);
+    EXPECT_EQ((row.data() - first) % 16, 0);
+  }
+}
+
+TEST(Speckle, IsSharedByRadarsOfTheSameCorrelation) {
+  EXPECT_EQ(speckle_for(5.0, 3.0), speckle_for(5.1, 3.05));
+  EXPECT_NE(speckle_for(5.0, 3.0), speckle_for(6.5, 3.0));
+  EXPECT_EQ(speckle_for(0.0, 0.1), speckle_for(0.2, 0.0));
+  EXPECT_EQ(speckle_for(96.0, 0.0), speckle_for(5000.0, 0.0));
+}
+
+TEST(SpeckleLengths, AreThoseOfBeamTimeAndPulse) {
+  const RadarModel model = sea_radar(6.0);
+  // Two-way voltage pattern of the beam by numbers: its autocorrelation falls to 1/e at this angle.
+  const double width = model.set.beam_width_deg;
+  const auto pattern = [&](double deg) { return std::exp2(-4.0 * deg * deg / (width * width)); };
+  const auto overlap = [&](double apart) {
+    double sum = 0.0;
+    for (double a = -6.0; a < 6.0; a += 0.001) sum += pattern(a) * pattern(a + apart);
+    return sum;
+  };
+  double apart = 0.0;
+  while (overlap(apart) > overlap(0.0) / std::exp(1.0)) apart += 0.001;
+  const double steady = speckle_lengths(model, 1e9).spokes;
+  EXPECT_NEAR(steady * 360.0 / 4096.0, apart, 0.003);
+  // A lifetime of 7.5 ms is 12.3 spokes.
+  EXPECT_NEAR(speckle_lengths(model, 7.5e-3).spokes,
+              1.0 / std::hypot(1.0 / steady, 1.0 / (7.5e-3 / (2.5 / 4096))), 1e-6);
+  EXPECT_NEAR(speckle_lengths(model, 1.0).cells, 0.632 * model.pulse_cells, 1e-9);
+}
+
+}  // namespace
+}  // namespace skerry::echo

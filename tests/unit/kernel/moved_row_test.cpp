@@ -1,0 +1,103 @@
+#include "echo/kernel/moved_row.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <vector>
+
+#include "tests/unit/kernel/every_isa.hpp"
+
+namespace skerry::echo {
+namespace {
+
+std::vector<float> powers(std::size_t n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> octaves(-20.0, 60.0);
+  std::vector<float> out(n);
+  for (float& p : out)
+    p = random() % 5 == 0 ? 0.0f : static_cast<float>(std::exp2(octaves(random)));
+  return out;
+}
+
+TEST(MovedRow, PacksWithinItsBound) {
+  double worst = 0.0;
+  on_every_isa([&] {
+    for (std::size_t n = 0; n <= 67; ++n) {
+      const auto power = powers(n, n);
+      std::vector<PackedPower> packed(n);
+      std::vector<float> peaks((n + kPackBlock - 1) / kPackBlock);
+      pack_power(power, 1e-3f, packed, peaks);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto p = static_cast<double>(power[i]);
+        if (power[i] < 1e-3f) {
+          EXPECT_EQ(packed[i], 0);
+        } else {
+          worst = std::max(worst, std::fabs(unpacked_reference(packed[i]) / p - 1.0));
+        }
+      }
+      for (std::size_t b = 0; b < peaks.size(); ++b) {
+        float most = 0.0f;
+        for (std::size_t i = b * kPackBlock; i < std::min(n, (b + 1) * kPackBlock); ++i)
+          most = std::max(most, power[i]);
+        EXPECT_EQ(peaks[b], most);
+      }
+    }
+  });
+  std::printf("worst error of packing: %.3g\n", worst);
+  EXPECT_LE(worst, 0x1p-8);
+}
+
+// Three runs of a row, the last of them to its end, and cells before and behind that stay.
+TEST(MovedRow, IsAddedAsItsReferenceHasIt) {
+  double worst = 0.0;
+  std::vector<std::vector<float>> first;
+  std::size_t isa = 0;
+  on_every_isa([&] {
+    std::size_t at = 0;
+    for (std::uint32_t count = 0; count <= 67; ++count) {
+      for (const std::uint32_t behind : {0u, 3u, 40u}) {
+        for (const bool speckled : {false, true}) {
+          std::vector<PackedPower> row(count + 1 + kRowPadding);
+          std::vector<float> peaks((row.size() + kPackBlock - 1) / kPackBlock);
+          pack_power(powers(row.size(), 7 + count), 1e-3f, row, peaks);
+          const std::vector<MovedRun> runs = {
+              {row.data(), {0.3f, 0.7f, 1.25f, -0.002f}, 5, count / 3},
+              {row.data() + count / 2, {1.0f, 0.0f, 0.75f, 0.001f}, 5 + count / 3, count / 2},
+              {row.data(), {0.6f, 0.4f, 1.0f, 0.0f}, 5 + count, count}};
+          const std::size_t end = 5 + 2 * std::size_t{count};
+          std::vector<float> power(end + behind, 2.0f);
+          std::vector<double> exact(power.size(), 2.0);
+          const std::vector<float> speckle =
+              speckled ? powers(power.size(), 99 + count) : std::vector<float>{};
+          if (speckled) {
+            add_moved(runs, speckle, 0.4f, power);
+          } else {
+            add_moved(runs, power);
+          }
+          add_moved_reference(runs, speckle, 0.4f, exact);
+          for (std::size_t i = 0; i < power.size(); ++i) {
+            if (i < 5 || i >= end) {
+              EXPECT_EQ(power[i], 2.0f) << "beside the runs";
+            }
+            worst = std::max(worst, std::fabs(static_cast<double>(power[i]) / exact[i] - 1.0));
+          }
+          if (isa == 0) {
+            first.push_back(power);
+          } else {
+            EXPECT_EQ(power, first[at]);
+          }
+          ++at;
+        }
+      }
+    }
+    ++isa;
+  });
+  std::printf("worst error of adding: %.3g\n", worst);
+  EXPECT_LE(worst, 6e-7);
+}
+
+}  // namespace
+}  // namespace skerry::echo
