@@ -21,8 +21,18 @@ double speckle_lifetime(double wavelength_m) { return 7.5e-3 * wavelength_m / 0.
 // Looks are made for 128 directions.
 constexpr int kDirectionBits = 7;
 
+// Directions in the plane turn by hundredths of a degree as the ship sails and the meridians
+// converge; that is no other weather.
+constexpr double kSameDirection = 0.25;  // degrees
+
+bool same_direction(double a_deg, double b_deg) {
+  const double off = std::fabs(a_deg - b_deg);
+  return off <= kSameDirection || off >= 360.0 - kSameDirection;
+}
+
 bool same_swell(const Swell& a, const Swell& b) {
-  return a.height_m == b.height_m && a.period_s == b.period_s && a.from_deg == b.from_deg;
+  return a.height_m == b.height_m && a.period_s == b.period_s &&
+         same_direction(a.from_deg, b.from_deg);
 }
 
 }  // namespace
@@ -41,7 +51,7 @@ SeaReturns::SeaReturns(const RadarModel& model, std::uint32_t texture_spokes)
 
 bool SeaReturns::unchanged(const Scene& scene) const {
   return weather_ && weather_->seed == scene.seed && weather_->sea.state == scene.sea.state &&
-         weather_->sea.wind_from_deg == scene.sea.wind_from_deg &&
+         same_direction(weather_->sea.wind_from_deg, scene.sea.wind_from_deg) &&
          same_swell(weather_->sea.swell, scene.sea.swell) &&
          weather_->atmosphere.k_factor == scene.atmosphere.k_factor;
 }

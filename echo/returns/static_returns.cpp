@@ -87,12 +87,19 @@ class StaticReturns::Frames {
   }
 
   float hidden_height(std::uint32_t plane_units, double range_m) const {
+    // The place as the frame saw it: by so much farther, and so much to the right.
     const SinCos u = sin_cos_units(plane_units);
-    const PlanePoint seen = own_ship_ - at_ + PlanePoint{range_m * u.sin, range_m * u.cos};
-    const double range = length_of(seen);
+    const PlanePoint way = own_ship_ - at_;
+    const double along = range_m + way.east_m * u.sin + way.north_m * u.cos;
+    const double across = way.east_m * u.cos - way.north_m * u.sin;
+    const double range = std::sqrt(along * along + across * across);
+    // Off by 2e-6 rad at most where the tangent is small, as it nearly always is.
+    const double t = across / along;
+    const double right = along > 0.0 && std::fabs(t) < 0.1 ? t - t * t * t * (1.0 / 3.0)
+                                                           : exact_atan2(across, along);
     const double row_units = 4294967296.0 / detail_.rows;
-    const double row = exact_atan2(seen.east_m, seen.north_m) * kUnitsPerRadian / row_units -
-                       static_cast<double>(turn_units_) / row_units;
+    const double row =
+        (static_cast<double>(plane_units - turn_units_) + right * kUnitsPerRadian) / row_units;
     const auto index =
         static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(row + 0.5))) &
         (detail_.rows - 1);

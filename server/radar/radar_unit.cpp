@@ -164,6 +164,20 @@ bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch, std::vector
   return true;
 }
 
+namespace {
+
+// Where the own ship is between two places that are a sector's sailing apart: straight in latitude
+// and longitude, 1e-7 m off at 30 m/s.  A share of 0 is `from`, of 1 `to`.
+GeoPoint between(GeoPoint from, GeoPoint to, double share) {
+  const double east = to.longitude_deg - from.longitude_deg;
+  // Across the antimeridian, or at a pole: the nearer of the two.
+  if (east > 1.0 || east < -1.0) return share < 0.5 ? from : to;
+  return {from.latitude_deg + share * (to.latitude_deg - from.latitude_deg),
+          from.longitude_deg + share * east};
+}
+
+}  // namespace
+
 void RadarUnit::cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldState& state,
                            std::vector<ViewSector>& out) {
   const std::uint32_t cells = config_.geometry.cells;
@@ -172,6 +186,10 @@ void RadarUnit::cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldS
     out.push_back({view, {}});
     out.back().sector.spokes.reserve(kSectorSpokes);
   }
+  const auto place_at = [&](std::uint64_t spoke) {
+    return position_at(own, clock_.time_of(spoke) - state.time).position;
+  };
+  const GeoPoint from = place_at(first), to = place_at(first + kSectorSpokes);
   for (std::uint32_t k = 0; k < kSectorSpokes; ++k) {
     const std::uint64_t n = first + k;
     SpokeHeader header;
@@ -184,7 +202,7 @@ void RadarUnit::cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldS
     const Duration dt = header.scenario_time - state.time;
     header.heading =
         TrueBearing::from(degrees(own.heading_deg + own.rate_of_turn_deg_s * in_seconds(dt)));
-    header.own_ship = position_at(own, dt).position;
+    header.own_ship = between(from, to, double{1} * k / kSectorSpokes);
     for (ViewSector& part : out) {
       header.view = part.view->number;
       header.sequence = part.view->sequence++;

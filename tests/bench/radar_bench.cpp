@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -246,6 +247,34 @@ void a_further_view(const scenes::NamedScene& full) {
   measure("all stages", full.controls);
 }
 
+// Many radars of the full scene by turns, a sector each, so that none finds its state in a cache:
+// what one core carries in real time, with no room left.
+void fleet(const scenes::NamedScene& full, std::size_t radars) {
+  const echo::SpokeClock clock(full.rpm, full.geometry.spokes_per_turn);
+  std::vector<std::unique_ptr<echo::SpokeRenderer>> fleet;
+  for (std::size_t i = 0; i < radars; ++i) {
+    fleet.push_back(std::make_unique<echo::SpokeRenderer>(full.set, full.geometry, clock,
+                                                          static_cast<std::uint32_t>(i)));
+    fleet.back()->set_controls(full.controls);
+  }
+  scenes::MovingScene scenes(full.scene);
+  std::vector<std::uint8_t> video(std::size_t{kSector} * full.geometry.cells);
+  const std::uint32_t turn = full.geometry.spokes_per_turn;
+  double seconds = 0.0;
+  for (std::uint64_t spoke = 0; spoke < 3 * turn; spoke += kSector) {
+    const echo::ScenePtr scene = scenes.at(clock.time_of(spoke));
+    const double begun = thread_seconds();
+    for (auto& radar : fleet) radar->render(*scene, spoke, kSector, video);
+    if (spoke >= turn) seconds += thread_seconds() - begun;  // after a turn to fill what is kept
+  }
+  const double on_air = 2.0 * 60.0 / full.rpm;
+  fmt::print(
+      "{:<10}{} full-scene radars take {:.2f} s of one core for {:.2f} s on the air: one core "
+      "carries {:.0f}\n",
+      echo::name_of(echo::active_isa()), radars, seconds, on_air,
+      static_cast<double>(radars) * on_air / seconds);
+}
+
 void contributors(const scenes::NamedScene& full, int turns) {
   fmt::print("\nThe full scene without each of its parts\n");
   heading();
@@ -294,6 +323,12 @@ int run(int turns, bool full_alone) {
     }
     report("default: Bergen, a dozen ships", *bergen, turns);
     report("full", *full, turns);
+  }
+  fmt::print("\nA fleet, a sector of each radar by turns\n");
+  for (const echo::Isa isa : {echo::Isa::avx2, echo::Isa::avx512}) {
+    if (isa > echo::best_isa()) continue;
+    echo::force_isa(isa);
+    fleet(*full, turns > 1 ? 150 : 10);
   }
   echo::force_isa(echo::best_isa());
   contributors(*full, turns);

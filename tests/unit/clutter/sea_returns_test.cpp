@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echo/clutter/nrl_sea.hpp"
+#include "echo/kernel/hash.hpp"
 #include "echo/radar/antenna_pattern.hpp"
 #include "tests/unit/clutter/clutter_scene.hpp"
 #include "tests/unit/kernel/every_isa.hpp"
@@ -184,6 +185,35 @@ TEST(SeaReturns, LeaveLandAlone) {
           ASSERT_EQ(wet[i], i >= first && i < end ? all[i] : 1.0f) << first << " " << end;
       }
     }
+  }
+}
+
+// Water that comes into sight from sector to sector is as if it had been there all along.
+TEST(SeaReturns, AreTheSameWhereverElseThereIsWater) {
+  for (const double nm : {1.5, 6.0, 24.0}) {
+    const RadarModel model = sea_radar(nm);
+    Scene scene = open_sea(4.0);
+    scene.sea.swell = {2.0, 9.0, 300.0};
+    SeaReturns all(model), some(model);
+    std::size_t compared = 0;
+    for (std::uint64_t s = 0; s < 256; s += 16) {
+      const auto aim = [&](std::uint64_t k) { return aim_of(scene, model.clock, k); };
+      std::vector<std::uint8_t> wet(16);
+      for (std::size_t b = 0; b < wet.size(); ++b) wet[b] = mixed(s, b) % 3 == 0;
+      all.prepare(scene, aim(s), aim(s + 15));
+      some.prepare(scene, aim(s), aim(s + 15), wet);
+      for (std::uint64_t k = s; k < s + 16; ++k) {
+        std::vector<float> every(1024, 0.0f), here(1024, 0.0f);
+        all.add(aim(k), every);
+        for (std::uint32_t b = 0; b < 16; ++b) {
+          if (wet[b] == 0) continue;
+          some.add(aim(k), here, 64 * b, 64 * b + 64);
+          for (std::uint32_t i = 64 * b; i < 64 * b + 64; ++i) ASSERT_EQ(here[i], every[i]) << i;
+          compared += 64;
+        }
+      }
+    }
+    EXPECT_GT(compared, 50000u);
   }
 }
 

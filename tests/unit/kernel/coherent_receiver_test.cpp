@@ -170,5 +170,28 @@ TEST(CoherentReceiver, LevelsAreSumsOfLogarithms) {
   }
 }
 
+TEST(CoherentReceiver, WithNothingBesideIsWithZerosBeside) {
+  on_every_isa([&] {
+    Rows one(67, 5), other(67, 5);
+    std::fill(one.beside.begin(), one.beside.end(), 0.0f);
+    NoiseRow none = other.noise();
+    none.beside = nullptr;
+    EXPECT_EQ(from_cell(none, 16).beside, nullptr);
+    std::vector<std::uint8_t> a(67), b(67);
+    receive_rejected_and_integrated(one.power, 0.7f, one.noise(), one.rejection(),
+                                    one.integration(), one.offset, kScale, a);
+    receive_rejected_and_integrated(other.power, 0.7f, none, other.rejection(), other.integration(),
+                                    other.offset, kScale, b);
+    EXPECT_EQ(a, b);
+    receive_power(one.power, 0.7f, one.noise(), one.total);
+    receive_power(other.power, 0.7f, none, other.total);
+    EXPECT_EQ(one.total, other.total);
+    std::vector<std::int32_t> levels(4), others(4);
+    sum_levels(one.power, 0.7f, one.noise(), levels);
+    sum_levels(other.power, 0.7f, none, others);
+    EXPECT_EQ(levels, others);
+  });
+}
+
 }  // namespace
 }  // namespace skerry::echo
