@@ -32,7 +32,7 @@ class SpokeRenderer {
   void set_radar_controls(const RadarControls& controls);
 
   // Video of spokes first .. first + count - 1, counted from the antenna's start (spoke n of scan s
-  // is s * spokes_per_turn + n), into video[k * cells ...].  scene.index must serve its own ship.
+  // is s * spokes_per_turn + n), into video[k * cells ...].
   void render(const Scene& scene, std::uint64_t first, std::uint32_t count,
               std::span<std::uint8_t> video);
 

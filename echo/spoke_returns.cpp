@@ -76,6 +76,7 @@ struct SpokeReturns::Contributors {
   void look_for_water(std::uint32_t count);
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
   // And all else.
+  void add_beacons(const SpokeAim& aim, std::span<float> row) const;
   void make_row(const Scene& scene, const Look& look, std::span<const CellRun> no_water,
                 std::span<float> row) const;
 
@@ -190,6 +191,19 @@ void SpokeReturns::Contributors::add_sea(const SpokeAim& aim, std::span<const Ce
   sea.add(aim, row, from, sea.reach_cells());
 }
 
+// What others send passes the own masts once.
+void SpokeReturns::Contributors::add_beacons(const SpokeAim& aim, std::span<float> row) const {
+  if (!rig.any()) {
+    beacons.add(aim, row, tune_factor);
+    return;
+  }
+  thread_local std::vector<float> heard;
+  heard.assign(row.size(), 0.0f);
+  beacons.add(aim, heard, tune_factor, rig.transmits(aim.relative_units));
+  const float gain = rig.one_way(aim.relative_units);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] += gain * heard[i];
+}
+
 void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
                                           std::span<const CellRun> no_water,
                                           std::span<float> row) const {
@@ -211,7 +225,7 @@ void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
   if (rig.any()) scale_row(row, rig.two_way(aim.relative_units));
   if (!false_points.empty() && rig.transmits(aim.relative_units)) false_splat.add(aim, row);
   if (tune_factor != 1.0f) scale_row(row, tune_factor);
-  if (beacons.any()) beacons.add(aim, row, tune_factor);
+  if (beacons.any()) add_beacons(aim, row);
   minimum_range.apply(scene.artefacts, row);
   saturation.apply(scene.artefacts, row);
 }

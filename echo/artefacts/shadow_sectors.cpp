@@ -34,7 +34,9 @@ void OwnShipGain::prepare(const Scene& scene) {
     for (const BlankedSector& sector : asked_blanked_) {
       if (blanked_.size() == kMostBlanked || sector.from_deg == sector.to_deg) continue;
       const std::uint32_t from = units_of(sector.from_deg);
-      blanked_.push_back({from, units_of(sector.to_deg) - from});
+      const std::uint32_t width = units_of(sector.to_deg) - from;
+      // 0 to 360 is all round.
+      blanked_.push_back({from, width == 0 ? ~std::uint32_t{0} : width});
     }
   }
 }

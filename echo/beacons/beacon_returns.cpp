@@ -31,10 +31,13 @@ void BeaconReturns::prepare(const Scene& scene, const Propagation& propagation,
   any_ = racons_.any() || sarts_.any() || interference_.any();
 }
 
-void BeaconReturns::add(const SpokeAim& aim, std::span<float> power, float tune_factor) const {
+void BeaconReturns::add(const SpokeAim& aim, std::span<float> power, float tune_factor,
+                        bool asked) const {
   if (!any_) return;
-  racons_.add(*pattern_, aim, tune_factor, power);
-  sarts_.add(*pattern_, aim, power);
+  if (asked) {
+    racons_.add(*pattern_, aim, tune_factor, power);
+    sarts_.add(*pattern_, aim, power);
+  }
   interference_.add(*pattern_, aim, power);
 }
 

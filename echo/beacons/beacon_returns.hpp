@@ -33,8 +33,11 @@ class BeaconReturns {
 
   // Adds power over noise to a spoke of the prepared sector.  `tune_factor`: what the receiver's
   // tune leaves of echoes, already on `power`; racons, which answer on the radar's frequency, lose
-  // it too, SARTs and interference do not.  Thread: any, after prepare().
-  void add(const SpokeAim& aim, std::span<float> power, float tune_factor = 1.0f) const;
+  // it too, SARTs and interference do not.  `asked`: whether the
+  // own radar transmits on that spoke; where it does not, no beacon answers.  Thread: any, after
+  // prepare().
+  void add(const SpokeAim& aim, std::span<float> power, float tune_factor = 1.0f,
+           bool asked = true) const;
 
  private:
   RadarModel model_;

@@ -21,8 +21,8 @@ struct EmitterState {
 };
 
 // No two transmitters are alike: how far at most PRF (a share of it) and frequency are off those of
-// the set, drawn by identity.  0 for radars of the host, whose own pulses come at the set's PRF; of
-// radars that are heard only, 0.01 and 20 MHz make spirals rather than rings.
+// the set, drawn by identity.  With 0 for both, sets of one make stand in each other's picture as
+// rings; 0.01 and 20 MHz make spirals of them.
 struct EmitterSpread {
   double prf = 0.0;
   double frequency_hz = 0.0;

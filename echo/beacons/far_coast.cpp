@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kUnitsPerTurn = 4294967296.0;
 constexpr double kNone = 1e300;
-constexpr std::uint32_t kBody = 12u << 28;  // a kind that is free (point_echo.hpp)
 
 // The nearest shore of each bearing.
 class Nearest {
@@ -83,7 +82,7 @@ void far_coast_points(const RadarModel& model, const Propagation& propagation,
         static_cast<float>(model.unit_snr * sigma * body / (range * range * range * range));
     if (!(point.power >= kLeastTrace)) continue;
     point.phase = static_cast<float>(as_unit(mixed(0xFA7C0A57, bin)));
-    point.body = kBody | bin;
+    point.body = body_of(BodyKind::far_coast, bin);
     point.height_m = static_cast<float>(far.height_m);
     points.push_back(point);
   }

@@ -11,12 +11,6 @@
 #include "echo/targets/ship_sight.hpp"
 
 namespace skerry::echo {
-namespace {
-
-// Kinds of bodies that are free (point_echo.hpp).
-constexpr std::uint32_t kShips = 13u << 28, kPoints = 14u << 28;
-
-}  // namespace
 
 struct FarEchoes::Look {
   const Scene& scene;
@@ -63,7 +57,8 @@ void FarEchoes::add_ships(const Look& look) {
         ship_mean_cross_section(hull, model_.set.frequency_hz, sight.side) *
         static_cast<double>(exponential_of(mixed(look.scene.seed, pass, hull.identity)));
     add(look, sight.at, hull.height_m,
-        section * look.medium.body_snr(sight.at.range_m, hull.height_m), kShips | i);
+        section * look.medium.body_snr(sight.at.range_m, hull.height_m),
+        body_of(BodyKind::far_ship, i));
   }
 }
 
@@ -78,7 +73,7 @@ void FarEchoes::add_points(const Look& look) {
                            static_cast<double>(fluctuation_of(
                                point.fluctuation, mixed(look.scene.seed, pass, point.identity)));
     add(look, at, point.height_m, section * look.medium.point_snr(at.range_m, point.height_m),
-        kPoints | (i & 0x0FFFFFFFu));
+        body_of(BodyKind::far_point, i));
   }
 }
 

@@ -5,9 +5,6 @@
 
 namespace skerry::echo {
 
-// row[i] *= factors[i].  Requires factors.size() >= row.size(), no overlap.
-void multiply_row(std::span<float> row, std::span<const float> factors) noexcept;
-
 // row[i] *= factor.
 void scale_row(std::span<float> row, float factor) noexcept;
 

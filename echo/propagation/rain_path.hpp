@@ -37,11 +37,10 @@ class RainPath {
   std::size_t first_wet() const { return first_; }
   std::size_t end_wet() const { return end_; }
   // From the first wet cell, every step() cells, to one at or behind the last: rate in mm/h and the
-  // two-way power factor.  Behind the rain stays transmission_behind().
+  // two-way power factor.  Behind the rain stays the last.
   std::size_t step() const { return step_; }
   std::span<const float> knot_rates() const { return knot_rates_; }
   std::span<const float> knot_transmissions() const { return knots_; }
-  float transmission_behind() const { return knots_.back(); }
   // After lay() alone.
   std::span<const float> rate_mm_h() const { return rate_; }  // per cell
   // Per cell, to its middle: two-way power factor in (0, 1].

@@ -1,6 +1,5 @@
 #include "echo/radar/beam.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,24 +15,18 @@ double cosine_taper_voltage(double angle_deg, double beam_width_deg) {
   return sin_cos_degrees(mu * (180.0 / std::numbers::pi)).cos / (1.0 - x * x);
 }
 
-Beam beam_over_rays(double beam_width_deg, std::uint32_t spokes_per_turn) {
-  Beam beam;
-  const double rays_wanted = Beam::kRaysPerBeam * 360.0 / beam_width_deg;
-  beam.per_spoke =
-      std::max(1u, static_cast<std::uint32_t>(std::ceil(rays_wanted / spokes_per_turn)));
-  const double step = 360.0 / (double{1} * spokes_per_turn * beam.per_spoke);
+std::vector<float> beam_weights(double beam_width_deg, std::uint32_t rays, double part,
+                                std::uint32_t reach) {
   const double floor = ratio_from_decibels(kBeamFloorDb);
-  std::vector<float> one_side;
-  for (std::uint32_t k = 0;; ++k) {
-    const double voltage = cosine_taper_voltage(k * step, beam_width_deg);
+  std::vector<float> weights(2 * reach + 1, 0.0f);
+  for (std::uint32_t k = 0; k < weights.size(); ++k) {
+    const double off = (static_cast<double>(k) - static_cast<double>(reach) - part) * 360.0 / rays;
+    if (std::fabs(off) > 1.25 * beam_width_deg) continue;  // beyond the main lobe
+    const double voltage = cosine_taper_voltage(off, beam_width_deg);
     const double two_way = voltage * voltage * voltage * voltage;
-    if (voltage <= 0.0 || two_way < floor) break;
-    one_side.push_back(static_cast<float>(two_way));
+    if (voltage > 0.0 && two_way >= floor) weights[k] = static_cast<float>(two_way);
   }
-  beam.half = static_cast<std::uint32_t>(one_side.size()) - 1;
-  for (std::size_t k = one_side.size(); k-- > 1;) beam.weights.push_back(one_side[k]);
-  beam.weights.insert(beam.weights.end(), one_side.begin(), one_side.end());
-  return beam;
+  return weights;
 }
 
 }  // namespace skerry::echo

@@ -11,20 +11,12 @@ namespace skerry::echo {
 // First null at about 1.25 beam widths, first side lobe -23 dB.  Source: physics.md B1.
 double cosine_taper_voltage(double angle_deg, double beam_width_deg);
 
-// How a beam is laid over rays.  Rays are `per_spoke` times as dense as spokes, so that a beam is
-// always at least kRaysPerBeam rays wide however coarse the spokes.
-struct Beam {
-  static constexpr double kRaysPerBeam = 5.0;
-  std::uint32_t per_spoke = 1;
-  // Two-way power weights of rays -half .. +half about the spoke's own; weights[half] = 1.
-  std::uint32_t half = 0;
-  std::vector<float> weights;
-};
-
-// The main lobe down to kBeamFloorDb two-way.  Bound: what is left out is below -40 dB of the axis,
-// and 3e-4 of the beam's two-way power; side lobes (-46 dB two-way at most) are not modelled here.
-// Held by Beam.LeavesOutLessThanItsBound.
+// Two-way power weights of rays -reach .. +reach, `rays` to the turn, about an axis `part` of a ray
+// to the right of the middle one: the main lobe down to kBeamFloorDb.  Bound: what is left out is
+// below -40 dB of the axis, and 3e-4 of the beam's two-way power; side lobes (-46 dB two-way at
+// most) are not modelled here.  Held by Beam.LeavesOutLessThanItsBound.
 inline constexpr double kBeamFloorDb = -40.0;
-Beam beam_over_rays(double beam_width_deg, std::uint32_t spokes_per_turn);
+std::vector<float> beam_weights(double beam_width_deg, std::uint32_t rays, double part,
+                                std::uint32_t reach);
 
 }  // namespace skerry::echo

@@ -56,14 +56,22 @@ struct RadarSet {
   Band band() const { return frequency_hz < 6e9 ? Band::s : Band::x; }
   double wavelength_m() const { return kLightSpeed / frequency_hz; }
 
-  // The pulse of a range scale: by itself, or the shortest, middle or longest one as chosen.
+  // The pulse of a range scale: by itself, or the shortest, middle or longest one as chosen, or the
+  // nearest longer one whose echoes from the end of the scale are back before the next pulse.
   // Requires at least one pulse.
   const Pulse& pulse_for(RangeScale scale, PulseChoice choice = PulseChoice::automatic) const {
+    const auto at_least = [&](std::size_t wanted) -> const Pulse& {
+      while (wanted + 1 < pulses.size() &&
+             0.5 * kLightSpeed / pulses[wanted].prf_hz < scale.length().in_metres()) {
+        ++wanted;
+      }
+      return pulses[wanted];
+    };
     switch (choice) {
       case PulseChoice::short_pulse:
-        return pulses.front();
+        return at_least(0);
       case PulseChoice::medium_pulse:
-        return pulses[pulses.size() / 2];
+        return at_least(pulses.size() / 2);
       case PulseChoice::long_pulse:
         return pulses.back();
       case PulseChoice::automatic:

@@ -12,11 +12,10 @@ namespace skerry::echo {
 // cells. What it takes off brings surface clutter down to the level of noise, whatever the gain:
 //   - the mean of the sector just swept and of this one and the next as they were a turn ago (each
 //     half of what it was and half of what was new), smoothed over three bins of range;
-//   - no more than kAboveTurn over the median of all sectors at that range, so that land on one
-//   side
-//     is not taken for sea;
-//   - never rising with range, nothing beyond kReach: clutter falls with range, land and ships do
-//     not.
+//   - no more than kAboveTurnDb over the median of all sectors at that range, so that land on one
+//     side is not taken for sea;
+//   - never rising with range, nothing beyond kReachNm: clutter falls with range, land and ships
+//     do not.
 // Levels change at borders of sectors only, so video does not depend on how a turn is cut into
 // calls.  Thread: one at a time; const members any.
 class AutoSea {

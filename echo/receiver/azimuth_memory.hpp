@@ -28,7 +28,7 @@ AzimuthStages azimuth_stages(double beam_width_deg, std::uint32_t spokes_per_tur
 
 // What one view keeps of its last spokes.  Columns are independent of each other: any split of the
 // cells gives the same video.  Thread: receive() of different columns at the same time, each column
-// in the order of spokes; begin_spokes() and end_spokes() alone.
+// in the order of spokes; set_up(), forget() and end_spokes() alone.
 class AzimuthMemory {
  public:
   void set_up(const AzimuthStages& stages, std::uint32_t cells, double mean_noise);

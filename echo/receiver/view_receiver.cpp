@@ -58,7 +58,7 @@ void ViewReceiver::set_up() {
   const double look_back = std::clamp(kDifferentiatorLength / cell_m_, 2.0, geometry.cells / 2.0);
   rain_octaves_ = static_cast<unsigned>(exact_log2(look_back) + 0.5);
   rain_weight_ = static_cast<unsigned>(controls_.rain * 2.56 + 0.5);
-  stretch_cells_ = static_cast<unsigned>(controls_.echo_stretch * 0.03 + 0.5);
+  stretch_cells_ = static_cast<unsigned>(std::ceil(controls_.echo_stretch * 0.03));
   memory_.set_up(azimuth_stages(model_.set.beam_width_deg, geometry.spokes_per_turn,
                                 controls_.interference_rejection, controls_.integration,
                                 controls_.stretch_bearing ? stretch_cells_ : 0),

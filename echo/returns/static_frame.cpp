@@ -35,21 +35,6 @@ double nearest_structure(const Structures& structures, PlanePoint at) {
   return nearest;
 }
 
-// Two-way power weights of the rays -reach .. +reach, for a row `part` of a ray to the right.
-std::vector<float> beam_weights(double beam_width_deg, std::uint32_t rays, double part,
-                                std::uint32_t reach) {
-  const double floor = ratio_from_decibels(kBeamFloorDb);
-  std::vector<float> weights(2 * reach + 1, 0.0f);
-  for (std::uint32_t k = 0; k < weights.size(); ++k) {
-    const double off = (static_cast<double>(k) - static_cast<double>(reach) - part) * 360.0 / rays;
-    if (std::fabs(off) > 1.25 * beam_width_deg) continue;  // beyond the main lobe
-    const double voltage = cosine_taper_voltage(off, beam_width_deg);
-    const double two_way = voltage * voltage * voltage * voltage;
-    if (voltage > 0.0 && two_way >= floor) weights[k] = static_cast<float>(two_way);
-  }
-  return weights;
-}
-
 // By the threads where it is worth their while.
 void share_out(std::size_t count, const ParallelFor& parallel,
                const std::function<void(std::size_t)>& body) {

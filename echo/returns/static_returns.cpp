@@ -19,8 +19,13 @@ namespace {
 constexpr double kCrossingsShare = 0.15, kLeadInShare = 0.03;
 // Rows are made so many at a time: what they need is then near at hand.
 constexpr std::uint32_t kBatch = 8;
-// How far off its bearing a spoke may look as the antenna sways.
-constexpr double kSwayRadians = 0.03;
+// How far off its bearing a spoke may look as the antenna sways: a little, and with roll and pitch
+// of phi and psi at most (phi + psi)^2, four times what either alone would make it.
+double sway_radians(const AntennaMotion& motion) {
+  constexpr double kLeast = 0.03, kRadiansPerDegree = 0.017453292519943295;
+  const double tilt = (motion.roll_deg + motion.pitch_deg) * kRadiansPerDegree;
+  return std::min(3.0, kLeast + tilt * tilt);
+}
 constexpr double kLevelStep = 0.05;  // metres of water that make a frame old
 
 constexpr double kUnitsPerRadian = 683565275.5764316;
@@ -299,11 +304,12 @@ class StaticReturns::Frames {
     take_into_use(scene);
   }
 
-  // Rows of the frame in use that the sector needs and are not made, and kSwayRadians to either
+  // Rows of the frame in use that the sector needs and are not made, and sway_radians() to either
   // side, for an antenna that rolls and pitches (antenna_motion.hpp).
   void make_needed(const Scene& scene, std::uint64_t first, std::uint32_t count) {
     needed_.clear();
-    const auto sway = static_cast<std::uint32_t>(kSwayRadians / 6.283185307 * detail_.rows) + 1;
+    const auto sway =
+        static_cast<std::uint32_t>(sway_radians(scene.motion) / 6.283185307 * detail_.rows) + 1;
     const auto need = [&](const RowPart& part) {
       for (std::uint32_t row = part.row - sway; row != part.row + sway + 1; ++row) {
         if (!now_->made(row & (detail_.rows - 1))) needed_.push_back(row & (detail_.rows - 1));

@@ -25,9 +25,6 @@ struct SeaSurface {
   double state = 0.0;          // Douglas sea state, 0 (no clutter at all) to 6, need not be whole
   double wind_from_deg = 0.0;  // clockwise from the plane's north
   Swell swell;
-
-  // Wind that raises this sea, m/s: U = 3.16 SS^0.8; mean wave height 0.00452 U^2.5 (GIT;
-  // physics.md B3).  echo/clutter/nrl_sea.hpp.
 };
 
 // A cloud of rain: uniform within half its radius, fading to nothing at the radius.

@@ -21,9 +21,19 @@ struct StrongEchoes {
   std::uint64_t version = 0;      // another one whenever the points are others
 };
 
-// Body numbers: the kind above, which one of the scene's below.  Kinds from `false_echo` on are
-// free for what is not there.
-enum class BodyKind : std::uint32_t { ship, wake, point, turbine, cable, false_echo = 8 };
+// Body numbers: the kind above, which one of the scene's below.  Kinds from `false_echo` on are of
+// what is not there, or not there where it shows (second trace: far_...).
+enum class BodyKind : std::uint32_t {
+  ship,
+  wake,
+  point,
+  turbine,
+  cable,
+  false_echo = 8,
+  far_coast = 12,
+  far_ship = 13,
+  far_point = 14
+};
 constexpr std::uint32_t body_of(BodyKind kind, std::uint32_t index) {
   return static_cast<std::uint32_t>(kind) << 28 | (index & 0x0FFFFFFFu);
 }

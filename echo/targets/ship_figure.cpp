@@ -7,7 +7,6 @@
 
 #include "echo/kernel/hash.hpp"
 #include "echo/targets/fluctuation.hpp"
-#include "echo/targets/hull_returns.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -53,6 +52,12 @@ Density density_of(std::uint64_t identity, std::uint32_t aspect_units) {
 float half_breadth(float forward) { return 1.0f - std::max(0.0f, 4.0f * forward - 1.0f); }
 
 }  // namespace
+
+double ship_cross_section(double length_m, double beam_m, double frequency_hz) {
+  const double tonnes = 1.025 * 0.7 * length_m * beam_m * (0.4 * beam_m);
+  const double kilotonnes = tonnes * 1e-3;
+  return 52.0 * std::sqrt(frequency_hz * 1e-6) * kilotonnes * std::sqrt(kilotonnes);
+}
 
 double ship_mean_cross_section(const Hull& hull, double frequency_hz, double side) {
   const double median = hull.cross_section_m2 > 0.0

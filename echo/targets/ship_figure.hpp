@@ -1,4 +1,4 @@
-// ShipFigure: how a ship's echo is spread over her hull.
+// How large a ship's echo is, and how it is spread over her hull.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,11 @@
 #include "echo/scene/targets.hpp"
 
 namespace skerry::echo {
+
+// Median radar cross-section of a ship, m2: 52 sqrt(f MHz) D^1.5 with D in kilotonnes
+// (Skolnik 1974; physics.md B6), D from length, beam and a draught of 0.4 beam at block coefficient
+// 0.7.  Error: Skolnik's ships were of 2 to 17 kt; below that it is an extrapolation.
+double ship_cross_section(double length_m, double beam_m, double frequency_hz);
 
 // Mean cross-section of a ship, m2, in one passing of the beam.  The median is Skolnik's (or the
 // hull's own, given for X band and carried to other bands by the square root of frequency); an

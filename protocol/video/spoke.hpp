@@ -48,6 +48,5 @@ using SpokePtr = std::shared_ptr<const Spoke>;
 struct Sector {
   std::vector<SpokePtr> spokes;
 };
-using SectorPtr = std::shared_ptr<const Sector>;
 
 }  // namespace skerry

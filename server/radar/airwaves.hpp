@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "echo/radar/radar_set.hpp"
+#include "echo/beacons/emitter_of.hpp"
 #include "echo/scene/beacons.hpp"
 
 namespace skerry::server {
@@ -25,12 +25,9 @@ struct Emission {
 };
 using EmissionsPtr = std::shared_ptr<const std::vector<Emission>>;
 
-// A set with one of its pulses as others hear it; no place nor bearing.  Its pulse rate is off the
-// set's by up to kRateSpread, which one by its identity: were two sets of one make to agree, each
-// would stand in the other's picture as a ring.
-inline constexpr double kRateSpread = 0.01;
-echo::Emitter emitter_of(const echo::RadarSet& set, const echo::Pulse& pulse,
-                         std::uint64_t identity);
+// The pulse rate of every transmitter is off its set's by up to one in a hundred, which one by its
+// identity: were two sets of one make to agree, each would stand in the other's picture as a ring.
+inline constexpr echo::EmitterSpread kTransmitterSpread{0.01, 0.0};
 
 // Thread: any.
 class Airwaves {

@@ -23,8 +23,9 @@ struct CoastWish {
   echo::RadarResolution resolution;
 };
 
-// The coast around an own ship and the index by which rays find it.  The picture is good for as far
-// as its slack says, the index for a shorter way; neither changes what the other shows.
+// The coast around an own ship and the index by which a place on it is looked up.  The picture is
+// good for as far as its slack says, the index for a shorter way; neither changes what the other
+// shows.
 struct CoastInSight {
   echo::CoastPicturePtr picture;
   std::shared_ptr<const echo::PolarIndex> index;
@@ -34,8 +35,8 @@ struct CoastInSight {
 };
 using CoastInSightPtr = std::shared_ptr<const CoastInSight>;
 
-// How far an own ship may sail before the index is made anew: a longer way costs each ray more, a
-// shorter one than a few seconds' makes the coast thread late.
+// How far an own ship may sail before the index is made anew: a longer way costs each look-up more,
+// a shorter one than a few seconds' makes the coast thread late.
 double index_slack_for(double range_m, double speed_mps);
 
 // The index of what is built on a picture's coast, or null.

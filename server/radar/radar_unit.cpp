@@ -114,8 +114,10 @@ void RadarUnit::tell_airwaves(const echo::RadarControls& controls, RangeScale ra
   Emission emission;
   emission.own_ship = config_.own_ship;
   emission.transmits = controls.transmit;
-  emission.emitter = emitter_of(config_.set, config_.set.pulse_for(range, controls.pulse),
-                                identity_of(config_.seed, Fixture::emitter, config_.radar));
+  echo::EmitterState state;
+  state.identity = identity_of(config_.seed, Fixture::emitter, config_.radar);
+  emission.emitter = echo::emitter_of(config_.set, config_.set.pulse_for(range, controls.pulse),
+                                      state, kTransmitterSpread);
   airwaves_.set(config_.radar, emission);
 }
 

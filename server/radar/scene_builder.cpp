@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/beacons/far_echoes.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "server/radar/scene_drift.hpp"
@@ -13,8 +14,9 @@ namespace {
 // A scene is used for one tick and the half beam ahead of it, well within this.
 constexpr double kSceneLife = 0.5;  // seconds
 constexpr double kRoughestSea = 6.0;
-constexpr double kDuctReach = 150.0 * 1852.0;
-constexpr double kEmitterReach = 60.0 * 1852.0;
+// Other radars are heard farther than ships are seen: their pulses come one way, with R^-2.
+constexpr double kEmitterReach = 60.0 * 1852.0;         // beyond any antenna's horizon
+constexpr double kDuctedEmitterReach = 150.0 * 1852.0;  // in a duct
 constexpr double kEmitterScaleNm = 12.0;  // the range scale on which targets have their radars
 
 double length_of(PlanePoint v) { return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m); }
@@ -29,7 +31,9 @@ SceneBuilder::Reach SceneBuilder::reach_of(const WorldState& state, double range
   const Environment& environment = *state.environment;
   const double echoes = 2.0 * range_m + 1000.0;
   if (environment.atmosphere.ducting <= 0.0) return {echoes, kEmitterReach};
-  return {environment.artefacts.second_trace ? std::max(echoes, kDuctReach) : echoes, kDuctReach};
+  const double farthest = echo::FarEchoes::kFarthest;
+  return {environment.artefacts.second_trace ? std::max(echoes, farthest) : echoes,
+          kDuctedEmitterReach};
 }
 
 void SceneBuilder::lay_own_ship(const WorldState& state, const echo::LocalPlane& plane,
@@ -118,9 +122,11 @@ void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emiss
   }
   for (const ShipState& ship : state.targets) {
     if (ship.radar == nullptr) continue;
+    echo::EmitterState aboard;
+    aboard.identity = identity_of(role_.seed, Fixture::emitter, kFirstTargetEmitter + ship.number);
     echo::Emitter emitter =
-        emitter_of(*ship.radar, ship.radar->pulse_for(*RangeScale::find(kEmitterScaleNm)),
-                   identity_of(role_.seed, Fixture::emitter, kFirstTargetEmitter + ship.number));
+        echo::emitter_of(*ship.radar, ship.radar->pulse_for(*RangeScale::find(kEmitterScaleNm)),
+                         aboard, kTransmitterSpread);
     // Not all of them at the bow at once.
     emitter.bearing_deg = static_cast<double>(emitter.identity % 360u);
     add(emitter, ship);

@@ -1,9 +1,12 @@
 #include "tests/bench/bench_support.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
 
 #include "echo/receiver/log_video.hpp"
+#include "echo/returns/static_frame.hpp"
 
 namespace skerry::bench {
 namespace {
@@ -110,14 +113,14 @@ const scenes::NamedScene& bench_scene(const std::string& name) {
   throw std::invalid_argument("no scene '" + name + "' among the benched ones");
 }
 
-echo::Beam beam_of(const scenes::NamedScene& named) {
-  return echo::beam_over_rays(named.set.beam_width_deg, named.geometry.spokes_per_turn);
-}
-
 echo::RayModel ray_model_of(const scenes::NamedScene& named) {
   const RangeScale scale = named.controls.range_scale;
-  return {named.set, named.set.pulse_for(scale),
-          named.geometry.spokes_per_turn * beam_of(named).per_spoke, named.geometry.cells,
+  // Whole rays to a spoke, and no fewer than land has to a beam.
+  const double spoke_beams = named.geometry.spokes_per_turn * named.set.beam_width_deg / 360.0;
+  const auto per_spoke =
+      static_cast<std::uint32_t>(std::ceil(std::max(1.0, echo::kRaysPerBeam / spoke_beams)));
+  const std::uint32_t rays = named.geometry.spokes_per_turn * per_spoke;
+  return {named.set, named.set.pulse_for(scale), rays, named.geometry.cells,
           named.geometry.cell_size(scale).in_metres()};
 }
 

@@ -10,7 +10,6 @@
 
 #include "echo/kernel/isa.hpp"
 #include "echo/kernel/log_receiver.hpp"
-#include "echo/radar/beam.hpp"
 #include "echo/returns/ray_returns.hpp"
 #include "tests/scenes/scenes.hpp"
 
@@ -69,7 +68,6 @@ const std::vector<scenes::NamedScene>& bench_scenes();
 // Requires a name among them.
 const scenes::NamedScene& bench_scene(const std::string& name);
 
-echo::Beam beam_of(const scenes::NamedScene& named);
 // How `named` is looked at, ray by ray.
 echo::RayModel ray_model_of(const scenes::NamedScene& named);
 

@@ -95,6 +95,12 @@ TEST_F(Scenes, DuctingBringsInWhatMayComeASecondTime) {
   EXPECT_EQ(
       scene(far + "atmosphere: {ducting: 0.5}\nartefacts: {second_trace: false}")->points.size(),
       0u);
+  // 167 km: no second trace is followed that far, but a radar there is heard, one way.
+  const std::string duct = "atmosphere: {ducting: 0.5}\n";
+  const std::string farther = "targets: [{name: farther, position: {lat: 61.5, lon: 5}, ";
+  EXPECT_EQ(scene(farther + "kind: buoy}]\n" + duct)->points.size(), 0u);
+  EXPECT_EQ(scene(farther + "radar: 25 kW X}]\n" + duct)->emitters.size(), 1u);
+  EXPECT_EQ(scene(farther + "radar: 25 kW X}]\n")->emitters.size(), 0u);
 }
 
 TEST_F(Scenes, TheAntennaRollsInProportionToTheSea) {
@@ -107,7 +113,9 @@ TEST_F(Scenes, OtherRadarsOfTheBandAreHeardWhileTheyTransmit) {
   Emission other;
   other.own_ship = 1;
   other.transmits = true;
-  other.emitter = emitter_of(x, x.pulses[1], 9);
+  echo::EmitterState state;
+  state.identity = 9;
+  other.emitter = echo::emitter_of(x, x.pulses[1], state, kTransmitterSpread);
   airwaves_.set(1, other);
   const auto made = scene("targets: [{name: t, position: {lat: 60.1, lon: 5}, radar: 25 kW X}]");
   ASSERT_EQ(made->emitters.size(), 2u);
@@ -129,9 +137,11 @@ TEST(Airwaves, NoTwoSetsOfOneMakeHaveTheSamePulseRate) {
   const echo::RadarSet set;
   double last = 0.0;
   for (std::uint64_t identity = 0; identity < 50; ++identity) {
-    const double prf = emitter_of(set, set.pulses[2], identity).prf_hz;
+    echo::EmitterState state;
+    state.identity = identity;
+    const double prf = echo::emitter_of(set, set.pulses[2], state, kTransmitterSpread).prf_hz;
     EXPECT_NE(prf, last);
-    EXPECT_NEAR(prf, set.pulses[2].prf_hz, kRateSpread * set.pulses[2].prf_hz);
+    EXPECT_NEAR(prf, set.pulses[2].prf_hz, kTransmitterSpread.prf * set.pulses[2].prf_hz);
     last = prf;
   }
 }

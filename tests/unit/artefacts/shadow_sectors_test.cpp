@@ -194,6 +194,15 @@ TEST(ShadowSectors, NothingInTheWayCostsNothing) {
   EXPECT_LT(gain.two_way(units(180.0)), 0.01f);
 }
 
+TEST(ShadowSectors, FromZeroToThreeHundredAndSixtyIsBlankedAllRound) {
+  OwnShipGain gain(small_model());
+  Scene scene = with({});
+  scene.blanked = {{0.0, 360.0}};
+  gain.prepare(scene);
+  for (const double deg : {0.0, 90.0, 180.0, 270.0, 359.9})
+    EXPECT_FALSE(gain.transmits(units(deg))) << deg;
+}
+
 TEST(ShadowSectors, UnlikelyRigsStayInBounds) {
   OwnShipGain gain(small_model());
   std::vector<Obstruction> rig;

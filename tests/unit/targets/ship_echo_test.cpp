@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "echo/kernel/hash.hpp"
-#include "echo/targets/hull_returns.hpp"
 #include "tests/unit/targets/mean_echo.hpp"
 #include "tests/unit/targets/targets_support.hpp"
 
@@ -62,6 +61,12 @@ std::vector<double> cell_powers(std::uint64_t identity, double heading, int turn
                      range * range * range);
   }
   return powers;
+}
+
+TEST(ShipEcho, CrossSectionIsSkolniksOfTenThousandTonnes) {
+  // 52 sqrt(9410) 10^1.5 = 1.59514e5 m2 (physics.md B0); beam chosen for 10 kt.
+  const double beam = std::sqrt(10000.0 / (1.025 * 0.7 * 0.4 * 150.0));
+  EXPECT_NEAR(ship_cross_section(150.0, beam, 9.41e9) / 1.59514e5, 1.0, 1e-5);
 }
 
 TEST(ShipEcho, MedianIsSkolniks) {
