@@ -57,7 +57,7 @@ struct RadarCounters {
 class RadarUnit {
  public:
   static constexpr std::uint32_t kSectorSpokes = 16;
-  static constexpr std::chrono::milliseconds kGiveUp{250};
+  static constexpr std::chrono::milliseconds kGiveUp{500};
 
   // The references must outlive the unit.  `workers` threads help with each sector (0: none).
   RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast, Airwaves& airwaves,
