@@ -89,6 +89,7 @@ RadarServer::RadarServer(const scenario::Scenario& scenario,
 RadarServer::~RadarServer() { stop(); }
 
 void RadarServer::start() {
+  for (auto& radar : radars_) radar->unit.warm_up();
   const Epoch epoch{std::chrono::steady_clock::now(),
                     std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
   coast_->start();

@@ -67,6 +67,18 @@ RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService
   tell_airwaves(config.radar_controls, config.controls.range_scale);
 }
 
+// Tables of weather, set and range scale take tens of milliseconds: once on the air, that would be
+// sectors late.
+void RadarUnit::warm_up() {
+  shown_scale_ = views_.get()->front()->controls.get()->range_scale;
+  renderer_.set_radar(shown_scale_, *radar_controls_.get());
+  look_after_views();
+  // The radar's own builder stays fresh: not all radars are on the air yet.
+  SceneBuilder scenes = scenes_;
+  renderer_.render(*scenes.build(timeline_.at(ScenarioTime{}), coast_.latest(config_.radar)), 0,
+                   kSectorSpokes);
+}
+
 void RadarUnit::start(const Epoch& epoch) {
   thread_ = std::jthread([this, epoch](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), fmt::format("radar-{}", config_.radar).c_str());

@@ -66,6 +66,9 @@ class RadarUnit {
 
   // Once in a unit's life.
   void start(const Epoch& epoch);
+  // Before start(): makes what the first sector needs and would make late.  Cost: 60 ms or so for
+  // the first radar of a set, less for others like it.
+  void warm_up();
   void stop();
 
   const RadarConfig& config() const { return config_; }
