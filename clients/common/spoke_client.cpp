@@ -115,6 +115,8 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
     case wire::ServerMessage::kHello:
       hello_ = message.hello();
       return Event{};
+    case wire::ServerMessage::kBoard:  // BoardClient asks for these
+    case wire::ServerMessage::kBoardRecords:
     case wire::ServerMessage::KIND_NOT_SET:
       return Event{};
   }

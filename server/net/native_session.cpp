@@ -124,6 +124,10 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       send(answer);
       return reply(message.request(), wire::Reply::OK, "");
     }
+    case wire::ClientMessage::kBoardAccess:
+    case wire::ClientMessage::kBoardStream:
+    case wire::ClientMessage::kBoardFifo:
+    case wire::ClientMessage::kBoardRing:
     case wire::ClientMessage::KIND_NOT_SET:
       break;
   }

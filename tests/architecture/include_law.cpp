@@ -29,6 +29,8 @@ const std::vector<Room>& table() {
       {"protocol/asterix",
        {"protocol/quantity/", "protocol/video/", "protocol/wire/wire_error.hpp",
         "protocol/wire/byte_order.hpp"}},
+      {"protocol/board",
+       {"protocol/quantity/", "protocol/wire/wire_error.hpp", "protocol/wire/byte_order.hpp"}},
       // The echo: from loops over cells up to whole spokes.
       {"echo/kernel", {"protocol/quantity/"}},
       {"echo/chart", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
@@ -63,6 +65,9 @@ const std::vector<Room>& table() {
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/", "echo/radar/",
         "echo/propagation/", "echo/targets/"}},
       {"echo/receiver", {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/"}},
+      // Single pulses, for interface boards.
+      {"echo/sweeps",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/", "echo/receiver/"}},
       {"echo", {"protocol/quantity/", "protocol/video/", "echo/"}},
       // The echo for other programs: a C library, and the tool that fits and judges coasts.
       {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},
@@ -74,11 +79,16 @@ const std::vector<Room>& table() {
        {"protocol/", "server/config/", "echo/radar/", "echo/scene/artefacts.hpp",
         "echo/scene/weather.hpp"}},
       {"server/radar", {"protocol/", "echo/", "server/core/", "server/world/"}},
+      {"server/board",
+       {"protocol/", "echo/sweeps/", "echo/radar/", "echo/kernel/", "server/core/"}},
       {"server/net", {"protocol/", "server/core/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
-      {"clients/cli", {"protocol/", "clients/common/"}},
+      // The C library of the interface board, and its signals as files.
+      {"clients/board", {"protocol/", "clients/common/"}},
+      {"clients/signals", {"protocol/", "clients/common/"}},
+      {"clients/cli", {"protocol/", "clients/common/", "clients/board/", "clients/signals/"}},
       {"clients/examples", {"protocol/", "clients/common/"}},
   };
   return rooms;
@@ -110,6 +120,8 @@ const std::vector<Owned>& owned_headers() {
        {"server/app/", "clients/cli/", "echo/coast_tool/"},
        "pass the options in as values"},
       {"png.h", {"clients/common/"}, "use clients/common/picture_file.hpp"},
+      {"sndfile.h", {"clients/signals/"}, "use clients/signals"},
+      {"nlohmann/", {"clients/signals/"}, "use clients/signals"},
       {"spdlog/", {"server/"}, "return the error; the server logs it"},
       {"google/protobuf/",
        {"protocol/wire/", "server/", "clients/"},

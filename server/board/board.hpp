@@ -1,0 +1,90 @@
+// Board: a radar's interface board, without a thread of its own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "echo/sweeps/sweep_echoes.hpp"
+#include "protocol/board/registers.hpp"
+#include "protocol/board/sweep_record.hpp"
+#include "protocol/quantity/time.hpp"
+
+namespace skerry::server {
+
+// The radar that the board drives.
+struct BoardSetup {
+  std::uint32_t radar = 0;
+  echo::RadarSet set;
+  // Registers at the start and after a reset: address and value, checked already.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> initial = {};
+  // The echoes of a radar of the same own ship (this one among them); nullptr where there is none.
+  // The board keeps what it got.
+  std::function<std::shared_ptr<echo::SweepEchoes>(std::uint32_t radar)> echoes;
+  std::function<bool(std::uint32_t radar)> has_radar;  // cheap: whether `echoes` would find it
+};
+
+// What a step of time brought, ready to be sent.
+struct BoardBatch {
+  Bytes records;  // all
+  Bytes signals;  // edges and events alone, with sequence numbers of their own
+  std::uint64_t first_record = 0, first_signal = 0;
+  std::vector<std::uint32_t> record_ends, signal_ends;  // record k is bytes [ends[k-1], ends[k])
+  std::uint32_t sweeps = 0;
+  void clear();
+};
+
+struct BoardCounters {
+  std::uint64_t triggers = 0, sweeps = 0, sweeps_late = 0, records = 0;
+  std::uint32_t faults = 0;
+  std::string fault_reason;
+};
+
+// Time is passed in; what comes out is a pure function of the setup, the writes with the steps they
+// came before, and the echoes.  Where nobody wants sweeps none are made, but every pulse is
+// counted.
+class Board {
+ public:
+  explicit Board(BoardSetup setup);
+  ~Board();
+
+  // Registers.  Thread: any.  A write is checked at once and acts from the next step on; settings
+  // that contradict each other set the fault `config` with its reason at once, and the board goes
+  // on with the last ones that did not.
+  board::RegisterError write(std::uint32_t address, std::uint32_t value);
+  struct Value {
+    board::RegisterError error = board::RegisterError::ok;
+    std::uint32_t value = 0;
+  };
+  Value read(std::uint32_t address) const;
+  // Several in their order at one instant; `write` absent in an access that reads.
+  struct Operation {
+    std::uint32_t address = 0;
+    bool writes = false;
+    std::uint32_t value = 0;
+  };
+  std::vector<Value> access(const std::vector<Operation>& operations);
+
+  // Records of up to `count` sweeps out of the FIFO; appended to `out`; gives how many.  Each that
+  // was not there counts as an underrun.  Thread: any.
+  std::uint32_t take_fifo(std::uint32_t count, std::size_t max_bytes, Bytes& out,
+                          std::uint64_t& first_sequence);
+
+  // Makes all that happens before `now` (after the `now` of the call before).  `utc_zero`: UTC at
+  // scenario time 0.  Where more than `kMostBehind` of sweeps are due the oldest are left out and
+  // counted.  Thread: the board's.
+  void advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, BoardBatch& out);
+  static constexpr std::chrono::milliseconds kMostBehind{250};
+
+  // True while a capture is armed, or the FIFO takes sweeps: then they are made without readers.
+  bool captures() const;
+  BoardCounters counters() const;
+
+ private:
+  struct Core;
+  std::unique_ptr<Core> core_;
+};
+
+}  // namespace skerry::server
