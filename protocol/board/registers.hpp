@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace skerry::board {
@@ -187,16 +188,31 @@ struct RegisterInfo {
   bool is_signed = false;  // two's complement
   std::int64_t min = 0, max = 0, reset = 0;
   std::string_view unit;
-  std::string_view what;  // one line
+  std::string_view what;   // one line
+  std::uint32_t step = 1;  // a value is min + a multiple of it
+  bool or_zero = false;    // 0 may be written although min is more
 };
 
-// Ascending.  fault_reason and the digdar page are not in it, one register by one, but found.
+// Ascending.  fault_reason and the digdar page are not in it, one register by one, but found, as
+// FAULT_REASON_0 .. FAULT_REASON_31 and DIGDAR_COMMAND and so on (digdar_page.hpp).
 std::span<const RegisterInfo> all_registers();
 const RegisterInfo* find_register(std::uint32_t address);
 // Letters of either case.
 const RegisterInfo* find_register(std::string_view name);
 
-// Whether `value` may be written there, by this register alone.
+// Whether `value` may be written there, by this register alone: what it means beside the others is
+// the board's to judge (fault `config`).  A write_ones_to_clear register takes any of its bits.
 RegisterError check_write(std::uint32_t address, std::uint32_t value);
+
+// The value of a register as a number: two's complement where it is signed.
+constexpr std::int64_t value_of(const RegisterInfo& info, std::uint32_t bits) {
+  return info.is_signed ? static_cast<std::int32_t>(bits) : std::int64_t{bits};
+}
+
+// The four characters of `reason` that the n-th register of fault_reason reads, the first lowest.
+// Characters beyond kFaultReasonBytes - 1 are left out; what is not printable ASCII reads '?'.
+std::uint32_t fault_reason_word(std::string_view reason, std::uint32_t n);
+// Back again from the registers, in their order.
+std::string fault_reason_text(std::span<const std::uint32_t> words);
 
 }  // namespace skerry::board

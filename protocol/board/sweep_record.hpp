@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -17,8 +18,10 @@ namespace skerry::board {
 // little-endian, a multiple of 64 bytes, header first.
 inline constexpr std::size_t kRecordAlignment = 64;
 inline constexpr std::uint32_t kMaxSamples = 16384;  // of a channel
-// Header, two channels of kMaxSamples, 16 bits each.
-inline constexpr std::size_t kMaxRecordBytes = 192 + 2 * 2 * kMaxSamples;
+inline constexpr std::size_t kSweepHeader = 192, kEdgesHeader = 64, kEventBytes = 64;
+// A sweep of two channels of kMaxSamples, 16 bits each.
+inline constexpr std::size_t kMaxRecordBytes = kSweepHeader + 2 * 2 * kMaxSamples;
+enum class RecordKind : std::uint8_t { sweep = 1, edges = 2, event = 3, filler = 255 };
 
 struct ChannelFormat {
   std::uint32_t samples = 0;  // 0: the channel is off
@@ -40,7 +43,8 @@ struct SweepMeta {
   std::uint32_t ticks_since_acp = 0;  // from the last ACP to the trigger
   std::uint32_t acp_period = 0;       // ticks between the last two ACPs
   std::uint32_t acp_per_turn = 0;     // as configured
-  std::uint32_t arp_ticks = 0;        // from the ACP before the last ARP to that ARP
+  std::uint32_t turn_ticks = 0;  // between the last two ARPs; 0: that turn had not all its ACPs
+  std::uint32_t arp_ticks = 0;   // from the ACP before the last ARP to that ARP
   std::uint32_t arp_count = 0;
   std::uint64_t utc_ns = 0;
   std::uint32_t delay_ticks = 0;  // from the trigger (range zero) to the first sample
@@ -55,8 +59,15 @@ struct SweepMeta {
 };
 
 // Turns clockwise from the ARP, in [0, 1): (ACPs + fraction - fraction at the ARP) / ACPs per turn.
-// 0 where no ACP has been seen twice.  Source: physics.md A4, timing arithmetic.
+// 0 where no ACP has been seen twice.  A fraction is at most 1: an antenna that stands still does
+// not turn on.  Source: physics.md A4, timing arithmetic.
+// Bound: an ACP stands for the tick nearest to it, so at constant speed, with the ARP on an ACP,
+// the azimuth is off by half a tick of turning at most, and half a tick more with an ARP between
+// two (tests SweepAzimuth, BoardAzimuth).
 double azimuth_turns(const SweepMeta& meta);
+// Ticks of an ACP: the mean of the last turn, unless the last period, which counts whole ticks, is
+// more than one off it, as where the antenna does not turn evenly.
+double acp_ticks(const SweepMeta& meta);
 // Metres to the middle of sample i of a channel.
 double sample_range_m(const SweepMeta& meta, std::size_t channel, std::uint32_t i);
 
@@ -95,6 +106,8 @@ struct Event {
 using Record = std::variant<Sweep, Edges, Event>;
 
 // `sequence`: +1 for every record of a board; a gap is a loss.
+// Of a sweep, the numbers of samples are those of `samples`, at most kMaxSamples each; of edges the
+// first kMaxEdges are written.
 void append_record(Bytes& out, std::uint64_t sequence, const Sweep& sweep);
 void append_record(Bytes& out, std::uint64_t sequence, const Edges& edges);
 void append_record(Bytes& out, std::uint64_t sequence, const Event& event);
@@ -104,6 +117,15 @@ struct DecodedRecord {
   std::size_t size = 0;  // bytes it took
   Record record;
 };
+// What every record begins with.  Nothing if `bytes` are too few for it, or the size is none that a
+// record can have; the kind may be one that does not exist yet.
+struct RecordPrefix {
+  std::size_t size = 0;
+  std::uint8_t kind = 0;
+  std::uint64_t sequence = 0;
+};
+std::optional<RecordPrefix> record_prefix(std::span<const std::uint8_t> bytes);
+
 // The first record of `bytes`.  Nothing in it is believed unchecked.
 // Error: truncated, malformed, oversized, out_of_range, unknown_kind, with the offset.
 Result<DecodedRecord, WireError> decode_record(std::span<const std::uint8_t> bytes);

@@ -27,8 +27,8 @@ bool fits(const DatagramHeader& header, std::size_t size) {
 
 }  // namespace
 
-void append_datagram_header(Bytes& out, const DatagramHeader& header) {
-  append_big_endian(out, kDatagramMagic, 4);
+void append_datagram_header(Bytes& out, const DatagramHeader& header, DatagramKind kind) {
+  append_big_endian(out, static_cast<std::uint32_t>(kind), 4);
   append_big_endian(out, kDatagramVersion, 1);
   append_big_endian(out, kDatagramHeaderSize, 1);
   append_big_endian(out, header.spoke.radar, 2);
@@ -41,16 +41,19 @@ void append_datagram_header(Bytes& out, const DatagramHeader& header) {
   append_big_endian(out, header.offset, 4);
 }
 
-Result<DatagramHeader, WireError> decode_datagram_header(std::span<const std::uint8_t> datagram) {
+Result<DatagramHeader, WireError> decode_datagram_header(std::span<const std::uint8_t> datagram,
+                                                         DatagramKind kind) {
   if (datagram.size() < kDatagramHeaderSize) {
     return fail(WireErrorKind::truncated, datagram.size(),
                 fmt::format("{} bytes, shorter than its header of {}", datagram.size(),
                             kDatagramHeaderSize));
   }
   ByteReader reader(datagram);
-  if (const auto magic = reader.big_endian<std::uint32_t>(); magic != kDatagramMagic) {
+  const auto expected = static_cast<std::uint32_t>(kind);
+  if (const auto magic = reader.big_endian<std::uint32_t>(); magic != expected) {
     return fail(WireErrorKind::malformed, 0,
-                fmt::format("begins with {:08x}, expected \"SKRY\"", magic));
+                fmt::format("begins with {:08x}, expected {:08x} (\"{}\")", magic, expected,
+                            kind == DatagramKind::spokes ? "SKRY" : "SKRB"));
   }
   if (const std::uint8_t version = reader.octet(); version != kDatagramVersion) {
     return fail(WireErrorKind::unknown_kind, kAtVersion,
@@ -120,7 +123,7 @@ DatagramReassembler::Unfinished& DatagramReassembler::begin(const DatagramHeader
 
 Result<std::optional<Bytes>, WireError> DatagramReassembler::feed(
     std::span<const std::uint8_t> datagram) {
-  const auto decoded = decode_datagram_header(datagram);
+  const auto decoded = decode_datagram_header(datagram, kind_);
   if (!decoded) {
     ++refused_;
     return Failure{decoded.error()};
