@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "echo/radar/radar_equation.hpp"
 
@@ -20,12 +21,16 @@ RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeS
   model.scale = scale;
   model.clock = clock;
   model.radar = radar;
-  model.cell_m = geometry.cell_size(scale).in_metres();
-  model.pulse_cells = 0.5 * kLightSpeed * model.pulse.length_s / model.cell_m;
   model.spoke_radians = 2.0 * std::numbers::pi / geometry.spokes_per_turn;
   model.unit_snr = unit_signal_to_noise(set, model.pulse);
+  return with_cells_of(std::move(model), geometry.cell_size(scale).in_metres());
+}
+
+RadarModel with_cells_of(RadarModel model, double cell_m) {
+  model.cell_m = cell_m;
+  model.pulse_cells = 0.5 * kLightSpeed * model.pulse.length_s / cell_m;
   const double blind = 0.5 * kLightSpeed * (model.pulse.length_s + kRecovery);
-  model.blind_cells = std::min(geometry.cells, static_cast<std::uint32_t>(blind / model.cell_m));
+  model.blind_cells = std::min(model.geometry.cells, static_cast<std::uint32_t>(blind / cell_m));
   return model;
 }
 

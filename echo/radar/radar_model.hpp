@@ -31,4 +31,7 @@ RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeS
                        const SpokeClock& clock, std::uint32_t radar,
                        PulseChoice choice = PulseChoice::automatic);
 
+// The model in cells of another length, whatever its range scale.
+RadarModel with_cells_of(RadarModel model, double cell_m);
+
 }  // namespace skerry::echo

@@ -61,13 +61,14 @@ void ReceiverNoise::add_samples(double q, Decimation decimation) {
   mean_octaves_ = sum / (kRows * kMaxCells);
 }
 
-NoiseRow ReceiverNoise::row(NoiseKey key) const {
+NoiseRow ReceiverNoise::row(NoiseKey key, std::uint32_t from) const {
   constexpr std::uint32_t kPlaces = kPeriod / kLine;
+  const auto begin = [from](std::uint64_t place) {
+    return (static_cast<std::uint32_t>(place % kPlaces) * kLine + from) % kPeriod;
+  };
   const std::uint64_t more = mixed(key.first, key.second);
-  const std::uint32_t a = key.first % kPlaces * kLine, b = key.second % kPlaces * kLine;
-  const auto c = static_cast<std::uint32_t>(more % kPlaces) * kLine;
-  const float* beside =
-      beside_.empty() ? nullptr : floats(beside_) + (more >> 32) % kPlaces * kLine;
+  const std::uint32_t a = begin(key.first), b = begin(key.second), c = begin(more);
+  const float* beside = beside_.empty() ? nullptr : floats(beside_) + begin(more >> 32);
   return {floats(re_) + a, floats(im_) + a, floats(re_) + b, floats(im_) + b,
           floats(re_) + c, floats(im_) + c, beside};
 }

@@ -46,8 +46,9 @@ class ReceiverNoise {
   // samples: clamped to kMinSamples .. kMaxSamples.
   ReceiverNoise(double samples, Decimation decimation);
 
-  // Noise of a spoke, kMaxCells of it.  Valid while this lives.
-  NoiseRow row(NoiseKey key) const;
+  // Noise of a spoke, kMaxCells of it, from cell `from` on: longer rows are had by pieces that join
+  // without a seam, and repeat after kPeriod cells.  Valid while this lives.
+  NoiseRow row(NoiseKey key, std::uint32_t from = 0) const;
 
   // What the echo's power is to be multiplied by before it meets the noise.
   float gain() const { return gain_; }
