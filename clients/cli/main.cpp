@@ -24,11 +24,12 @@ int run(int argc, char** argv) {
       "  skerry dump --count 5\n"
       "  skerry set --range 6 --gain 60\n"
       "  skerry coast fit --place bergen\n"
+      "  skerry board scope\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
-  const std::array<Command, 5> commands = {make_status_command(app), make_snapshot_command(app),
-                                           make_dump_command(app), make_set_command(app),
-                                           make_coast_command(app)};
+  const std::array<Command, 6> commands = {make_status_command(app), make_snapshot_command(app),
+                                           make_dump_command(app),   make_set_command(app),
+                                           make_coast_command(app),  make_board_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

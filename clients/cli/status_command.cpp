@@ -53,6 +53,26 @@ std::string radars(const wire::Status& status) {
   return out;
 }
 
+// Faults by name stand in `skerry board registers`; here, whether there are any and why.
+std::string boards(const wire::Status& status) {
+  std::string out;
+  for (const auto& radar : status.radars()) {
+    if (!radar.has_board()) continue;
+    const wire::BoardState& board = radar.board();
+    out += fmt::format(
+        "{:<5} {:<16} {:>12} {:>11} {:>8} {:>9.1f}  {:<24} {}\n", radar.radar(),
+        printable(radar.name(), 16), board.triggers(), board.sweeps(), board.sweeps_late(),
+        board.sweep_us(), board.ring_name().empty() ? "-" : printable(board.ring_name(), 24),
+        board.faults() == 0
+            ? "none"
+            : fmt::format("0x{:02X} {}", board.faults(), printable(board.fault_reason(), 128)));
+  }
+  if (out.empty()) return "no boards\n";
+  return fmt::format("{:<5} {:<16} {:>12} {:>11} {:>8} {:>9}  {:<24} {}\n", "BOARD", "NAME",
+                     "TRIGGERS", "SWEEPS", "LATE", "US/SWEEP", "SHARED MEMORY", "FAULTS") +
+         out;
+}
+
 std::string controls_line(const std::string& name, const wire::Settings& settings) {
   static constexpr const char* kPulses[] = {"auto", "short", "medium", "long"};
   const auto pulse = static_cast<unsigned>(settings.pulse());
@@ -142,11 +162,11 @@ std::string errors(const wire::Status& status) {
 std::string table(const wire::Status& status, const std::string& place) {
   return fmt::format(
       "{} at {}, scenario {}\nscenario time {}, up {}, {:.1f} MiB in memory\n\n"
-      "{}\n{}\n{}\n{}\n{}\n{}",
+      "{}\n{}\n{}\n{}\n{}\n{}\n{}",
       printable(status.server()), place, printable(status.scenario()),
       hours_minutes_seconds(status.scenario_s()), hours_minutes_seconds(status.uptime_s()),
-      status.resident_mib(), own_ships(status), radars(status), controls(status), world(status),
-      clients(status), errors(status));
+      status.resident_mib(), own_ships(status), radars(status), controls(status), boards(status),
+      world(status), clients(status), errors(status));
 }
 
 std::string json(const wire::Status& status) {
@@ -178,7 +198,7 @@ Command make_status_command(CLI::App& app) {
   auto as_json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
       "status",
-      "Shows own ships, radars and their controls, the world, clients, losses and errors");
+      "Shows own ships, radars, their controls and boards, the world, clients, losses and errors");
   place->add_options(*command);
   command->add_flag("--json", *as_json,
                     "The Status message of radar.proto as JSON (64-bit counts "

@@ -12,6 +12,8 @@ namespace {
 
 namespace asio = boost::asio;
 
+constexpr std::uint32_t kProtocolVersion = 1;
+
 constexpr auto kLongestTimeout = std::chrono::hours(24 * 365);
 
 Failure<ClientError> connect_failure(const std::string& name,
@@ -97,6 +99,50 @@ ClientResult<Done> MessageStream::connect(const std::string& host, std::uint16_t
   if (error) return connect_failure(name_, error);
   socket_.set_option(tcp::no_delay(true), ignored);
   return Done{};
+}
+
+ClientResult<wire::Hello> MessageStream::open(const std::string& host, std::uint16_t port,
+                                              Duration timeout) {
+  const Deadline deadline = deadline_after(timeout);
+  if (auto connected = connect(host, port, deadline); !connected) {
+    return Failure{connected.error()};
+  }
+  auto first = next(deadline);
+  if (!first) return Failure{first.error()};
+  if (!*first) {
+    return failure(ClientErrorKind::timed_out,
+                   fmt::format("{} accepted the connection but sent no Hello within {:.1f} s; is "
+                               "that the native port (usually {})?",
+                               name_, in_seconds(timeout), kDefaultTcpPort));
+  }
+  if ((*first)->has_reply()) return rejected((*first)->reply());
+  if (!(*first)->has_hello()) {
+    return failure(ClientErrorKind::malformed,
+                   fmt::format("{} did not begin with a Hello: not a Skerry server", name_));
+  }
+  const wire::Hello& hello = (*first)->hello();
+  if (hello.protocol_version() != kProtocolVersion) {
+    return failure(ClientErrorKind::malformed,
+                   fmt::format("{} speaks version {} of the native protocol, expected {}", name_,
+                               hello.protocol_version(), kProtocolVersion));
+  }
+  return hello;
+}
+
+bool MessageStream::is_local() const {
+  error_code no_near, no_far;
+  const auto near = socket_.local_endpoint(no_near), far = socket_.remote_endpoint(no_far);
+  return !no_near && !no_far && near.address() == far.address();
+}
+
+Failure<ClientError> MessageStream::no_answer(const char* kind) const {
+  return failure(ClientErrorKind::timed_out,
+                 fmt::format("{} did not answer the {} request in time", name_, kind));
+}
+
+Failure<ClientError> MessageStream::rejected(const wire::Reply& reply) const {
+  return failure(ClientErrorKind::rejected,
+                 fmt::format("{} rejected the request: {}", name_, printable(reply.text())));
 }
 
 void MessageStream::start_read() {

@@ -37,6 +37,11 @@ class MessageStream {
   // Error: unreachable, refused, timed_out.
   ClientResult<Done> connect(const std::string& host, std::uint16_t port, Deadline deadline);
 
+  // Connects and waits for the server's Hello.
+  // Error: also closed, rejected, malformed (not a Skerry server, or a protocol version this
+  // library does not know).
+  ClientResult<wire::Hello> open(const std::string& host, std::uint16_t port, Duration timeout);
+
   // The next message; nothing if none came in time.  What is there already is looked at even if the
   // deadline has passed.
   // Error: closed, with the text of the last error reply among the messages; malformed.
@@ -49,6 +54,13 @@ class MessageStream {
   Failure<ClientError> end(ClientErrorKind kind, std::string text);
 
   const std::string& name() const { return name_; }  // "host:port", printable
+
+  // Both ends have the same address: the server runs on this host.
+  bool is_local() const;
+
+  // What became of a request of that kind: no answer, or an answer that is an error.
+  Failure<ClientError> no_answer(const char* kind) const;
+  Failure<ClientError> rejected(const wire::Reply& reply) const;
 
  private:
   using tcp = boost::asio::ip::tcp;

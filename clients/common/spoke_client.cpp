@@ -11,11 +11,6 @@
 #include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::client {
-namespace {
-
-constexpr std::uint32_t kProtocolVersion = 1;
-
-}  // namespace
 
 class SpokeClient::Connection {
  public:
@@ -37,8 +32,6 @@ class SpokeClient::Connection {
   ClientResult<wire::Reply> await_reply(std::uint32_t request, const char* kind, Deadline deadline);
   ClientResult<std::optional<ClientEvent>> as_event(wire::ServerMessage& message);
   ClientResult<Done> keep(wire::ServerMessage& message);
-  Failure<ClientError> no_answer(const char* kind) const;
-  Failure<ClientError> rejected(const wire::Reply& reply) const;
 
   MessageStream stream_;
   std::deque<ClientEvent> waiting_;
@@ -48,39 +41,11 @@ class SpokeClient::Connection {
   LossCounter losses_;
 };
 
-Failure<ClientError> SpokeClient::Connection::no_answer(const char* kind) const {
-  return failure(ClientErrorKind::timed_out,
-                 fmt::format("{} did not answer the {} request in time", name(), kind));
-}
-
-Failure<ClientError> SpokeClient::Connection::rejected(const wire::Reply& reply) const {
-  return failure(ClientErrorKind::rejected,
-                 fmt::format("{} rejected the request: {}", name(), printable(reply.text())));
-}
-
 ClientResult<Done> SpokeClient::Connection::open(const std::string& host, std::uint16_t port,
                                                  Duration timeout) {
-  const Deadline deadline = deadline_after(timeout);
-  if (auto connected = stream_.connect(host, port, deadline); !connected) return connected;
-  auto first = stream_.next(deadline);
-  if (!first) return Failure{first.error()};
-  if (!*first) {
-    return failure(ClientErrorKind::timed_out,
-                   fmt::format("{} accepted the connection but sent no Hello within {:.1f} s; is "
-                               "that the native port (usually {})?",
-                               name(), in_seconds(timeout), kDefaultTcpPort));
-  }
-  if ((*first)->has_reply()) return rejected((*first)->reply());
-  if (!(*first)->has_hello()) {
-    return failure(ClientErrorKind::malformed,
-                   fmt::format("{} did not begin with a Hello: not a Skerry server", name()));
-  }
-  hello_ = (*first)->hello();
-  if (hello_.protocol_version() != kProtocolVersion) {
-    return failure(ClientErrorKind::malformed,
-                   fmt::format("{} speaks version {} of the native protocol, expected {}", name(),
-                               hello_.protocol_version(), kProtocolVersion));
-  }
+  auto hello = stream_.open(host, port, timeout);
+  if (!hello) return Failure{hello.error()};
+  hello_ = std::move(hello).value();
   return Done{};
 }
 
@@ -164,14 +129,14 @@ ClientResult<wire::Reply> SpokeClient::Connection::await_reply(std::uint32_t req
   for (;;) {
     auto message = stream_.next(deadline);
     if (!message) return Failure{message.error()};
-    if (!*message) return no_answer(kind);
+    if (!*message) return stream_.no_answer(kind);
     if ((*message)->has_reply() && (*message)->reply().request() == request) {
       const wire::Reply& reply = (*message)->reply();
       if (reply.code() == wire::Reply::OK) return reply;
-      return rejected(reply);
+      return stream_.rejected(reply);
     }
     if (auto kept = keep(**message); !kept) return Failure{kept.error()};
-    if (is_past(deadline)) return no_answer(kind);
+    if (is_past(deadline)) return stream_.no_answer(kind);
   }
 }
 
@@ -207,14 +172,14 @@ ClientResult<wire::Status> SpokeClient::Connection::get_status(Duration timeout)
   for (;;) {
     auto message = stream_.next(deadline);
     if (!message) return Failure{message.error()};
-    if (!*message) return no_answer("status");
+    if (!*message) return stream_.no_answer("status");
     if ((*message)->has_status()) return std::move(*(*message)->mutable_status());
     if ((*message)->has_reply() && (*message)->reply().request() == status_request_ &&
         (*message)->reply().code() != wire::Reply::OK) {
-      return rejected((*message)->reply());
+      return stream_.rejected((*message)->reply());
     }
     if (auto kept = keep(**message); !kept) return Failure{kept.error()};
-    if (is_past(deadline)) return no_answer("status");
+    if (is_past(deadline)) return stream_.no_answer("status");
   }
 }
 
