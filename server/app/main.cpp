@@ -36,6 +36,10 @@ void greet(const Options& options, const NetServer& net, const RadarServer& rada
     std::fprintf(stderr, "  ASTERIX CAT240   udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
                  d.radar);
   }
+  for (const UdpDestination& d : options.net.sweeps) {
+    std::fprintf(stderr, "  board's records  udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
+                 d.radar);
+  }
   std::fprintf(stderr, "  stop with Ctrl-C\n");
   if (options.print_ports) {
     std::printf("tcp %u http %u\n", net.tcp_port(), net.http_port());
@@ -61,6 +65,7 @@ int run(const Options& options) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   RadarServer radars(scenario, std::move(chart), options.workers);
   NetServer net(radars, options.net, web_files());
+  radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
   net.start();
   radars.start();
   greet(options, net, radars);

@@ -19,6 +19,7 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --chart US5WA22M.000              an ENC cell over the world's shoreline
   skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1, not 0
   skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
+  skerryd --sweeps 127.0.0.1:7413           sweeps of radar 0's interface board
   skerryd --config server.yaml              everything from a file; the command line wins
 
 Every stream goes to loopback until told otherwise.  Then look at http://127.0.0.1:7480/ or run
@@ -47,6 +48,10 @@ void apply_file(const app::ServerConfig& file, Options& options) {
   for (const app::Destination& d : file.udp()) net.udp.push_back(destination_of(d));
   if (file.cat240_size() > 0) net.cat240.clear();
   for (const app::Destination& d : file.cat240()) net.cat240.push_back(destination_of(d));
+  for (const app::Destination& d : file.sweeps()) net.sweeps.push_back(destination_of(d));
+  if (file.has_board_ring_mib()) {
+    options.board_ring_bytes = std::size_t{file.board_ring_mib()} << 20;
+  }
   if (file.has_control_token()) net.control_token = file.control_token();
   for (const std::string& host : file.allowed_hosts()) net.allowed_hosts.push_back(host);
   if (file.has_web_root()) net.web_root = file.web_root();
@@ -94,7 +99,7 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   cli.footer(kExamples);
   cli.set_version_flag("--version", std::string(kServerName));
   std::string config, bind, web_root, token, scenario, elevation, log_level = "info";
-  std::vector<std::string> udp, cat240, charts;
+  std::vector<std::string> udp, cat240, sweeps, charts;
   std::uint16_t tcp_port = 0, http_port = 0;
   std::size_t workers = 0;
   bool no_udp = false, no_cat240 = false, print_ports = false, check = false;
@@ -110,6 +115,8 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   auto* http = cli.add_option("--http-port", http_port, "web console (7480); 0: any free port");
   cli.add_option("--udp", udp, "native datagrams to [RADAR@]ADDRESS:PORT (127.0.0.1:7411)");
   cli.add_option("--cat240", cat240, "CAT240 to [RADAR@]ADDRESS:PORT (127.0.0.1:8600)");
+  cli.add_option("--sweeps", sweeps,
+                 "records of a radar's interface board to [RADAR@]ADDRESS:PORT (none)");
   cli.add_flag("--no-udp", no_udp, "no native datagrams");
   cli.add_flag("--no-cat240", no_cat240, "no CAT240");
   cli.add_option("--control-token", token,
@@ -148,6 +155,8 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   if (no_cat240 || !cat240.empty()) options.net.cat240.clear();
   for (const std::string& text : udp) options.net.udp.push_back(parse_destination(text));
   for (const std::string& text : cat240) options.net.cat240.push_back(parse_destination(text));
+  if (!sweeps.empty()) options.net.sweeps.clear();
+  for (const std::string& text : sweeps) options.net.sweeps.push_back(parse_destination(text));
   if (!token.empty()) options.net.control_token = token;
   if (!web_root.empty()) options.net.web_root = web_root;
   if (help->count() > 0) options.workers = workers;

@@ -16,7 +16,8 @@ struct Options {
   std::vector<std::string> charts;
   std::string elevation;  // file or folder; empty: the relief is synthetic
   NetConfig net;
-  std::size_t workers = 0;  // helping threads per radar
+  std::size_t workers = 0;                   // helping threads per radar
+  std::size_t board_ring_bytes = 16u << 20;  // of each board's ring in shared memory
   std::string log_level = "info";
   bool print_ports = false;  // one line "tcp PORT http PORT" on standard output once listening
   bool check_only = false;   // read everything, start nothing

@@ -12,6 +12,8 @@
 #include "server/app/version.hpp"
 #include "server/app/world_change.hpp"
 #include "server/core/process_memory.hpp"
+#include "server/radar/turn_echoes.hpp"
+#include "server/world/board_registers.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/world.hpp"
 
@@ -84,6 +86,51 @@ RadarServer::RadarServer(const scenario::Scenario& scenario,
       ++index;
     }
   }
+  mount_boards(scenario);
+}
+
+void RadarServer::mount_boards(const scenario::Scenario& scenario) {
+  const auto index_of = [this](const std::string& name) {
+    const auto found = std::find_if(radars_.begin(), radars_.end(), [&](const auto& mount) {
+      return mount->unit.config().name == name;
+    });
+    return static_cast<std::uint32_t>(found - radars_.begin());
+  };
+  for (const scenario::OwnShip& ship : scenario.own_ships()) {
+    for (const scenario::Radar& radar : ship.radars()) {
+      const auto index = static_cast<std::uint32_t>(boards_.size());
+      BoardSetup setup;
+      setup.radar = index;
+      setup.set = radars_[index]->unit.config().set;
+      setup.initial = board_registers(radar, index_of);
+      setup.echoes = [this, index](std::uint32_t source) { return echoes_of(source, index); };
+      setup.has_radar = [this, index](std::uint32_t source) { return is_shipmate(source, index); };
+      setup.on_air = [&unit = radars_[index]->unit]() -> BoardSetup::OnAir {
+        return {unit.pulse_on_air(), unit.radar_controls().transmit};
+      };
+      boards_.push_back(std::make_shared<BoardUnit>(std::move(setup), radar.name()));
+    }
+  }
+}
+
+bool RadarServer::is_shipmate(std::uint32_t radar, std::uint32_t of) const {
+  return radar < radars_.size() &&
+         radars_[radar]->unit.config().own_ship == radars_[of]->unit.config().own_ship;
+}
+
+std::shared_ptr<echo::SweepEchoes> RadarServer::echoes_of(std::uint32_t radar, std::uint32_t of) {
+  if (!is_shipmate(radar, of)) return nullptr;
+  return std::make_shared<TurnEchoes>(radars_[radar]->unit, timeline_, *coast_, airwaves_);
+}
+
+void RadarServer::name_shared_rings(std::uint16_t tcp_port, std::size_t bytes) {
+  for (std::size_t radar = 0; radar < boards_.size(); ++radar) {
+    boards_[radar]->set_shared_ring(fmt::format("/skerry-board-{}-{}", tcp_port, radar), bytes);
+  }
+}
+
+BoardPortPtr RadarServer::find_board(std::uint32_t radar) {
+  return radar < boards_.size() ? boards_[radar] : nullptr;
 }
 
 RadarServer::~RadarServer() { stop(); }
@@ -94,9 +141,11 @@ void RadarServer::start() {
                     std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
   coast_->start();
   for (auto& radar : radars_) radar->unit.start(epoch);
+  for (auto& board : boards_) board->start(epoch.steady, epoch.utc);
 }
 
 void RadarServer::stop() {
+  for (auto& board : boards_) board->stop();
   for (auto& radar : radars_) radar->unit.stop();
 }
 
@@ -119,6 +168,7 @@ wire::Hello RadarServer::hello() const {
     info->set_set(config.set.name);
     info->set_band(config.set.band() == echo::Band::s ? "S" : "X");
     info->set_antenna_height_m(config.set.antenna_height_m);
+    info->set_board(true);
   }
   for (double nm : RangeScale::kNauticalMiles) hello.add_range_scales_nm(nm);
   return hello;
@@ -285,6 +335,7 @@ wire::Status RadarServer::status() const {
     radar->set_render_ns_per_cell(counters.render_ns_per_cell);
     radar->set_scan(counters.scan);
     radar->set_coast_edges(counters.coast_edges);
+    *radar->mutable_board() = boards_[index]->state();
     for (const RadarViewPtr& view : *mount->unit.views().get()) {
       for (const auto& [format, spokes] : view->channel.spokes_encoded()) {
         (*radar->mutable_encodes())[format] += spokes;

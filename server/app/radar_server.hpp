@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "echo/chart/chart_source.hpp"
+#include "server/board/board_unit.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"
 #include "server/world/scenario.pb.h"
@@ -26,6 +27,10 @@ class RadarServer : public RadarHost {
               std::size_t workers);
   ~RadarServer() override;
 
+  // Names the rings of the boards in shared memory, of `bytes` of records each, after the port that
+  // this host's clients know the server by.  Before start(); without, there are none.
+  void name_shared_rings(std::uint16_t tcp_port, std::size_t bytes);
+
   // Scenario time 0 is now.
   void start();
   void stop();
@@ -37,6 +42,7 @@ class RadarServer : public RadarHost {
       std::uint32_t radar, std::uint32_t like,
       const std::function<void(VideoChannel&)>& prepare) override;
   void close_view(std::uint32_t radar, std::uint32_t view) override;
+  BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
@@ -49,11 +55,16 @@ class RadarServer : public RadarHost {
   struct Mount;  // a radar on her ship
   std::optional<wire::Reply> refusal_by_state(const wire::Set& set) const;
   void apply_to_radar(const wire::Set& set, RadarUnit& unit);
+  void mount_boards(const scenario::Scenario& scenario);
+  // For a board: of a radar on the same ship as `of`, or nullptr.
+  std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
+  bool is_shipmate(std::uint32_t radar, std::uint32_t of) const;
   std::string scenario_name_;
   Timeline timeline_;
   std::unique_ptr<CoastService> coast_;
   Airwaves airwaves_;
   std::vector<std::unique_ptr<Mount>> radars_;
+  std::vector<std::shared_ptr<BoardUnit>> boards_;  // one of each radar
   std::atomic<std::uint64_t> settings_version_{1}, world_version_{1};
   std::mutex apply_mutex_;  // one Set at a time, so that two do not lose each other's values
   const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();

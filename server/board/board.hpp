@@ -11,6 +11,7 @@
 #include "protocol/board/registers.hpp"
 #include "protocol/board/sweep_record.hpp"
 #include "protocol/quantity/time.hpp"
+#include "server/board/register_access.hpp"
 
 namespace skerry::server {
 
@@ -18,12 +19,19 @@ namespace skerry::server {
 struct BoardSetup {
   std::uint32_t radar = 0;
   echo::RadarSet set;
-  // Registers at the start and after a reset: address and value, checked already.
+  // Registers at the start: address and value, checked already.  A reset leaves them as they are.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> initial = {};
   // The echoes of a radar of the same own ship (this one among them); nullptr where there is none.
   // The board keeps what it got.
   std::function<std::shared_ptr<echo::SweepEchoes>(std::uint32_t radar)> echoes;
   std::function<bool(std::uint32_t radar)> has_radar;  // cheap: whether `echoes` would find it
+  // What the board's radar has on the air, asked at every step and so cheap; without, the set's
+  // first pulse.
+  struct OnAir {
+    echo::Pulse pulse;
+    bool radiates = true;
+  };
+  std::function<OnAir()> on_air = {};
 };
 
 // What a step of time brought, ready to be sent.
@@ -43,8 +51,18 @@ struct BoardCounters {
 };
 
 // Time is passed in; what comes out is a pure function of the setup, the writes with the steps they
-// came before, and the echoes.  Where nobody wants sweeps none are made, but every pulse is
-// counted.
+// came before, the echoes and what is on the air: bit by bit the same on every machine and, but for
+// how edges are put into records, for steps of any length up to kMostBehind.  Where nobody wants
+// sweeps none are made, but every pulse is counted.
+//
+// Azimuth: board::azimuth_turns() of a sweep's metadata is where the antenna points, clockwise from
+// the ARP.  Every pulse stands at its nearest tick; so under steady rotation and with the true ACP
+// period the error is at most half a tick, and that is also the error of the metadata where a
+// period is a whole number of ticks.  Where it is not, the metadata have the last period to a tick,
+// and the error is at most 2.5 ticks (with an ARP between ACPs: its own place is rounded, too).
+// Under wow w in m waves and gusts g the last period is as old as one ACP: with a = w / (1 + w), b
+// = g / (1 + g) at most (2 pi (m a + b) / ACPs) / (1 - a - b) of an ACP more.  Held by
+// BoardAzimuth.*.
 class Board {
  public:
   explicit Board(BoardSetup setup);
@@ -54,17 +72,10 @@ class Board {
   // that contradict each other set the fault `config` with its reason at once, and the board goes
   // on with the last ones that did not.
   board::RegisterError write(std::uint32_t address, std::uint32_t value);
-  struct Value {
-    board::RegisterError error = board::RegisterError::ok;
-    std::uint32_t value = 0;
-  };
+  using Value = RegisterValue;
   Value read(std::uint32_t address) const;
   // Several in their order at one instant; `write` absent in an access that reads.
-  struct Operation {
-    std::uint32_t address = 0;
-    bool writes = false;
-    std::uint32_t value = 0;
-  };
+  using Operation = RegisterOperation;
   std::vector<Value> access(const std::vector<Operation>& operations);
 
   // Records of up to `count` sweeps out of the FIFO; appended to `out`; gives how many.  Each that

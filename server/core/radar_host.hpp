@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "protocol/wire/radar.pb.h"
+#include "server/core/board_port.hpp"
 #include "server/core/video_channel.hpp"
 
 namespace skerry::server {
@@ -33,6 +34,9 @@ class RadarHost {
       const std::function<void(VideoChannel&)>& prepare) = 0;
   // No effect on view 0.
   virtual void close_view(std::uint32_t radar, std::uint32_t view) = 0;
+
+  // The interface board of a radar; nullptr if it has none, or there is no such radar.
+  virtual BoardPortPtr find_board(std::uint32_t /*radar*/) { return nullptr; }
 
   // Checks all of `set` and applies all or nothing; the reply says which value was out of range.
   virtual wire::Reply apply(const wire::Set& set) = 0;

@@ -6,8 +6,13 @@
 
 namespace skerry::server {
 
-FormatRing::FormatRing(SectorEncoder encoder, std::size_t capacity)
-    : encoder_(std::move(encoder)), slots_(std::max<std::size_t>(capacity, 1)) {}
+FormatRing::FormatRing(SectorEncoder encoder, std::size_t capacity, std::size_t max_bytes)
+    : encoder_(std::move(encoder)),
+      max_bytes_(max_bytes),
+      slots_(std::max<std::size_t>(capacity, 1)) {}
+
+FormatRing::FormatRing(std::size_t capacity, std::size_t max_bytes)
+    : FormatRing(nullptr, capacity, max_bytes) {}
 
 EncodedSectorPtr FormatRing::take(Cursor& cursor) {
   const std::lock_guard lock(mutex_);
@@ -34,29 +39,52 @@ Cursor FormatRing::cursor_at_end() const {
 FormatRing::Registration FormatRing::on_publish(std::function<void()> wake) {
   const std::lock_guard lock(wakes_mutex_);
   const auto position = wakes_.insert(wakes_.end(), std::move(wake));
+  reader_count_.store(wakes_.size(), std::memory_order_relaxed);
   return {this, [position](FormatRing* ring) {
             const std::lock_guard release_lock(ring->wakes_mutex_);
             ring->wakes_.erase(position);
+            ring->reader_count_.store(ring->wakes_.size(), std::memory_order_relaxed);
           }};
 }
 
 void FormatRing::publish(const Sector& sector) {
-  const auto spokes = static_cast<std::uint64_t>(sector.spokes.size());
+  publish(sector.spokes.size(), [&] { return encoder_(sector); });
+}
+
+void FormatRing::publish(std::uint64_t spokes, const std::function<EncodedSectorPtr()>& encode) {
   const std::lock_guard wakes_lock(wakes_mutex_);
   EncodedSectorPtr encoded;
   if (!wakes_.empty()) {
-    encoded = encoder_(sector);
+    encoded = encode();
     spokes_encoded_.fetch_add(spokes, std::memory_order_relaxed);
   }
+  std::vector<EncodedSectorPtr> let_go;  // what was overwritten is freed outside the lock
   {
     const std::lock_guard lock(mutex_);
     Slot& slot = slots_[published_ % slots_.size()];
-    std::swap(slot.sector, encoded);  // what was overwritten is freed outside the lock
+    if (slot.sector) held_bytes_ -= slot.sector->bytes.size();
+    if (encoded) held_bytes_ += encoded->bytes.size();
+    std::swap(slot.sector, encoded);
     slot.spokes_before = published_spokes_;
     ++published_;
     published_spokes_ += spokes;
+    if (held_bytes_ > max_bytes_) let_go = make_room();
   }
   for (const auto& wake : wakes_) wake();
+}
+
+std::vector<EncodedSectorPtr> FormatRing::make_room() {
+  std::vector<EncodedSectorPtr> let_go;
+  const std::uint64_t first = published_ > slots_.size() ? published_ - slots_.size() : 0;
+  for (oldest_ = std::max(oldest_, first); held_bytes_ > max_bytes_ && oldest_ + 1 < published_;
+       ++oldest_) {
+    EncodedSectorPtr& sector = slots_[oldest_ % slots_.size()].sector;
+    if (!sector) continue;
+    held_bytes_ -= sector->bytes.size();
+    let_go.push_back(std::move(sector));
+    sector = nullptr;
+  }
+  return let_go;
 }
 
 FormatRing& VideoChannel::add_format(const std::string& name, SectorEncoder encoder) {

@@ -1,9 +1,11 @@
-// VideoChannel: where a view's spokes leave the radar thread, encoded once per format.
+// VideoChannel: where a view's spokes leave the radar thread, encoded once per format; and the ring
+// that a board's records leave by as well.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <list>
 #include <map>
 #include <memory>
@@ -20,6 +22,7 @@ namespace skerry::server {
 struct EncodedSector {
   std::uint64_t first_sequence = 0;
   std::uint32_t scan = 0;                 // of the first spoke
+  std::uint32_t begin = 0;                // of the first spoke in `bytes`
   std::vector<std::uint32_t> spoke_ends;  // spoke k is bytes [ends[k-1], ends[k])
   Bytes bytes;
   std::uint32_t spoke_count() const { return static_cast<std::uint32_t>(spoke_ends.size()); }
@@ -37,11 +40,16 @@ struct Cursor {
 };
 
 // The last sectors of one format, overwritten without waiting for anybody.
-// Thread: one writer (the radar thread); any number of readers, each with a cursor of its own.
+// Thread: one writer (the radar's or board's thread); any number of readers, each with a cursor of
+// its own.
 class FormatRing {
  public:
-  // `capacity` sectors are held; half a second by default (VideoChannel).
-  FormatRing(SectorEncoder encoder, std::size_t capacity);
+  // `capacity` sectors are held, and at most `max_bytes` of them (but always the newest); half a
+  // second by default (VideoChannel).
+  FormatRing(SectorEncoder encoder, std::size_t capacity,
+             std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+  // A ring whose writer encodes by itself (the second publish()).
+  FormatRing(std::size_t capacity, std::size_t max_bytes);
 
   // The sector at the cursor, which moves on; nullptr if none is there yet.  A cursor that was
   // overtaken jumps to the newest sector (live beats complete) and counts what it missed, exactly.
@@ -56,6 +64,12 @@ class FormatRing {
   using Registration = std::shared_ptr<void>;
   Registration on_publish(std::function<void()> wake);
 
+  // Thread: the writer's.  `spokes` of them, in a sector that `encode` makes if somebody is
+  // registered; it is not called otherwise.
+  void publish(std::uint64_t spokes, const std::function<EncodedSectorPtr()>& encode);
+  // Thread: any.
+  bool has_readers() const { return reader_count_.load(std::memory_order_relaxed) > 0; }
+
   std::uint64_t spokes_encoded() const { return spokes_encoded_.load(std::memory_order_relaxed); }
 
  private:
@@ -67,16 +81,22 @@ class FormatRing {
   using Wakes = std::list<std::function<void()>>;
 
   void publish(const Sector& sector);
+  // Lets go of the oldest sectors until max_bytes_ are kept; gives them for their destruction.
+  std::vector<EncodedSectorPtr> make_room();
 
-  SectorEncoder encoder_;  // radar thread only
+  SectorEncoder encoder_;  // the writer's thread only
+  const std::size_t max_bytes_;
   mutable std::mutex mutex_;
   std::vector<Slot> slots_;
+  std::size_t held_bytes_ = 0;
+  std::uint64_t oldest_ = 0;            // sector from which on bytes are held
   std::uint64_t published_ = 0;         // sectors
   std::uint64_t published_spokes_ = 0;  // spokes in them
   // Held for a whole publish, so that a sector is encoded for exactly those who were registered
   // before it, and releasing a registration waits for its last call.
   std::mutex wakes_mutex_;
   Wakes wakes_;
+  std::atomic<std::size_t> reader_count_{0};
   std::atomic<std::uint64_t> spokes_encoded_{0};
 };
 

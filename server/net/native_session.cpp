@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "server/net/access_policy.hpp"
@@ -27,7 +28,8 @@ NativeSession::NativeSession(NetContext& context, std::unique_ptr<ByteTransport>
       transport_(std::move(transport)),
       slot_(std::move(slot)),
       client_(context.clients.add(transport_->name(), transport_->peer())),
-      deadline_(context.io) {}
+      deadline_(context.io),
+      boards_(context, *this) {}
 
 void NativeSession::start() {
   slot_->owner = weak_from_this();
@@ -49,6 +51,7 @@ void NativeSession::close() {
   if (closed_) return;
   closed_ = true;
   unsubscribe();
+  boards_.leave();
   deadline_.cancel();
   transport_->close();
   spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,
@@ -128,11 +131,13 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
     case wire::ClientMessage::kBoardStream:
     case wire::ClientMessage::kBoardFifo:
     case wire::ClientMessage::kBoardRing:
+      return ask_board(message);
     case wire::ClientMessage::KIND_NOT_SET:
       break;
   }
   fail(wire::Reply::MALFORMED, "malformed request",
-       "a ClientMessage without a kind this server knows; expected subscribe, set or get_status");
+       "a ClientMessage without a kind this server knows; expected subscribe, set, get_status or "
+       "one of a board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
@@ -162,7 +167,8 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
   cursor_ = feed_->add(*this);
   client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
   client_->view.store(*view, std::memory_order_relaxed);
-  transport_->limit_send_buffer(context_.send_buffer_for(subscribe.radar()));
+  spoke_buffer_ = context_.send_buffer_for(subscribe.radar());
+  limit_send_buffer();
   reply(request, wire::Reply::OK, "", *view);
   settings_ = context_.settings_frame(subscribe.radar(), *view);
   own_ship_ = context_.own_ship_frame(subscribe.radar());
@@ -202,6 +208,39 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
   context_.tell_settings();
 }
 
+void NativeSession::ask_board(const wire::ClientMessage& message) {
+  const std::uint32_t request = message.request();
+  BoardDesk::Answer answer;
+  if (message.has_board_access()) {
+    const wire::BoardAccess& access = message.board_access();
+    const bool writes =
+        std::any_of(access.operations().begin(), access.operations().end(),
+                    [](const wire::BoardOperation& each) { return each.has_write(); });
+    if (writes && !may_control(request, access.token())) return;
+    answer = boards_.access(access);
+  } else if (message.has_board_stream()) {
+    answer = boards_.stream(message.board_stream());
+    if (boards_.streams()) {
+      client_->radar.store(message.board_stream().radar(), std::memory_order_relaxed);
+    }
+    limit_send_buffer();
+  } else if (message.has_board_fifo()) {
+    if (!may_control(request, message.board_fifo().token())) return;
+    answer = boards_.read_fifo(message.board_fifo());
+  } else {
+    if (!may_control(request, message.board_ring().token())) return;
+    answer = boards_.open_ring(message.board_ring());
+  }
+  if (answer.first) send(*answer.first);
+  reply(request, answer.reply.code(), answer.reply.text());
+}
+
+void NativeSession::limit_send_buffer() { on_send_buffer(boards_.send_buffer()); }
+
+void NativeSession::on_send_buffer(std::size_t bytes) {
+  if (spoke_buffer_ + bytes > 0) transport_->limit_send_buffer(spoke_buffer_ + bytes);
+}
+
 void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::string text,
                           std::uint32_t view) {
   wire::ServerMessage message;
@@ -215,6 +254,7 @@ void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::st
 void NativeSession::fail(wire::Reply::Code code, std::string_view kind, std::string text) {
   context_.errors.add(fmt::format("{} {}", client_->transport, kind), client_->peer + ": " + text);
   unsubscribe();
+  boards_.leave();
   reply(0, code, std::move(text));
   failed_ = true;
   end_after(kFarewellTime, {});
@@ -275,16 +315,25 @@ void NativeSession::add_to_batch(SharedBytes frame) {
 }
 
 void NativeSession::add_sectors_to_batch() {
-  if (feed_ == nullptr) return;
-  while (batch_bytes_ < kBatchBytes) {
+  while (feed_ != nullptr && batch_bytes_ < kBatchBytes) {
     EncodedSectorPtr sector = feed_->ring().take(cursor_);
     if (sector == nullptr) break;
-    batch_.emplace_back(sector->bytes.data(), sector->bytes.size());
-    batch_bytes_ += sector->bytes.size();
-    batch_spokes_ += sector->spoke_count();
-    batch_owners_.push_back(std::move(sector));
+    add_to_batch(std::move(sector));
   }
-  client_->spokes_lost.store(lost_before_ + cursor_.spokes_lost, std::memory_order_relaxed);
+  while (batch_bytes_ < kBatchBytes) {
+    EncodedSectorPtr block = boards_.take();
+    if (block == nullptr) break;
+    add_to_batch(std::move(block));
+  }
+  client_->spokes_lost.store(lost_before_ + cursor_.spokes_lost + boards_.lost(),
+                             std::memory_order_relaxed);
+}
+
+void NativeSession::add_to_batch(EncodedSectorPtr sector) {
+  batch_.emplace_back(sector->bytes.data(), sector->bytes.size());
+  batch_bytes_ += sector->bytes.size();
+  batch_spokes_ += sector->spoke_count();
+  batch_owners_.push_back(std::move(sector));
 }
 
 void NativeSession::on_written(error_code error, std::size_t size) {

@@ -12,14 +12,17 @@
 #include <vector>
 
 #include "protocol/wire/frame.hpp"
+#include "server/net/board_desk.hpp"
 #include "server/net/byte_transport.hpp"
 #include "server/net/net_context.hpp"
 
 namespace skerry::server {
 
-// Says Hello, answers requests in their order, and once subscribed sends spokes by whole sectors.
+// Says Hello, answers requests in their order, and once subscribed sends spokes by whole sectors,
+// and records of a board by blocks.
 //
-// Never holds more than it must for a client that does not read: spokes stay in the ring, which
+// Never holds more than it must for a client that does not read: spokes and records stay in the
+// ring, which
 // overwrites them and counts; of Settings, OwnShip and World only the newest waits; when
 // kMaxReplies replies wait, no further request is read, and after NetConfig::reply_timeout the
 // client is closed.
@@ -46,6 +49,7 @@ class NativeSession final : public Connection,
   void on_settings(const SharedBytes& frame) override;
   void on_own_ship(const SharedBytes& frame) override;
   void on_world(const SharedBytes& frame) override;
+  void on_send_buffer(std::size_t bytes) override;
 
  private:
   void start();
@@ -58,6 +62,8 @@ class NativeSession final : public Connection,
   // The view a subscription asks for, a new one among them; nothing if it has been refused.
   std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
   void set(std::uint32_t request, const wire::Set& set);
+  // One of the board's kinds.
+  void ask_board(const wire::ClientMessage& message);
   bool may_control(std::uint32_t request, const std::string& token);
   void reply(std::uint32_t request, wire::Reply::Code code, std::string text,
              std::uint32_t view = 0);
@@ -65,10 +71,12 @@ class NativeSession final : public Connection,
   // Sends an error and ends the connection once the client has it.
   void fail(wire::Reply::Code code, std::string_view kind, std::string text);
   void unsubscribe();
+  void limit_send_buffer();
 
   void pump();  // starts a write if none is in flight and there is something to send
   void add_to_batch(SharedBytes frame);
   void add_sectors_to_batch();
+  void add_to_batch(EncodedSectorPtr sector);
   void on_written(error_code error, std::size_t size);
 
   bool replies_full() const {
@@ -88,6 +96,10 @@ class NativeSession final : public Connection,
   SpokeFeed* feed_ = nullptr;  // nullptr: not subscribed
   Cursor cursor_;
   std::uint64_t lost_before_ = 0;  // by earlier subscriptions
+
+  std::size_t spoke_buffer_ = 0;  // of the kernel's, for spokes
+
+  BoardDesk boards_;
 
   std::deque<SharedBytes> replies_;
   std::size_t reply_bytes_ = 0;

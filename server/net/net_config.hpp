@@ -12,7 +12,8 @@
 
 namespace skerry::server {
 
-// A receiver of datagrams: one radar's default view goes there for as long as the server runs.
+// A receiver of datagrams: one radar's default view, or the records of its interface board, goes
+// there for as long as the server runs.
 struct UdpDestination {
   std::uint32_t radar = 0;
   std::string address = "127.0.0.1";  // IPv4 or IPv6 literal, unicast or multicast
@@ -29,7 +30,8 @@ struct NetConfig {
   std::uint16_t http_port = 7480;   // HTTP and WebSocket; 0: any free port
   std::vector<UdpDestination> udp;  // native datagrams
   std::vector<UdpDestination> cat240 = {{.radar = 0, .address = "127.0.0.1", .port = 8600}};
-  Cat240Source cat240_source;  // of radar 0; radar n has sic + n, modulo 256
+  std::vector<UdpDestination> sweeps;  // records of interface boards, one in a body
+  Cat240Source cat240_source;          // of radar 0; radar n has sic + n, modulo 256
 
   // What a Set message from elsewhere than this host must carry; empty: none is accepted from
   // there.

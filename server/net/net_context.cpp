@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMinSendBuffer = 32 * 1024;
 constexpr std::size_t kMaxSendBuffer = 4 * 1024 * 1024;  // Debian's tcp_wmem maximum
+constexpr std::size_t kUnknownSendBuffer = 1024 * 1024;  // of a board that has yet to send
 constexpr double kSpokeOverhead = 100;                   // bytes besides the cells
 constexpr double kSendBufferSeconds = 0.1;
 
@@ -37,7 +38,19 @@ SpokeFeed* NetContext::find_feed(std::uint32_t radar, std::uint32_t view,
   VideoChannelPtr channel = host.find_channel(radar, view);
   if (channel == nullptr) return nullptr;
   auto& feed = feeds_[key];
-  feed = std::make_unique<SpokeFeed>(io, std::move(channel), format);
+  FormatRing& ring = channel->format(format);
+  feed = std::make_unique<SpokeFeed>(io, FormatRingPtr(std::move(channel), &ring));
+  return feed.get();
+}
+
+SpokeFeed* NetContext::find_board_feed(std::uint32_t radar, const std::string& format) {
+  BoardPortPtr board = host.find_board(radar);
+  if (board == nullptr) return nullptr;
+  FormatRing& ring = board->ring(format);
+  auto& feed = board_feeds_[{radar, format}];
+  if (feed == nullptr) {
+    feed = std::make_unique<SpokeFeed>(io, FormatRingPtr(std::move(board), &ring));
+  }
   return feed.get();
 }
 
@@ -83,6 +96,22 @@ std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
         std::clamp(bytes, double{kMinSendBuffer}, double{kMaxSendBuffer}));
   }
   return kMinSendBuffer;
+}
+
+std::size_t NetContext::board_send_buffer_for(std::uint32_t radar) const {
+  const BoardPortPtr board = host.find_board(radar);
+  const double rate = board->bytes_per_second();
+  if (rate <= 0.0) return kUnknownSendBuffer;
+  return static_cast<std::size_t>(
+      std::clamp(rate * kSendBufferSeconds, double{kMinSendBuffer}, double{kMaxSendBuffer}));
+}
+
+void NetContext::tell_send_buffers() {
+  for (const auto& [key, feed] : board_feeds_) {
+    if (feed->readers().empty()) continue;
+    const std::size_t bytes = board_send_buffer_for(key.first);
+    for (FeedReader* reader : feed->readers()) reader->on_send_buffer(bytes);
+  }
 }
 
 void NetContext::tell_settings() {

@@ -39,6 +39,10 @@ class NetContext {
   // context.
   SpokeFeed* find_feed(std::uint32_t radar, std::uint32_t view, const std::string& format);
 
+  // Of a radar's interface board, kRecordsFormat or kSignalsFormat; nullptr if it has none.  Lives
+  // as long as the context.
+  SpokeFeed* find_board_feed(std::uint32_t radar, const std::string& format);
+
   // A further view with the settings of view `like`, for native clients; nothing if the radar has
   // as many as it may.  It ends when it has had no reader for kViewGrace.  Requires that
   // find_feed() knows the radar and view.
@@ -50,9 +54,13 @@ class NetContext {
   // About 100 ms of the radar's spokes, in bytes: what may wait in the kernel for a slow console,
   // which so sees a picture at most that old.
   std::size_t send_buffer_for(std::uint32_t radar) const;
+  // The same of a board's records, by what was sent lately.  Requires a radar with a board.
+  std::size_t board_send_buffer_for(std::uint32_t radar) const;
 
   // Sends Settings and World to the readers of all views, if any changed since the last call.
   void tell_settings();
+  // Tells the readers of boards what may now wait in the kernel.  Call it once a second.
+  void tell_send_buffers();
   // Sends OwnShip to all readers.
   void tell_own_ships();
 
@@ -63,10 +71,12 @@ class NetContext {
 
  private:
   using FeedKey = std::tuple<std::uint32_t, std::uint32_t, std::string>;  // radar, view, format
+  using BoardKey = std::pair<std::uint32_t, std::string>;                 // radar, format
   using ViewKey = std::pair<std::uint32_t, std::uint32_t>;                // radar, view
   bool has_readers(const ViewKey& view) const;
 
   std::map<FeedKey, std::unique_ptr<SpokeFeed>> feeds_;
+  std::map<BoardKey, std::unique_ptr<SpokeFeed>> board_feeds_;
   // Further views and when each last had a reader.
   std::map<ViewKey, std::chrono::steady_clock::time_point> opened_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;

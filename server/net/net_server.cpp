@@ -65,6 +65,7 @@ class NetServer::Impl {
     add_formats(host, context_.config.cat240_source);
     for (const UdpDestination& to : context_.config.udp) add_sender(to, kNativeFormat);
     for (const UdpDestination& to : context_.config.cat240) add_sender(to, kCat240Format);
+    for (const UdpDestination& to : context_.config.sweeps) add_sender(to, kRecordsFormat);
   }
 
   void start() {
@@ -135,7 +136,10 @@ class NetServer::Impl {
       if (error || closing_) return;
       context_.tell_settings();
       context_.end_views(std::chrono::steady_clock::now());
-      if (++ticks_ % kOwnShipPeriods == 0) context_.tell_own_ships();
+      if (++ticks_ % kOwnShipPeriods == 0) {
+        context_.tell_own_ships();
+        context_.tell_send_buffers();
+      }
       tick();
     });
   }
@@ -170,6 +174,9 @@ void NetServer::add_udp_destination(const UdpDestination& destination) {
 }
 void NetServer::add_cat240_destination(const UdpDestination& destination) {
   impl_->add_sender(destination, kCat240Format);
+}
+void NetServer::add_sweeps_destination(const UdpDestination& destination) {
+  impl_->add_sender(destination, kRecordsFormat);
 }
 
 }  // namespace skerry::server

@@ -38,6 +38,7 @@ class NetServer {
   // Error: std::runtime_error as the constructor.
   void add_udp_destination(const UdpDestination& destination);
   void add_cat240_destination(const UdpDestination& destination);
+  void add_sweeps_destination(const UdpDestination& destination);
 
  private:
   class Impl;

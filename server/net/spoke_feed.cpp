@@ -6,8 +6,8 @@ namespace skerry::server {
 
 Cursor SpokeFeed::add(FeedReader& reader) {
   readers_.push_back(&reader);
-  if (registration_ == nullptr) registration_ = ring_.on_publish([this] { wake(); });
-  return ring_.cursor_at_end();
+  if (registration_ == nullptr) registration_ = ring_->on_publish([this] { wake(); });
+  return ring_->cursor_at_end();
 }
 
 void SpokeFeed::remove(FeedReader& reader) {

@@ -1,10 +1,9 @@
-// SpokeFeed: one view in one format, as seen from the network thread.
+// SpokeFeed: one view in one format, or a board's records, as seen from the network thread.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,8 @@
 namespace skerry::server {
 
 using SharedBytes = std::shared_ptr<const Bytes>;
+// Keeps alive what the ring is part of: a channel or a board.
+using FormatRingPtr = std::shared_ptr<FormatRing>;
 
 // Told of news; takes the spokes itself, from SpokeFeed::ring() with its own cursor.
 // None of these may add or remove readers.  Thread: net-0.
@@ -25,6 +26,8 @@ class FeedReader {
   virtual void on_settings(const SharedBytes& /*frame*/) {}
   virtual void on_own_ship(const SharedBytes& /*frame*/) {}
   virtual void on_world(const SharedBytes& /*frame*/) {}
+  // Of a board's feed: what may wait in the kernel, now and then anew.
+  virtual void on_send_buffer(std::size_t /*bytes*/) {}
 };
 
 // Wakes net-0 once per publish, and not once per reader: a publish while a wake-up is still posted
@@ -32,8 +35,7 @@ class FeedReader {
 // Thread: net-0; destroy it only when its io_context runs no more, or with retire().
 class SpokeFeed {
  public:
-  SpokeFeed(asio::io_context& io, VideoChannelPtr channel, const std::string& format)
-      : io_(io), channel_(std::move(channel)), ring_(channel_->format(format)) {}
+  SpokeFeed(asio::io_context& io, FormatRingPtr ring) : io_(io), ring_(std::move(ring)) {}
 
   // Destroys a feed without readers behind the wake-ups of it that are still posted.
   static void retire(std::unique_ptr<SpokeFeed> feed);
@@ -42,15 +44,14 @@ class SpokeFeed {
   Cursor add(FeedReader& reader);
   void remove(FeedReader& reader);  // no effect on one that was not added
 
-  FormatRing& ring() { return ring_; }
+  FormatRing& ring() { return *ring_; }
   const std::vector<FeedReader*>& readers() const { return readers_; }
 
  private:
   void wake();  // radar thread
 
   asio::io_context& io_;
-  VideoChannelPtr channel_;
-  FormatRing& ring_;
+  FormatRingPtr ring_;
   std::vector<FeedReader*> readers_;
   std::atomic<bool> wake_posted_{false};
   FormatRing::Registration registration_;  // last: released before what its wake uses

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "protocol/wire/datagram.hpp"
 #include "protocol/wire/frame.hpp"
 #include "server/net/encoders.hpp"
 #include "server/net/tcp_peer.hpp"
@@ -52,6 +51,9 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const std::s
          fmt::format("there is no such radar; there are {}, counted from 0",
                      context.host.radar_count()));
   }
+  if (format == kRecordsFormat && context.host.find_board(to.radar) == nullptr) {
+    fail(to, format, "that radar has no interface board");
+  }
   error_code error;
   const auto address = asio::ip::make_address(to.address, error);
   if (error) fail(to, format, "the address must be an IPv4 or IPv6 literal");
@@ -74,13 +76,16 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const std::s
       check("cannot send from that interface");
     }
   }
-  const std::string transport = format == kNativeFormat ? "udp" : "cat240";
+  const std::string transport = format == kNativeFormat    ? "udp"
+                                : format == kRecordsFormat ? "sweeps"
+                                                           : "cat240";
   client_ = context.clients.add(transport, fmt::format("{}:{}", to.address, to.port));
   client_->radar.store(to.radar, std::memory_order_relaxed);
 }
 
 void UdpSender::start() {
-  feed_ = context_.find_feed(to_.radar, 0, format_);
+  feed_ = format_ == kRecordsFormat ? context_.find_board_feed(to_.radar, format_)
+                                    : context_.find_feed(to_.radar, 0, format_);
   cursor_ = feed_->add(*this);
 }
 
@@ -97,6 +102,9 @@ void UdpSender::on_sector() {
     if (format_ == kNativeFormat) {
       cut_native(*sector);
       send(fragments_, sector->spoke_count());
+    } else if (format_ == kRecordsFormat) {
+      cut_records(*sector);
+      send(fragments_, sector->spoke_count());
     } else {
       cut_cat240(*sector);
       send(sector->bytes, sector->spoke_count());
@@ -112,16 +120,33 @@ void UdpSender::cut_native(const EncodedSector& sector) {
     const std::size_t end = sector.spoke_ends[spoke];
     const auto body = frame_body(std::span(sector.bytes).subspan(begin, end - begin));
     begin = end;
-    const DatagramSpoke name{.radar = static_cast<std::uint16_t>(to_.radar),
-                             .view = 0,
-                             .sequence = sector.first_sequence + spoke};
-    for_each_datagram(name, body, max_datagram_, scratch_,
-                      [&](std::span<const std::uint8_t> datagram) {
-                        const std::size_t at = fragments_.size();
-                        fragments_.insert(fragments_.end(), datagram.begin(), datagram.end());
-                        datagrams_.push_back({at, fragments_.size(), spoke});
-                      });
+    cut(sector.first_sequence + spoke, body, spoke, DatagramKind::spokes);
   }
+}
+
+void UdpSender::cut_records(const EncodedSector& sector) {
+  fragments_.clear();
+  std::size_t begin = sector.begin;
+  for (std::uint32_t record = 0; record < sector.spoke_count(); ++record) {
+    const std::size_t end = sector.spoke_ends[record];
+    cut(sector.first_sequence + record, std::span(sector.bytes).subspan(begin, end - begin), record,
+        DatagramKind::records);
+    begin = end;
+  }
+}
+
+void UdpSender::cut(std::uint64_t sequence, std::span<const std::uint8_t> body, std::uint32_t spoke,
+                    DatagramKind kind) {
+  const DatagramSpoke name{
+      .radar = static_cast<std::uint16_t>(to_.radar), .view = 0, .sequence = sequence};
+  for_each_datagram(
+      name, body, max_datagram_, scratch_,
+      [&](std::span<const std::uint8_t> datagram) {
+        const std::size_t at = fragments_.size();
+        fragments_.insert(fragments_.end(), datagram.begin(), datagram.end());
+        datagrams_.push_back({at, fragments_.size(), spoke});
+      },
+      kind);
 }
 
 void UdpSender::cut_cat240(const EncodedSector& sector) {

@@ -1,4 +1,5 @@
-// UdpSender: sends one radar's spokes to one address as datagrams, native or CAT240.
+// UdpSender: sends one radar's spokes, native or CAT240, or the records of its board to one address
+// as datagrams.
 #pragma once
 
 #include <netinet/in.h>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/wire/datagram.hpp"
 #include "server/net/net_context.hpp"
 
 namespace skerry::server {
@@ -24,7 +26,8 @@ struct OutgoingDatagram {
 // Thread: constructed anywhere, then net-0.
 class UdpSender final : public FeedReader {
  public:
-  // `format` is kNativeFormat (datagram.hpp) or kCat240Format (one data block per datagram).
+  // `format` is kNativeFormat or kRecordsFormat (datagram.hpp) or kCat240Format (one data block per
+  // datagram).
   // Error: std::runtime_error naming destination and reason: no such radar, no literal address, a
   // port, TTL or datagram size out of range, no such interface.
   UdpSender(NetContext& context, const UdpDestination& to, const std::string& format);
@@ -34,7 +37,11 @@ class UdpSender final : public FeedReader {
   void on_sector() override;
 
  private:
-  void cut_native(const EncodedSector& sector);  // into fragments_
+  // Bodies into fragments_.
+  void cut_native(const EncodedSector& sector);
+  void cut_records(const EncodedSector& sector);
+  void cut(std::uint64_t sequence, std::span<const std::uint8_t> body, std::uint32_t spoke,
+           DatagramKind kind);
   void cut_cat240(const EncodedSector& sector);
   void send(std::span<const std::uint8_t> bytes_in_hand, std::uint32_t spoke_count);
 

@@ -66,7 +66,18 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
 }
 
 void CoastService::prepare_now(std::size_t radar, const CoastWish& wish) {
-  serve(*slots_[radar], wish);
+  serve(find(radar), wish);
+}
+
+std::size_t CoastService::add_slot() {
+  const std::lock_guard lock(mutex_);
+  slots_.push_back(std::make_unique<Slot>());
+  return slots_.size() - 1;
+}
+
+CoastService::Slot& CoastService::find(std::size_t slot) const {
+  const std::lock_guard lock(mutex_);
+  return *slots_[slot];
 }
 
 void CoastService::start() {
@@ -76,10 +87,10 @@ void CoastService::start() {
   });
 }
 
-void CoastService::ask(std::size_t radar, const CoastWish& wish) {
+void CoastService::ask(std::size_t slot, const CoastWish& wish) {
   {
     const std::lock_guard lock(mutex_);
-    slots_[radar]->wish = wish;
+    slots_[slot]->wish = wish;
   }
   wished_.notify_one();
 }

@@ -45,11 +45,11 @@ std::shared_ptr<const echo::StructureIndex> structures_in_sight(const echo::Coas
                                                                 double slack_m);
 
 // Loads chart windows, refines the coast and indexes it on a thread of its own ("coast"), one wish
-// per radar outstanding: a newer wish replaces one not yet begun.  The radar goes on with what it
+// per slot outstanding: a newer wish replaces one not yet begun.  The radar goes on with what it
 // has.
 class CoastService {
  public:
-  // `radars` slots.
+  // With a slot for each of `radars`.
   // Error: std::invalid_argument as echo::require_valid() for the styles of `rules`.
   CoastService(std::unique_ptr<const echo::ChartSource> chart, std::size_t radars,
                const echo::CoastRules& rules);
@@ -57,14 +57,19 @@ class CoastService {
   CoastService(const CoastService&) = delete;
   CoastService& operator=(const CoastService&) = delete;
 
+  // A further slot, for echoes besides the radars'.  It lasts as long as the service and costs
+  // nothing until something is asked for it.  Thread: any.
+  std::size_t add_slot();
+
   // Makes the first picture of a radar on the caller's thread, before start().
   // Error: std::runtime_error if the chart cannot be read.
   void prepare_now(std::size_t radar, const CoastWish& wish);
   void start();
 
-  // Thread: the radar's.  Never waits for the work.
-  void ask(std::size_t radar, const CoastWish& wish);
-  CoastInSightPtr latest(std::size_t radar) const { return slots_[radar]->in_sight.get(); }
+  // Thread: the one that looks at the slot.  Never waits for the work.  Wishes of slots of a lower
+  // number, the radars' first of all, are served first.
+  void ask(std::size_t slot, const CoastWish& wish);
+  CoastInSightPtr latest(std::size_t slot) const { return find(slot).in_sight.get(); }
 
  private:
   struct Slot {
@@ -73,13 +78,14 @@ class CoastService {
     echo::RadarResolution made_for;                 // the service's thread
     Latest<CoastInSight> in_sight;
   };
+  Slot& find(std::size_t slot) const;
   void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);
 
   std::unique_ptr<const echo::ChartSource> chart_;
   echo::CoastRules rules_;
-  std::vector<std::unique_ptr<Slot>> slots_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  std::vector<std::unique_ptr<Slot>> slots_;  // guarded by mutex_; each stays where it is
   std::condition_variable_any wished_;
   std::jthread thread_;
 };

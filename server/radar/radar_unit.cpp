@@ -27,9 +27,6 @@ std::size_t ring_sectors(const RadarConfig& config) {
   return static_cast<std::size_t>(std::max(8.0, std::ceil(0.5 * sectors)));
 }
 
-// How long a coast asked for may take before it is asked for again.
-constexpr Duration kPatience = std::chrono::seconds(5);
-
 // Sleeps until `deadline` or a stop, whichever comes first.
 class Sleeper {
  public:
@@ -50,7 +47,7 @@ RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService
                      Airwaves& airwaves, std::size_t workers)
     : config_(config),
       timeline_(timeline),
-      coast_(coast),
+      coast_keeper_(coast, config.radar),
       airwaves_(airwaves),
       workers_(workers, go_before_others),
       clock_(config.set.rpm, config.geometry.spokes_per_turn),
@@ -75,7 +72,7 @@ void RadarUnit::warm_up() {
   look_after_views();
   // The radar's own builder stays fresh: not all radars are on the air yet.
   SceneBuilder scenes = scenes_;
-  renderer_.render(*scenes.build(timeline_.at(ScenarioTime{}), coast_.latest(config_.radar)), 0,
+  renderer_.render(*scenes.build(timeline_.at(ScenarioTime{}), coast_keeper_.latest()), 0,
                    kSectorSpokes);
 }
 
@@ -92,34 +89,13 @@ void RadarUnit::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-CoastWish RadarUnit::wish(const ShipState& own_ship, const echo::ViewControls& controls) const {
-  return {own_ship.position,
-          own_ship.speed_mps,
-          {controls.range_scale.length().in_metres(),
-           config_.geometry.cell_size(controls.range_scale).in_metres(),
-           360.0 / config_.geometry.spokes_per_turn}};
+echo::RadarResolution RadarUnit::resolution(RangeScale range) const {
+  return {range.length().in_metres(), config_.geometry.cell_size(range).in_metres(),
+          360.0 / config_.geometry.spokes_per_turn};
 }
 
-// Asks for coast when the own ship has used up half of what it has, or when the range scale has
-// changed; again only when that has not come within kPatience (the chart could not be read).
-void RadarUnit::look_after_coast(const WorldState& state, const echo::ViewControls& controls) {
-  const CoastInSightPtr coast = coast_.latest(config_.radar);
-  const bool rescaled = !(controls.range_scale == asked_scale_);
-  if (coast == asked_after_ && !rescaled && state.time - asked_at_ < kPatience) return;
-  const ShipState& own_ship = state.own_ships[config_.own_ship];
-  const PlanePoint at = coast->picture->plane.to_plane(own_ship.position);
-  const auto away = [&](PlanePoint from) {
-    return std::hypot(at.east_m - from.east_m, at.north_m - from.north_m);
-  };
-  const bool covers = coast->picture->range_m >= controls.range_scale.length().in_metres();
-  if (!rescaled && covers && away(coast->index_centre) <= 0.5 * coast->index_slack_m &&
-      away(coast->picture->centre) <= 0.5 * coast->picture->slack_m) {
-    return;
-  }
-  asked_after_ = coast;
-  asked_scale_ = controls.range_scale;
-  asked_at_ = state.time;
-  coast_.ask(config_.radar, wish(own_ship, controls));
+CoastWish RadarUnit::wish(const ShipState& own_ship, const echo::ViewControls& controls) const {
+  return {own_ship.position, own_ship.speed_mps, resolution(controls.range_scale)};
 }
 
 void RadarUnit::tell_airwaves(const echo::RadarControls& controls, RangeScale range) {
@@ -157,11 +133,11 @@ bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch, std::vector
   echo::ViewControls controls = *views_.get()->front()->controls.get();
   const WorldStatePtr state = timeline_.at(clock_.time_of(first));
   if (clock_.time_of(first) - state->time > 3 * World::kTick) return false;
-  look_after_coast(*state, controls);
-  const CoastInSightPtr coast = coast_.latest(config_.radar);
+  coast_keeper_.look_after(wish(state->own_ships[config_.own_ship], controls), state->time);
+  const CoastInSightPtr coast = coast_keeper_.latest();
   // A longer range is shown when its coast is there, a moment after it was asked for.
   if (coast->picture->range_m < controls.range_scale.length().in_metres() &&
-      state->time - asked_at_ < kPatience) {
+      coast_keeper_.is_waiting(state->time)) {
     controls.range_scale = shown_scale_;
   }
   shown_scale_ = controls.range_scale;
@@ -229,8 +205,8 @@ void RadarUnit::cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldS
 }
 
 void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
-  asked_after_ = nullptr;
-  asked_scale_ = shown_scale_ = config_.controls.range_scale;
+  shown_scale_ = config_.controls.range_scale;
+  coast_keeper_.begin(resolution(shown_scale_));
   std::vector<ViewSector> sectors;
   Sleeper sleeper;
   double mean_ns = 0.0;

@@ -11,7 +11,7 @@
 #include "server/core/latest.hpp"
 #include "server/core/worker_pool.hpp"
 #include "server/radar/airwaves.hpp"
-#include "server/radar/coast_service.hpp"
+#include "server/radar/coast_keeper.hpp"
 #include "server/radar/radar_view.hpp"
 #include "server/radar/scene_builder.hpp"
 #include "server/radar/view_renderers.hpp"
@@ -89,6 +89,7 @@ class RadarUnit {
 
  private:
   void run(const std::stop_token& stop, const Epoch& epoch);
+  echo::RadarResolution resolution(RangeScale range) const;
   struct ViewSector {
     RadarViewPtr view;
     Sector sector;
@@ -97,14 +98,13 @@ class RadarUnit {
   bool make_sector(std::uint64_t first, const Epoch& epoch, std::vector<ViewSector>& out);
   void cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldState& state,
                   std::vector<ViewSector>& out);
-  void look_after_coast(const WorldState& state, const echo::ViewControls& controls);
   // Brings the renderer's views in line with those that there are.
   void look_after_views();
   void tell_airwaves(const echo::RadarControls& controls, RangeScale range);
 
   RadarConfig config_;
   Timeline& timeline_;
-  CoastService& coast_;
+  CoastKeeper coast_keeper_;
   Airwaves& airwaves_;
   WorkerPool workers_;
   echo::SpokeClock clock_;
@@ -113,10 +113,7 @@ class RadarUnit {
   RadarViewList views_;
   Latest<echo::RadarControls> radar_controls_;
   std::shared_ptr<const RadarViews> rendered_;  // the views the renderer has
-  CoastInSightPtr asked_after_;                 // what was there at the last wish
-  RangeScale asked_scale_;
-  ScenarioTime asked_at_;
-  RangeScale shown_scale_;  // of the last sector
+  RangeScale shown_scale_;                      // of the last sector
 
   std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
   std::atomic<std::int64_t> lateness_max_ns_{0};

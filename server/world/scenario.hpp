@@ -28,6 +28,9 @@ inline constexpr int kMaxCoastPlaces = 1000;
 // - own ships differ in name, and so do all radars; a radar without a name is called after its ship
 //   and its number aboard: "Frida 1";
 // - a radar's set is a shipped one and, as altered, passes its checks (radar_sets.hpp);
+// - a radar's board has no contradiction (board_registers.hpp), and its channels' sources are
+// radars
+//   of the same ship;
 // - no ship is broader than long;
 // - a target has only keys of its kind; a reflector stands still;
 // - a racon's code is 1 to 4 letters, it is on for at most its period and on one band or both;

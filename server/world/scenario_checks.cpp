@@ -8,6 +8,7 @@
 #include <string>
 
 #include "protocol/quantity/length.hpp"
+#include "server/world/board_registers.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/target_kinds.hpp"
@@ -85,6 +86,31 @@ class ScenarioChecker {
       check_unique(radar.name(), radar_path, names);
       check_equipment(radar, radar_path);
     }
+    for (int i = 0; i < ship.radars_size(); ++i) {
+      check_board(ship, i, fmt::format("{}.radars[{}]", path, i));
+    }
+  }
+
+  void check_board(const scenario::OwnShip& ship, int radar, const std::string& path) const {
+    const scenario::Board& board = ship.radars(radar).board();
+    if (const auto wrong = complaint_of_board(ship.radars(radar))) {
+      throw source_.error(path + "." + wrong->key, wrong->text);
+    }
+    check_source(ship, board.channel_a(), path + ".board.channel_a");
+    check_source(ship, board.channel_b(), path + ".board.channel_b");
+  }
+
+  void check_source(const scenario::OwnShip& ship, const scenario::BoardChannel& channel,
+                    const std::string& path) const {
+    if (!channel.has_source()) return;
+    std::string names;
+    for (const scenario::Radar& radar : ship.radars()) {
+      if (radar.name() == channel.source()) return;
+      names += (names.empty() ? "" : ", ") + radar.name();
+    }
+    throw source_.error(path + ".source",
+                        fmt::format("\"{}\" is no radar of {}; allowed: {}",
+                                    printable(channel.source()), ship.name(), names));
   }
 
   void check_equipment(const scenario::Radar& radar, const std::string& path) const {

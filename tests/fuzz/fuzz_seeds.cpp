@@ -1,15 +1,17 @@
-// Writes the seeds of the wire and CAT240 fuzz targets, so that they can be made anew when a format
-// grows.  Usage: fuzz_seeds <tests/fuzz/corpus>
+// Writes the seeds of the wire, CAT240 and board fuzz targets, so that they can be made anew when a
+// format grows.  Usage: fuzz_seeds <tests/fuzz/corpus>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "protocol/asterix/cat240.hpp"
+#include "protocol/board/sweep_record.hpp"
 #include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/datagram.hpp"
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/spoke_message.hpp"
+#include "tests/unit/board/test_records.hpp"
 #include "tests/unit/wire/test_spoke.hpp"
 
 namespace {
@@ -160,6 +162,44 @@ void write_cat240(const Corpus& corpus) {
                 0x80, 0x04, 0x00, 0x03, 0x00, 0x04, 0x00, 0x01, 0x78, 0x9C, 0x01, 0x00});
 }
 
+void write_board_records(const Corpus& corpus) {
+  const auto encoded = [](std::uint64_t sequence, const auto&... records) {
+    Bytes bytes;
+    (board::append_record(bytes, sequence++, records), ...);
+    return bytes;
+  };
+  const board::Sweep sweep = board::test_sweep(1, 64, 0, 12);
+  const board::Sweep two_channels = board::test_sweep(2, 40, 20, 8);
+  const board::Edges edges = board::test_edges(3, 9);
+  const board::Event event = board::test_event(4);
+  corpus.write("sweep", encoded(1, sweep));
+  corpus.write("two_channels", encoded(2, two_channels));
+  corpus.write("channel_b_alone", encoded(3, board::test_sweep(5, 0, 30, 14)));
+  corpus.write("no_channel", encoded(4, board::test_sweep(6, 0, 0)));
+  board::Sweep sum = board::test_sweep(7, 16, 0, 14);
+  sum.meta.channels[0].mode = board::DecimationMode::sum;
+  sum.samples[0][3] = 0xFFFF;
+  corpus.write("sum_of_16_bits", encoded(5, sum));
+  corpus.write("edges", encoded(6, edges));
+  corpus.write("no_edges", encoded(7, board::test_edges(8, 0)));
+  corpus.write("event", encoded(8, event));
+  const Bytes all = encoded(9, sweep, edges, event, two_channels, sweep);
+  corpus.write("one_after_another", all);
+  corpus.write("cut_short", Bytes(all.begin(), all.end() - 70));
+  Bytes to_come = encoded(10, event, sweep);
+  to_come[4] = 9;
+  corpus.write("kind_to_come", to_come);
+  Bytes later = encoded(11, sweep);
+  later[5] = 2;
+  corpus.write("another_format", later);
+  board::Sweep first = sweep, second = sweep;
+  first.meta.acp_count = first.meta.acp_per_turn - 1;
+  first.meta.ticks_since_acp = first.meta.acp_period;
+  second.meta.acp_count = second.meta.ticks_since_acp = second.meta.arp_ticks = 0;
+  second.meta.trigger_tick = first.meta.trigger_tick + 6000;
+  corpus.write("over_the_arp", encoded(12, first, second));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -172,5 +212,6 @@ int main(int argc, char** argv) {
   write_server_frames(Corpus(root / "server_frame"));
   write_datagrams(Corpus(root / "datagram"));
   write_cat240(Corpus(root / "cat240"));
+  write_board_records(Corpus(root / "board_record"));
   return 0;
 }

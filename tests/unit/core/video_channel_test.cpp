@@ -130,6 +130,37 @@ TEST(FormatRing, EncodesOnceWhateverTheNumberOfReaders) {
   EXPECT_EQ(publisher.channel.spokes_encoded().at("test"), 16u);
 }
 
+TEST(FormatRing, HoldsNoMoreBytesThanItMayButAlwaysTheNewestSector) {
+  FormatRing ring(100, 1000);
+  EXPECT_FALSE(ring.has_readers());
+  const auto registration = ring.on_publish([] {});
+  EXPECT_TRUE(ring.has_readers());
+  Cursor cursor = ring.cursor_at_end();
+  std::vector<std::weak_ptr<const EncodedSector>> made;
+  const auto publish = [&](std::size_t bytes) {
+    ring.publish(2, [&] {
+      auto sector = std::make_shared<EncodedSector>();
+      sector->first_sequence = 2 * made.size();
+      sector->bytes.resize(bytes);
+      made.push_back(sector);
+      return sector;
+    });
+  };
+  for (int i = 0; i < 250; ++i) publish(300);
+  std::size_t held = 0;
+  for (const auto& sector : made) held += sector.expired() ? 0 : 1;
+  EXPECT_EQ(held, 3u);
+  EXPECT_EQ(ring.take(cursor)->first_sequence, 498u) << "overtaken: the newest";
+  EXPECT_EQ(cursor.spokes_lost, 498u);
+  publish(5000);
+  EXPECT_EQ(ring.take(cursor)->bytes.size(), 5000u);
+  publish(300);
+  publish(300);
+  EXPECT_EQ(ring.take(cursor)->first_sequence, 502u);
+  EXPECT_EQ(ring.take(cursor)->first_sequence, 504u);
+  EXPECT_EQ(cursor.spokes_lost, 498u);
+}
+
 TEST(FormatRing, IsNotEncodedWhileNobodyReads) {
   Publisher publisher(8);
   publisher.publish(16);

@@ -76,7 +76,7 @@ TEST_F(BadClients, AMessageOfNoKnownKindIsMalformed) {
   start();
   TestClient client(server_->tcp_port());
   client.send_bytes({0});
-  expect_farewell(client, wire::Reply::MALFORMED, "subscribe, set or get_status");
+  expect_farewell(client, wire::Reply::MALFORMED, "subscribe, set, get_status");
 }
 
 TEST_F(BadClients, ATextMessageOnAWebSocketIsMalformed) {

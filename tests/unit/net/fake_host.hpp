@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "server/core/radar_host.hpp"
+#include "tests/unit/net/fake_board.hpp"
 
 namespace skerry::server {
 
@@ -74,6 +75,10 @@ class FakeHost final : public RadarHost {
     const std::lock_guard lock(mutex_);
     return radars_[radar]->channels.size();
   }
+
+  // Of radar 0, if the test gives it one.
+  std::shared_ptr<FakeBoard> board;
+  BoardPortPtr find_board(std::uint32_t radar) override { return radar == 0 ? board : nullptr; }
 
   wire::Reply apply(const wire::Set& set) override {
     const std::lock_guard lock(mutex_);

@@ -289,5 +289,27 @@ TEST(DatagramReassembler, DeliversExactlyTheWholeSpokesUnderLossReorderAndDuplic
   EXPECT_GT(2000 - expected, 50u);
 }
 
+TEST(Datagram, OfRecordsHasAMagicOfItsOwnAndIsNoSpoke) {
+  Bytes body(65'728);  // the longest record
+  for (std::size_t i = 0; i < body.size(); ++i) body[i] = static_cast<std::uint8_t>(i * 31);
+  DatagramReassembler records(DatagramKind::records), spokes;
+  Bytes scratch;
+  std::optional<Bytes> whole;
+  std::size_t datagrams = 0;
+  for_each_datagram(
+      {.radar = 3, .view = 0, .sequence = 9}, body, kDefaultDatagram, scratch,
+      [&](std::span<const std::uint8_t> datagram) {
+        ++datagrams;
+        EXPECT_EQ(Bytes(datagram.begin(), datagram.begin() + 4), (Bytes{0x53, 0x4B, 0x52, 0x42}));
+        EXPECT_FALSE(spokes.feed(datagram));
+        auto fed = records.feed(datagram);
+        ASSERT_TRUE(fed);
+        if (fed->has_value()) whole = std::move(*fed);
+      },
+      DatagramKind::records);
+  EXPECT_EQ(whole, body);
+  EXPECT_EQ(spokes.refused(), datagrams);
+}
+
 }  // namespace
 }  // namespace skerry

@@ -1,0 +1,97 @@
+// BoardUnit: an interface board on its thread, and the ways out of it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "protocol/quantity/time.hpp"
+#include "server/board/board.hpp"
+#include "server/board/fault_log.hpp"
+#include "server/board/shared_ring.hpp"
+#include "server/core/board_port.hpp"
+
+namespace skerry::server {
+
+// Lets the board make what has happened since the last step, every kStep while somebody reads,
+// captures or has lately accessed it, and every kIdleStep otherwise; hands the records to the rings
+// of the network and to the shared one; logs faults that are raised and cleared.
+//
+// Sweeps are wanted while somebody is registered with the ring "records", holds a lease of the
+// shared ring, or the board captures.  Without, no echo is made and no coast asked for.
+// Thread: "board-N" makes records; all other functions as stated.
+class BoardUnit final : public BoardPort {
+ public:
+  static constexpr std::chrono::milliseconds kStep{5};
+  static constexpr std::chrono::milliseconds kIdleStep{100};
+  // So long after an access the board counts as looked at.
+  static constexpr std::chrono::milliseconds kInterest{2000};
+  // A block of records; one more record may exceed it.
+  static constexpr std::size_t kBlockBytes = 64u << 10;
+  // What the network may lag behind: kRingBlocks or kRingBytes, whichever is less.
+  static constexpr std::size_t kRingBlocks = 512, kRingBytes = 32u << 20;
+
+  // `name` for the log.  Without a ring name there is no shared ring.
+  BoardUnit(BoardSetup setup, std::string name);
+  ~BoardUnit() override { stop(); }
+
+  // Before start().
+  void set_shared_ring(std::string ring_name, std::size_t ring_bytes);
+  // Once in a unit's life.  When scenario time 0 was, on the clocks outside.
+  void start(std::chrono::steady_clock::time_point zero, UtcTime utc_zero);
+  // Ends the thread and the shared ring.
+  void stop();
+
+  // Thread: any.
+  wire::BoardReply access(const wire::BoardAccess& access) override;
+  wire::BoardRecords read_fifo(std::uint32_t count) override;
+  Result<BoardRingLease, std::string> open_ring() override;
+  FormatRing& ring(const std::string& format) override;
+  double bytes_per_second() const override {
+    return bytes_per_second_.load(std::memory_order_relaxed);
+  }
+  wire::BoardState state() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void run(const std::stop_token& stop);
+  void step();
+  void hand_out();
+  void measure(Clock::time_point now, double cpu_s);
+  bool sweeps_wanted() const;
+  bool looked_at() const;
+  // Wakes the thread: something is asked of the board.
+  void poke();
+  std::shared_ptr<SharedRing> shared_ring() const;
+
+  const std::uint32_t radar_;
+  Board board_;
+  FaultLog log_;
+  FormatRing records_{kRingBlocks, kRingBytes};
+  FormatRing signals_{kRingBlocks, kRingBytes};
+  Clock::time_point zero_;
+  UtcTime utc_zero_;
+  BoardBatch batch_;  // board-N, as the next two
+  Clock::time_point window_begun_{};
+  std::uint64_t window_bytes_ = 0;
+
+  std::string ring_name_;
+  std::size_t ring_bytes_ = SharedRing::kDefaultBytes;
+  mutable std::mutex ring_mutex_;
+  std::shared_ptr<SharedRing> shared_ring_;
+  std::shared_ptr<std::atomic<int>> leases_ = std::make_shared<std::atomic<int>>(0);
+
+  std::mutex mutex_;
+  std::condition_variable_any poked_;
+  bool is_poked_ = false;                   // guarded by mutex_
+  std::atomic<Clock::rep> last_access_{0};  // since the clock's epoch
+  std::atomic<double> bytes_per_second_{0.0}, sweep_us_{0.0};
+  std::jthread thread_;
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,88 @@
+// RegisterFile: the registers of a board, between those who write and read them and its thread.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "protocol/board/digdar_page.hpp"
+#include "protocol/board/registers.hpp"
+#include "server/board/board_state.hpp"
+#include "server/board/register_access.hpp"
+#include "server/board/sweep_fifo.hpp"
+
+namespace skerry::server {
+
+// A write is checked at once.  After each batch the settings are judged together: where they
+// contradict each other the fault `config` is set with its reason, and those that were in force
+// before stay so; where they do not, they are in force from the board's next step on.
+// One mutex, never held longer than a batch of accesses: nobody waits for a sweep.
+// Thread: any; take_orders(), captured() and publish() are the board's.
+class RegisterFile {
+ public:
+  struct Constants {
+    std::uint32_t radar = 0;
+    echo::RadarSet set;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> initial;
+    std::function<bool(std::uint32_t radar)> has_radar;
+  };
+  using Value = RegisterValue;
+  using Operation = RegisterOperation;
+
+  // Settings that contradict each other from the start leave the map's own in force.
+  RegisterFile(Constants constants, SweepFifo& fifo);
+
+  std::vector<Value> access(const std::vector<Operation>& operations);
+  Value read(std::uint32_t address) const;
+  bool captures() const;
+
+  // on_air: what pulse code 0 stands for now.
+  BoardOrders take_orders(const echo::Pulse& on_air);
+  // What was armed has been captured.
+  void captured();
+  void publish(const BoardState& state);
+  // Of the last step, with the fault `config`.
+  BoardState state() const;
+  std::string fault_reason() const;
+
+ private:
+  static constexpr std::uint32_t kWords = 0x100;  // of the board's own map
+
+  board::RegisterError write(std::uint32_t address, std::uint32_t value);
+  board::RegisterError inject(board::Reg reg, std::uint32_t& more, std::uint32_t left,
+                              std::uint32_t value);
+  board::RegisterError write_digdar(const board::DigdarRegister& row, std::uint32_t value);
+  void command(std::uint32_t bits);
+  void judge();
+
+  Value read_locked(std::uint32_t address) const;
+  std::uint32_t stored(board::Reg reg) const { return words_[board::address_of(reg) / 4]; }
+  std::uint32_t& stored(board::Reg reg) { return words_[board::address_of(reg) / 4]; }
+  std::uint32_t value_of(std::uint32_t address) const;
+  std::uint32_t digdar_value(const board::DigdarRegister& row) const;
+  std::uint32_t digdar_pulses(std::uint32_t offset, const PulseCounts& counts) const;
+  std::uint32_t faults() const;
+  std::uint32_t status() const;
+
+  const Constants constants_;
+  SweepFifo& fifo_;
+
+  mutable std::mutex mutex_;
+  std::array<std::uint32_t, kWords> words_{};
+  std::array<std::uint32_t, board::kDigdarBytes / 4> digdar_words_{};
+  echo::Pulse on_air_;
+  bool changed_ = false;  // since they were judged
+  BoardSettings in_force_;
+  bool settings_taken_ = false;
+  std::string reason_;
+
+  bool reset_ = false, armed_ = false, captured_ = false;
+  std::uint32_t faults_latched_ = 0, events_ = 0;
+  std::uint32_t more_missing_acp_ = 0, more_extra_acp_ = 0, more_missing_arp_ = 0,
+                more_stall_ms_ = 0;
+  BoardState state_;
+};
+
+}  // namespace skerry::server

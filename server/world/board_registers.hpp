@@ -1,0 +1,33 @@
+// Board registers: the settings of a radar's interface board as a scenario gives them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/world/radar_sets.hpp"
+#include "server/world/scenario.pb.h"
+
+namespace skerry::server {
+
+// Addresses and values (protocol/board/registers.hpp), each allowed by itself.
+using RegisterValues = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// What `radar.board` gives, and no more.  `index_of`: a radar's index in the server, by its name.
+// Requires a board without complaint.
+RegisterValues board_registers(const scenario::Radar& radar,
+                               const std::function<std::uint32_t(const std::string&)>& index_of);
+
+// The first contradiction in `radar.board`, at a key of scenario::Radar that is given or would be:
+// two channels that cannot be, sweeps longer than triggers are apart, a FIFO below one sweep, sums
+// wider than 16 bits, a pulse the set does not have or that would be on for too long.  The pulse is
+// the one on the air at the start.  Sources are not looked at.
+// Requires a set without complaint, known by name.
+std::optional<SetComplaint> complaint_of_board(const scenario::Radar& radar);
+
+inline constexpr int kMaxBoardSectors = 2;
+
+}  // namespace skerry::server

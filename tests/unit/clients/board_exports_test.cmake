@@ -1,0 +1,26 @@
+# The library exports what its header declares, under SKERRY_BOARD_1, and nothing else.
+# Needs LIBRARY, HEADER, NM.
+file(STRINGS ${HEADER} lines REGEX "^SKB_API ")
+set(declared)
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "(skb_[a-z0-9_]+)\\(" found "${line}")
+  list(APPEND declared ${CMAKE_MATCH_1}@@SKERRY_BOARD_1)
+endforeach()
+list(SORT declared)
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE out
+                COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE "\n$" "" out "${out}")
+string(REPLACE "\n" ";" out "${out}")
+set(exported)
+foreach(line IN LISTS out)
+  string(REGEX REPLACE "^[^ ]* [A-Za-z] " "" name "${line}")
+  if(NOT name MATCHES "^SKERRY_BOARD_1(@@SKERRY_BOARD_1)?$")  # the version's own name
+    list(APPEND exported ${name})
+  endif()
+endforeach()
+list(SORT exported)
+list(LENGTH declared count)
+if(count LESS 20 OR NOT exported STREQUAL declared)
+  message(FATAL_ERROR "declared in the header (${count}):\n  ${declared}\nexported:\n  ${exported}")
+endif()
+message(STATUS "${count} functions exported: those of the header")
