@@ -12,6 +12,7 @@
 #include "clients/board/board_session.hpp"
 #include "clients/board/call.hpp"
 #include "clients/common/printable_text.hpp"
+#include "protocol/board/digdar_page.hpp"
 
 namespace {
 
@@ -23,6 +24,8 @@ using skerry::Duration;
 // Layouts of version 1.0, which never change.
 static_assert(sizeof(skb_channel) == 48 && sizeof(skb_sweep) == 200 && sizeof(skb_event) == 24);
 
+// TRIG_SOURCE of the digitiser's page, without which its COMMAND arms nothing: the next trigger.
+constexpr std::uint32_t kDigitiserTrigger = 2;
 constexpr std::size_t kLongestName = 64, kLongestPlace = 512, kLongestToken = 512;
 
 Duration duration_of(std::uint32_t timeout_ms) {
@@ -56,6 +59,12 @@ NamedRegister find_named(const char* name) {
   }
   throw CallError(SKB_ERROR_UNKNOWN_REGISTER,
                   fmt::format("the board has no register '{}'", printable(text, kLongestName)));
+}
+
+// Whether the value may be sent as 32 bits at all; what may not be written is for the board to say.
+bool is_allowed(const board::RegisterInfo& info, std::int64_t value) {
+  if (info.access != board::Access::read_write) return value >= 0 && value <= UINT32_MAX;
+  return (value >= info.min && value <= info.max) || (info.or_zero && value == 0);
 }
 
 skb_channel channel_of(const board::SweepMeta& meta, std::size_t index) {
@@ -97,6 +106,7 @@ skb_sweep sweep_of(const BoardSession::Arrived& arrived) {
   sweep.pulses = meta.pulses;
   sweep.spoke = meta.spoke;
   sweep.spokes_per_turn = meta.spokes_per_turn;
+  sweep.turn_ticks = meta.turn_ticks;
   for (std::size_t i = 0; i < 2; ++i) sweep.channel[i] = channel_of(meta, i);
   return sweep;
 }
@@ -225,6 +235,7 @@ int32_t skb_write_register(skb_board* board, uint32_t address, uint32_t value) {
 int32_t skb_read_register64(skb_board* board, uint32_t address, uint64_t* value) {
   return guarded([&] {
     require_pointer("value", value);
+    require_range("address", address, 0, UINT32_MAX - 4);
     const auto halves = Held(board)->access({{.address = address}, {.address = address + 4}});
     *value = std::uint64_t{halves[1]} << 32 | halves[0];
   });
@@ -262,10 +273,10 @@ int32_t skb_read_named(skb_board* board, const char* name, int64_t* value) {
 int32_t skb_write_named(skb_board* board, const char* name, int64_t value) {
   return guarded([&] {
     const NamedRegister found = find_named(name);
-    if (value < INT32_MIN || value > UINT32_MAX || (value < 0 && !found.info->is_signed)) {
+    if (!is_allowed(*found.info, value)) {
       throw CallError(SKB_ERROR_OUT_OF_RANGE,
                       fmt::format("{}: {} is out of range; allowed: {}", found.info->name, value,
-                                  allowed_values(*found.info)));
+                                  board::allowed_text(*found.info)));
     }
     Held(board)->access(
         {{.address = found.info->address, .write = static_cast<std::uint32_t>(value)}});
@@ -301,10 +312,11 @@ int32_t skb_read_sweep(skb_board* board, uint32_t timeout_ms, skb_sweep* sweep, 
 
 int32_t skb_arm(skb_board* board) {
   return guarded([&] {
-    constexpr std::uint32_t kControl = board::address_of(board::Reg::control);
-    const Held held(board);
-    const std::uint32_t control = held->access({{.address = kControl}}).front();
-    held->access({{.address = kControl, .write = control | board::control::arm}});
+    // Not CONTROL, which would have to be read first: another program may write it meanwhile.
+    Held(board)->access(
+        {{.address = board::address_of(board::Digdar::trig_source), .write = kDigitiserTrigger},
+         {.address = board::address_of(board::Digdar::command),
+          .write = board::digdar_command::arm}});
   });
 }
 

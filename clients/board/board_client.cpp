@@ -7,6 +7,7 @@
 #include <deque>
 #include <utility>
 
+#include "clients/board/board_reading.hpp"
 #include "clients/board/shared_ring.hpp"
 #include "clients/common/message_stream.hpp"
 #include "clients/common/printable_text.hpp"
@@ -18,27 +19,10 @@ using NextRecord = ClientResult<std::optional<board::DecodedRecord>>;
 
 // How often a reader of shared memory looks whether the server is still there.
 constexpr std::chrono::milliseconds kLookAfterServer{50};
-
-// The server's number for it; one that this library does not know is a refusal all the same.
-board::RegisterError error_of(wire::BoardError error) {
-  switch (error) {
-    case wire::BOARD_OK:
-      return board::RegisterError::ok;
-    case wire::BOARD_READ_ONLY:
-      return board::RegisterError::read_only;
-    case wire::BOARD_OUT_OF_RANGE:
-      return board::RegisterError::out_of_range;
-    case wire::BOARD_MISALIGNED:
-      return board::RegisterError::misaligned;
-    default:
-      return board::RegisterError::unknown_register;
-  }
-}
-
-// To be passed over, as BOARD.md demands of readers.
-bool is_of_a_later_kind(const WireError& error) {
-  return error.kind == WireErrorKind::unknown_kind;
-}
+// Messages taken at each look: a server may send more than anybody reads.
+constexpr int kMostPerLook = 64;
+// What a message that waits takes beyond its bytes.
+constexpr std::size_t kWaitingOverhead = 64;
 
 }  // namespace
 
@@ -69,10 +53,11 @@ class BoardClient::Connection {
   };
   ClientResult<Answer> ask(wire::ClientMessage& message, const char* kind, Deadline deadline);
   void keep(std::string records);
+  void drop_first();
   void begin_stream();
   NextRecord next_waiting();
   NextRecord next_of_ring(Deadline deadline);
-  void count_gap(std::uint64_t sequence);
+  NextRecord decode(std::span<const std::uint8_t> bytes);
   Failure<ClientError> malformed(const std::string& text) {
     return stream_.end(ClientErrorKind::malformed, fmt::format("{} {}", name(), text));
   }
@@ -161,14 +146,19 @@ ClientResult<BoardClient::Connection::Answer> BoardClient::Connection::ask(
 }
 
 void BoardClient::Connection::keep(std::string records) {
-  if (kind_ == BoardStreamKind::none) return;  // late ones of a stream that has ended
-  waiting_bytes_ += records.size();
+  // Late ones of a stream that has ended, or none at all.
+  if (kind_ == BoardStreamKind::none || records.empty()) return;
+  waiting_bytes_ += records.size() + kWaitingOverhead;
   waiting_.push_back(std::move(records));
   while (waiting_bytes_ > kMaxWaitingBytes && waiting_.size() > 1) {
-    waiting_bytes_ -= waiting_.front().size();
-    waiting_.pop_front();
-    taken_ = 0;
+    drop_first();
   }
+}
+
+void BoardClient::Connection::drop_first() {
+  waiting_bytes_ -= waiting_.front().size() + kWaitingOverhead;
+  waiting_.pop_front();
+  taken_ = 0;
 }
 
 void BoardClient::Connection::begin_stream() {
@@ -247,30 +237,32 @@ ClientResult<Done> BoardClient::Connection::map_ring(Deadline deadline) {
   return Done{};
 }
 
-void BoardClient::Connection::count_gap(std::uint64_t sequence) {
-  if (expected_ && sequence > *expected_) records_lost_ += sequence - *expected_;
-  expected_ = sequence + 1;
+// Nothing for a record of a kind that does not exist yet: BOARD.md has readers pass over it.
+NextRecord BoardClient::Connection::decode(std::span<const std::uint8_t> bytes) {
+  const auto prefix = board::record_prefix(bytes);
+  auto record = board::decode_record(bytes);
+  if (!record && (!prefix || record.error().kind != WireErrorKind::unknown_kind)) {
+    return bad_record(record.error());
+  }
+  if (expected_ && prefix->sequence > *expected_) records_lost_ += prefix->sequence - *expected_;
+  expected_ = prefix->sequence + 1;
+  if (!record) return std::optional<board::DecodedRecord>{};
+  return std::optional(std::move(record).value());
 }
 
 NextRecord BoardClient::Connection::next_waiting() {
   while (!waiting_.empty()) {
     const std::string& front = waiting_.front();
     if (taken_ < front.size()) {
-      const std::span bytes(reinterpret_cast<const std::uint8_t*>(front.data()), front.size());
-      const auto rest = bytes.subspan(taken_);
-      const auto prefix = board::record_prefix(rest);
-      auto record = board::decode_record(rest);
-      if (!record && (!prefix || !is_of_a_later_kind(record.error()))) {
-        return bad_record(record.error());
-      }
-      taken_ += prefix->size;
-      count_gap(prefix->sequence);
-      if (record) return std::optional(std::move(record).value());
+      const std::span all(reinterpret_cast<const std::uint8_t*>(front.data()), front.size());
+      const auto bytes = all.subspan(taken_);
+      auto record = decode(bytes);
+      if (!record) return record;
+      taken_ += board::record_prefix(bytes)->size;
+      if (*record) return record;
       continue;
     }
-    waiting_bytes_ -= front.size();
-    waiting_.pop_front();
-    taken_ = 0;
+    drop_first();
   }
   return std::optional<board::DecodedRecord>{};
 }
@@ -280,13 +272,9 @@ NextRecord BoardClient::Connection::next_of_ring(Deadline deadline) {
   for (;;) {
     const State state = ring_->reader().take(ring_record_);
     if (state == State::record) {
-      const auto prefix = board::record_prefix(ring_record_);
-      auto record = board::decode_record(ring_record_);
-      if (!record && (!prefix || !is_of_a_later_kind(record.error()))) {
-        return bad_record(record.error());
-      }
-      count_gap(prefix->sequence);
-      if (record) return std::optional(std::move(record).value());
+      auto record = decode(ring_record_);
+      if (!record || *record || is_past(deadline)) return record;
+      continue;
     }
     if (state == State::closed) {
       return stream_.end(ClientErrorKind::closed,
@@ -295,7 +283,7 @@ NextRecord BoardClient::Connection::next_of_ring(Deadline deadline) {
     const auto now = std::chrono::steady_clock::now();
     if (now - looked_after_server_ >= kLookAfterServer) {
       looked_after_server_ = now;
-      for (;;) {
+      for (int i = 0; i < kMostPerLook; ++i) {
         const auto message = stream_.next(now);
         if (!message) return Failure{message.error()};
         if (!*message) break;
@@ -312,16 +300,14 @@ NextRecord BoardClient::Connection::next(Deadline deadline) {
     if (!record) ring_.reset();  // the connection has the error for later calls
     return record;
   }
-  for (;;) {
+  for (bool looked = false;; looked = true) {
     auto record = next_waiting();
-    if (!record || *record) return record;
+    if (!record || *record || (looked && is_past(deadline))) return record;
     auto message = stream_.next(deadline);
     if (!message) return Failure{message.error()};
     if (!*message) return record;
     if ((*message)->has_board_records()) {
       keep(std::move(*(*message)->mutable_board_records()->mutable_records()));
-    } else if (is_past(deadline)) {
-      return record;
     }
   }
 }

@@ -1,7 +1,5 @@
 #include "clients/board/board_reading.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "clients/common/printable_text.hpp"
@@ -35,10 +33,19 @@ std::string fault_reason_text(std::span<const BoardClient::Value> values) {
   return printable(text);
 }
 
-std::string allowed_values(const board::RegisterInfo& info) {
-  return fmt::format("{}{} to {}{}{}{}", info.or_zero ? "0, or " : "", info.min, info.max,
-                     info.unit.empty() ? "" : " ", info.unit,
-                     info.step > 1 ? fmt::format(" in steps of {}", info.step) : "");
+board::RegisterError error_of(wire::BoardError error) {
+  switch (error) {
+    case wire::BOARD_OK:
+      return board::RegisterError::ok;
+    case wire::BOARD_READ_ONLY:
+      return board::RegisterError::read_only;
+    case wire::BOARD_OUT_OF_RANGE:
+      return board::RegisterError::out_of_range;
+    case wire::BOARD_MISALIGNED:
+      return board::RegisterError::misaligned;
+    default:
+      return board::RegisterError::unknown_register;
+  }
 }
 
 }  // namespace skerry::client

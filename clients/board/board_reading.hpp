@@ -18,8 +18,7 @@ std::uint32_t largest_code(const board::ChannelFormat& format);
 std::vector<BoardClient::Operation> fault_reason_reads();
 std::string fault_reason_text(std::span<const BoardClient::Value> values);
 
-// "1000 to 60000 0.001 rpm", "8 to 14 bits in steps of 2", "0, or 256 to 16384": what may be
-// written there.
-std::string allowed_values(const board::RegisterInfo& info);
+// The server's number for it; one that this library does not know is a refusal all the same.
+board::RegisterError error_of(wire::BoardError error);
 
 }  // namespace skerry::client

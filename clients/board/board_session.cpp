@@ -39,15 +39,15 @@ std::int32_t code_of(board::RegisterError error) {
 
 [[noreturn]] void refuse_access(const BoardClient::Operation& operation,
                                 board::RegisterError error) {
-  const board::RegisterInfo* const info = board::find_register(operation.address);
-  std::string text = info ? std::string(info->name) : "register";
-  text += fmt::format(" (0x{:03X}): {}", operation.address, board::name_of(error));
-  if (info && operation.write && error == board::RegisterError::out_of_range) {
-    const auto value = info->is_signed ? static_cast<std::int32_t>(*operation.write)
-                                       : static_cast<std::int64_t>(*operation.write);
-    text += fmt::format(": {}; allowed: {}", value, allowed_values(*info));
-  }
-  throw CallError(code_of(error), text);
+  throw CallError(code_of(error),
+                  board::refusal_text(operation.address, operation.write.value_or(0), error));
+}
+
+// 0 where a record does not say it.
+std::uint32_t clock_of(const board::Record& record) {
+  if (const auto* sweep = std::get_if<board::Sweep>(&record)) return sweep->meta.sample_clock_hz;
+  if (const auto* edges = std::get_if<board::Edges>(&record)) return edges->sample_clock_hz;
+  return 0;
 }
 
 }  // namespace
@@ -77,12 +77,26 @@ void BoardSession::start() {
   }
   streaming_ = true;
   waiting_.clear();
+  clock_hz_ = 0;
   first_tick_ = last_arp_tick_ = 0;
+}
+
+// All ticks begin anew with another sample clock.
+void BoardSession::follow_clock(const board::Record& record) {
+  const std::uint32_t clock_hz = clock_of(record);
+  if (clock_hz == 0 || clock_hz == clock_hz_) return;
+  if (clock_hz_ != 0) {
+    waiting_.clear();
+    first_tick_ = last_arp_tick_ = 0;
+  }
+  clock_hz_ = clock_hz;
 }
 
 std::optional<board::DecodedRecord> BoardSession::next_record(Duration timeout) {
   if (!streaming_) start();
-  return value_of(client_.next(timeout));
+  auto record = value_of(client_.next(timeout));
+  if (record) follow_clock(record->record);
+  return record;
 }
 
 void BoardSession::keep(std::uint64_t sequence, board::Sweep sweep) {

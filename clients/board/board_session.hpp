@@ -48,6 +48,7 @@ class BoardSession {
 
  private:
   std::optional<board::DecodedRecord> next_record(Duration timeout);
+  void follow_clock(const board::Record& record);
   void keep(std::uint64_t sequence, board::Sweep sweep);
   std::optional<board::Event> event_in(const board::Record& record, std::uint32_t mask);
 
@@ -57,6 +58,7 @@ class BoardSession {
   bool streaming_;
   std::deque<Arrived> waiting_;
   std::optional<Arrived> of_fifo_;
+  std::uint32_t clock_hz_ = 0;    // of the last record; ticks of another clock mean nothing
   std::uint64_t first_tick_ = 0;  // sweeps before it are passed over
   std::uint64_t last_arp_tick_ = 0;
 };

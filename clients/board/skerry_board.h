@@ -87,8 +87,11 @@ typedef struct skb_board skb_board;
 // Connects to the interface board of a radar.
 // place: "tcp://host:port/radar": registers and sweeps over one TCP connection; or
 // "shm://host:port/radar": sweeps from the ring in shared memory instead, for programs of the
-// server's own user on its own host.  host: a name, an IPv4 address, or an IPv6 address in
-// brackets.  ":port" and "/radar" may be left out: 7410 and 0.
+// server's own user on its own host.  Memory of another user than the caller's own or root is not
+// mapped, not for root either: its owner could cut it short under the reader, and a read beyond the
+// end is the signal SIGBUS, which ends a program.  skerryd never shortens its ring.
+// host: a name, an IPv4 address, or an IPv6 address in brackets.  ":port" and "/radar" may be left
+// out: 7410 and 0.
 // token: what the server demands of other hosts before it lets them write; may be NULL.
 // timeout_ms: for connecting, and for every later request to the board's registers; from 1.
 // *board: to be given back with skb_close(); NULL after an error.
@@ -183,7 +186,7 @@ typedef struct skb_sweep {
   uint32_t sample_clock_hz;
   uint32_t acp_count;        // since the last ARP
   uint32_t ticks_since_acp;  // from the last ACP to the trigger
-  uint32_t acp_period;       // ticks between the last two ACPs
+  uint32_t acp_period;       // ticks between the last two ACPs; 0: there were none yet
   uint32_t acp_per_turn;     // as configured
   uint32_t arp_ticks;        // from the ACP before the last ARP to that ARP
   uint32_t arp_count;
@@ -194,7 +197,7 @@ typedef struct skb_sweep {
   uint32_t pulses;           // integrated into this one
   uint32_t spoke;            // of a formed spoke: its index in the turn
   uint32_t spokes_per_turn;  // 0: a sweep of one trigger
-  uint32_t reserved;         // 0
+  uint32_t turn_ticks;       // between the last two ARPs; 0: that turn had not all its ACPs
   skb_channel channel[2];    // A, B
 } skb_sweep;
 
@@ -211,8 +214,9 @@ SKB_API int32_t skb_read_sweep(skb_board* board, uint32_t timeout_ms, skb_sweep*
                                size_t sweep_size, uint16_t* a, size_t a_capacity, uint16_t* b,
                                size_t b_capacity);
 
-// Has the board capture the sweep of the next trigger into its FIFO, running or not; the other
-// settings of CONTROL stay.
+// Has the board capture the sweep of the next trigger into its FIFO, running or not.  CONTROL is
+// neither read nor written, so what other programs set there stays: DIGDAR_TRIG_SOURCE becomes 2
+// until the sweep is captured, and DIGDAR_COMMAND's bit 0 is written, in one access.
 SKB_API int32_t skb_arm(skb_board* board);
 
 // The oldest sweep of the board's FIFO, which leaves it; waits for one.  Otherwise as
@@ -225,7 +229,7 @@ typedef struct skb_event {
   uint64_t tick;    // since scenario time 0
   uint32_t event;   // one SKB_EVENT_*
   uint32_t faults;  // SKB_FAULT_* raised or cleared
-  uint32_t value;   // ARP: ARP_COUNT; 0 where that is not known
+  uint32_t value;   // by event (protocol/BOARD.md); ARP: ARP_COUNT, 0 where that is not known
   uint32_t radar;
 } skb_event;
 

@@ -11,6 +11,7 @@
 
 #include "clients/cli/board_command.hpp"
 #include "clients/cli/board_turn.hpp"
+#include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/common/picture_file.hpp"
 #include "clients/common/ppi_picture.hpp"
@@ -89,8 +90,13 @@ class ShipWatch {
   std::optional<wire::Settings> settings_;
 };
 
+struct Turn {
+  Scan scan;
+  std::uint32_t faults = 0;  // of all its sweeps
+};
+
 // Nothing after an error, which has been reported.
-std::optional<Scan> take_turn(BoardClient& client, ShipWatch& ship, const BoardPpiOptions& options,
+std::optional<Turn> take_turn(BoardClient& client, ShipWatch& ship, const BoardPpiOptions& options,
                               RangeScale range) {
   const std::size_t channel = options.channel == "B" ? 1 : 0;
   PatientReader reader(client, options.place, "sweeps of channel " + options.channel);
@@ -115,12 +121,30 @@ std::optional<Scan> take_turn(BoardClient& client, ShipWatch& ship, const BoardP
                        .bits = 8},
           range, channel);
     }
-    if (auto scan = assembler->feed(*sweep, ship.heading(), ship.position())) return scan;
+    if (auto scan = assembler->feed(*sweep, ship.heading(), ship.position())) {
+      return Turn{std::move(*scan), assembler->faults()};
+    }
     progress.show(assembler->received() == 0
                       ? "waiting for the bow"
                       : fmt::format("{} %", 100 * assembler->received() / spokes));
   }
   return std::nullopt;
+}
+
+// Whether the channel has a radar; if not, it has been reported: its sweeps would never come.
+bool channel_is_on(BoardClient& client, const BoardPpiOptions& options) {
+  const std::uint32_t channel = options.channel == "B" ? 1 : 0;
+  const auto source =
+      client.access({{.address = board::channel_address(board::Reg::source_a, channel)}},
+                    options.place.timeout());
+  if (!source) {
+    report_board(source.error());
+    return false;
+  }
+  if (source->front().value != 0) return true;
+  report(fmt::format("channel {0} is off: SOURCE_{0} is 0", options.channel),
+         fmt::format("skerry board set SOURCE_{}={}", options.channel, options.place.radar + 1));
+  return false;
 }
 
 int run_board_ppi(const BoardPpiOptions& options) {
@@ -141,10 +165,15 @@ int run_board_ppi(const BoardPpiOptions& options) {
            "There are 0.125, 0.25, 0.5, 0.75, 1.5, 3, 6, 12, 24, 48, 72 and 96 NM.");
     return kExitUsage;
   }
-  auto client = options.place.connect_stream(BoardStreamKind::records);
+  auto client = options.place.connect();
   if (!client) return report_board(client.error());
-  const auto scan = take_turn(*client, ship, options, *range);
-  if (!scan) return kExitFailure;
+  if (!channel_is_on(*client, options)) return kExitFailure;
+  if (auto begun = options.place.start(*client, BoardStreamKind::records); !begun) {
+    return report_board(begun.error());
+  }
+  const auto turn = take_turn(*client, ship, options, *range);
+  if (!turn) return kExitFailure;
+  const Scan& scan = turn->scan;
 
   PpiOptions picture = options.picture;
   picture.orientation = options.head_up ? Orientation::head_up : Orientation::north_up;
@@ -152,17 +181,20 @@ int run_board_ppi(const BoardPpiOptions& options) {
   PpiLabels labels;
   labels.radar = fmt::format("{} BOARD {}", client->radar().name(), options.channel);
   labels.own_ship = ship.own_ship();
+  labels.formed_of_pulses = true;
+  labels.warning = fault_label(turn->faults);
   write_file(options.file,
-             encode_png(draw_ppi(*scan, picture, labels), describe(*scan, labels.radar)));
-  if (scan->missing() > 0) {
-    fmt::print(stderr, "skerry: no pulse came in {} of the {} spokes; they are grey\n",
-               scan->missing(), scan->geometry.spokes_per_turn);
+             encode_png(draw_ppi(scan, picture, labels), describe(scan, labels.radar)));
+  if (scan.missing() > 0) {
+    fmt::print(stderr, "skerry: no pulse in {} spokes of {}; they are grey\n", scan.missing(),
+               scan.geometry.spokes_per_turn);
   }
   if (client->records_lost() > 0) {
     fmt::print(stderr, "skerry: {} records were lost\n", client->records_lost());
   }
   write_out(fmt::format("{}: board of radar {}, channel {}, turn {}, {} spokes\n", options.file,
-                        scan->radar, options.channel, scan->number, scan->received));
+                        scan.radar, options.channel, scan.number, scan.received));
+  if (turn->faults != 0) write_out(labels.warning + "\n");
   return kExitOk;
 }
 

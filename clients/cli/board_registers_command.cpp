@@ -13,6 +13,7 @@
 #include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/common/printable_text.hpp"
+#include "protocol/board/digdar_page.hpp"
 
 namespace skerry::client {
 namespace {
@@ -38,16 +39,24 @@ std::string upper(std::string text) {
   return text;
 }
 
-// Those whose name contains one of `names`, all if there are none.
+// Those whose name contains one of `names`, or whose address is one of them; without names all of
+// the board's own, of which FAULT_REASON is shown as a text.
 Registers chosen(const std::vector<std::string>& names) {
   Registers registers;
-  for (const board::RegisterInfo& info : board::all_registers()) {
+  const auto choose = [&](const board::RegisterInfo& info) {
     const bool wanted =
         names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-          return info.name.find(upper(name)) != std::string_view::npos;
+          return info.name.find(upper(name)) != std::string_view::npos ||
+                 parse_number(name) == info.address;
         });
     if (wanted) registers.push_back(&info);
+  };
+  for (const board::RegisterInfo& info : board::all_registers()) choose(info);
+  if (names.empty()) return registers;
+  for (const BoardClient::Operation& read : fault_reason_reads()) {
+    if (const auto* const info = board::find_register(read.address)) choose(*info);
   }
+  for (const board::RegisterInfo& info : board::digdar_infos()) choose(info);
   return registers;
 }
 
@@ -70,7 +79,7 @@ std::string access_letters(board::Access access) {
     case board::Access::read_write:
       return "rw";
     case board::Access::write_ones_to_clear:
-      return "r1";
+      return "w1c";
   }
   return "?";
 }
@@ -88,19 +97,15 @@ std::string table(const BoardClient& client, const Registers& registers, const R
   for (std::size_t i = 0; i < registers.size(); ++i) {
     const board::RegisterInfo& info = *registers[i];
     const BoardClient::Value& value = reading.values[i];
+    const std::string address = fmt::format("0x{:03X}", info.address);
     if (value.error != board::RegisterError::ok) {
-      out += fmt::format("0x{:03X}   {:<26} {}\n", info.address, info.name,
-                         board::name_of(value.error));
+      out += fmt::format("{:<8}{:<26} {}\n", address, info.name, board::name_of(value.error));
       continue;
     }
     const std::string word = word_of(info, value.value);
-    const std::string range =
-        info.access == board::Access::read_write
-            ? fmt::format("{}{} .. {}", info.or_zero ? "0, " : "", info.min, info.max)
-            : "";
-    out += fmt::format("0x{:03X}   {:<26} {:>11} 0x{:08X}  {:<11} {:<3} {:<24} {}{}\n",
-                       info.address, info.name, number_of(info, value.value), value.value,
-                       info.unit, access_letters(info.access), range,
+    out += fmt::format("{:<8}{:<26} {:>11} 0x{:08X}  {:<11} {:<3} {:<24} {}{}\n", address,
+                       info.name, number_of(info, value.value), value.value, info.unit,
+                       access_letters(info.access), range_column(info),
                        word.empty() ? "" : fmt::format("[{}] ", word), info.what);
   }
   return out;
@@ -148,7 +153,8 @@ void pause(double seconds) {
 int run_registers(const RegistersOptions& options) {
   const Registers registers = chosen(options.names);
   if (registers.empty()) {
-    report(fmt::format("no register has '{}' in its name", printable(options.names.front(), 40)),
+    report(fmt::format("no register has '{}' in its name, or for its address",
+                       printable(options.names.front(), 40)),
            "skerry board registers lists them all.");
     return kExitUsage;
   }
@@ -172,7 +178,10 @@ Command make_board_registers_command(CLI::App& board) {
   CLI::App* command =
       board.add_subcommand("registers", "Shows the registers, all read at one instant");
   options->place.add_options(*command);
-  command->add_option("names", options->names, "Only registers with one of these in their name");
+  command->add_option(
+      "names", options->names,
+      "Only registers with one of these in their name, or at this address; those of the "
+      "digitiser's page and FAULT_REASON too");
   command->add_flag("--json", options->json, "JSON, one line per reading");
   command
       ->add_option_function<double>(
@@ -182,11 +191,12 @@ Command make_board_registers_command(CLI::App& board) {
       ->default_str("1")
       ->check(CLI::Range(0.1, 3600.0));
   command->footer(
-      "The column before RANGE says r: read only, rw: read and write, r1: writing ones clears.\n"
+      "The column before RANGE says r: read only, rw: read and write, w1c: writing ones clears.\n"
       "Examples:\n"
       "  skerry board registers\n"
       "  skerry board registers acp arp trigger_count --watch 0.5\n"
-      "  skerry board registers --json faults\n");
+      "  skerry board registers --json faults\n"
+      "  skerry board registers digdar 0x080\n");
   return {command, [options] { return run_registers(*options); }};
 }
 

@@ -84,4 +84,9 @@ double mark_distance(double length, int marks) {
   return 10.0 * power;
 }
 
+std::string mark_text(double mark, double distance, bool with_sign) {
+  if (std::abs(mark) < 0.5 * distance) return "0";
+  return with_sign ? fmt::format("{:+g}", mark) : fmt::format("{:.4g}", mark);
+}
+
 }  // namespace skerry::client

@@ -34,6 +34,9 @@ std::vector<std::string> scope_lines(const board::SweepMeta& meta);
 // Distances between the marks of an axis: 1, 2 or 5 times a power of ten, at most `marks` in
 // `length`.  Requires length > 0 and marks > 0.
 double mark_distance(double length, int marks);
+// What stands at a mark, of marks `distance` apart: "0" at zero, of whatever sign; `with_sign`:
+// "+20" and "-20".
+std::string mark_text(double mark, double distance, bool with_sign = false);
 
 struct TextSize {
   int columns = 80, rows = 24;

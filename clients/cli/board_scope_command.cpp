@@ -3,6 +3,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -41,7 +42,9 @@ bool passed(double wanted_deg, double before_deg, double now_deg) {
 class Capture {
  public:
   Capture(BoardClient& client, const ScopeOptions& options)
-      : reader_(client, options.place, "sweeps"), options_(options) {}
+      : reader_(client, options.place, "sweeps"),
+        options_(options),
+        signals_until_(std::chrono::steady_clock::now() + options.place.timeout()) {}
 
   // Nothing after an error, which has been reported.
   std::optional<Captured> run() {
@@ -59,8 +62,9 @@ class Capture {
     reader_.came();
     if (sweep_) return;
     const double azimuth = azimuth_deg(sweep.meta);
-    const bool wanted =
-        !options_.azimuth_deg || (azimuth_ && passed(*options_.azimuth_deg, *azimuth_, azimuth));
+    const bool wanted = (!options_.azimuth_deg ||
+                         (azimuth_ && passed(*options_.azimuth_deg, *azimuth_, azimuth))) &&
+                        signals_begun(sweep.meta);
     if (!wanted) progress_.show(fmt::format("azimuth {:.1f} deg", azimuth));
     azimuth_ = azimuth;
     if (wanted) sweep_ = std::move(sweep);
@@ -76,17 +80,23 @@ class Capture {
     edges_to_ = edges.to_tick;
   }
 
+  // Of the text none are needed; of the picture those of both sides of the trigger, but they are
+  // not waited for longer than for a sweep.
+  bool signals_do_without() const {
+    return options_.file.empty() || std::chrono::steady_clock::now() > signals_until_;
+  }
   bool signals_begun(const board::SweepMeta& meta) const {
-    return options_.file.empty() ||
+    return signals_do_without() ||
            (edges_from_ && meta.trigger_tick >= *edges_from_ + signal_span(meta));
   }
   bool signals_complete() const {
-    return options_.file.empty() ||
+    return signals_do_without() ||
            edges_to_ >= sweep_->meta.trigger_tick + signal_span(sweep_->meta);
   }
 
   PatientReader reader_;
   const ScopeOptions& options_;
+  std::chrono::steady_clock::time_point signals_until_;
   std::optional<board::Sweep> sweep_;
   std::optional<double> azimuth_;
   std::vector<board::Edge> edges_;

@@ -110,15 +110,14 @@ class ScopePainter {
     const double distance = mark_distance(to - from, std::max(2, box.width() / (70 * scale_)));
     for (double n = std::ceil(from / distance - 1e-9); n * distance <= to * (1.0 + 1e-9);
          n += 1.0) {
-      draw(box.left + (n * distance - from) / (to - from) * box.width(), n * distance);
+      draw(box.left + (n * distance - from) / (to - from) * box.width(), n * distance, distance);
     }
   }
 
   void range_numbers(const Box& box) {
-    each_range_mark(box, [&](double x, double nm) {
+    each_range_mark(box, [&](double x, double nm, double distance) {
       if (x < box.right - 30 * scale_) {
-        text_below(fmt::format("{:.4g}", nm + 0.0), static_cast<int>(x), box.bottom + 4 * scale_,
-                   box);
+        text_below(mark_text(nm, distance), static_cast<int>(x), box.bottom + 4 * scale_, box);
       }
     });
     text_below("NM", box.right - 6 * scale_, box.bottom + 4 * scale_, box);
@@ -130,7 +129,7 @@ class ScopePainter {
     const auto y_of = [&](double code) {
       return box.bottom - std::min(code / top_code, 1.0) * (box.height() - 1) - 1.0;
     };
-    each_range_mark(box, [&](double x, double) { vertical(box, x, 0.25); });
+    each_range_mark(box, [&](double x, double, double) { vertical(box, x, 0.25); });
     for (int quarter = 0; quarter <= 4; ++quarter) {
       const double code = top_code * 0.25 * quarter;
       canvas_.line({double(box.left), y_of(code) + 0.5}, {double(box.right), y_of(code) + 0.5}, 1.0,
@@ -184,8 +183,8 @@ class ScopePainter {
       const double x = box.left + (n * distance / microseconds + 1.0) * 0.5 * box.width();
       vertical(box, x, 0.25);
       if (x > box.right - 40 * scale_) continue;
-      text_below(fmt::format("{:+g}", n * distance), static_cast<int>(x), box.bottom + 4 * scale_,
-                 box);
+      text_below(mark_text(n * distance, distance, true), static_cast<int>(x),
+                 box.bottom + 4 * scale_, box);
     }
     text_below("US", box.right - 6 * scale_, box.bottom + 4 * scale_, box);
   }

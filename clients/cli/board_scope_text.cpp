@@ -86,7 +86,7 @@ std::string range_axis(const ScopeWindow& window, int columns) {
     const auto at = static_cast<std::size_t>(std::clamp(
         (mark * distance - from) / (to - from) * columns, 0.0, static_cast<double>(columns - 1)));
     line[at] = '+';
-    const std::string number = fmt::format("{:.4g}", mark * distance + 0.0);
+    const std::string number = mark_text(mark * distance, distance);
     const std::size_t left = at >= number.size() / 2 ? at - number.size() / 2 : 0;
     if (left + number.size() + 3 < numbers.size()) numbers.replace(left, number.size(), number);
   }

@@ -38,6 +38,8 @@ int run_board_set(const BoardSetOptions& options) {
     writes.push_back(*write);
     operations.push_back({.address = write->address, .write = write->value});
   }
+  // What became of it, at the same instant.
+  for (const RegisterWrite& write : writes) operations.push_back({.address = write.address});
   auto client = options.place.connect();
   if (!client) return report_board(client.error());
   const auto values = client->access(operations, options.place.timeout());
@@ -51,7 +53,7 @@ int run_board_set(const BoardSetOptions& options) {
   for (std::size_t i = 0; i < writes.size(); ++i) {
     const BoardClient::Value& value = (*values)[i];
     if (value.error == board::RegisterError::ok) {
-      write_out(done_line(writes[i], value.value));
+      write_out(done_line(writes[i], (*values)[writes.size() + i].value));
     } else {
       exit_code = report(refusal(writes[i], value.error));
     }
@@ -76,10 +78,10 @@ Command make_board_set_command(CLI::App& board) {
                    "NAME=VALUE: decimal, hexadecimal with 0x, negative, or a word such as rings; "
                    "an address may stand for the name")
       ->required()
-      ->expected(1, 200);
+      ->expected(1, static_cast<int>(BoardClient::kMaxOperations / 2));
   command->footer(
       "Each write is taken or refused by itself; a refused one changes nothing and makes the exit\n"
-      "code 1.\n"
+      "code 1.  Shown is what the registers hold after the last write.\n"
       "Examples:\n"
       "  skerry board set PRF_MILLIHERTZ=3000000 SAMPLES_A=1024\n"
       "  skerry board set TEST_MODE_A=rings TEST_VALUE_A=200\n"

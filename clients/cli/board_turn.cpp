@@ -15,8 +15,11 @@ std::uint32_t spokes_that_fit(const board::SweepMeta& meta, std::uint32_t most) 
       meta.spokes_per_turn <= ScanGeometry::kMaxSpokes) {
     return meta.spokes_per_turn;  // formed by the board already
   }
-  const double turn_s =
-      static_cast<double>(meta.acp_period) * meta.acp_per_turn / std::max(1u, meta.sample_clock_hz);
+  // One ACP that came too late or too early says nothing of the turn.
+  const double turn_ticks = meta.turn_ticks != 0
+                                ? static_cast<double>(meta.turn_ticks)
+                                : static_cast<double>(meta.acp_period) * meta.acp_per_turn;
+  const double turn_s = turn_ticks / std::max(1u, meta.sample_clock_hz);
   const double pulses = turn_s * meta.prf_millihertz * 1e-3;
   if (!(pulses >= 1.0)) return most;
   const auto whole = static_cast<std::uint32_t>(std::min(pulses, 1e9));
@@ -47,6 +50,7 @@ void TurnAssembler::take(const board::Sweep& formed, TrueBearing heading, GeoPoi
   if (whole_) return;
   if (wrapped) {
     begun_ = true;
+    faults_ = formed.meta.faults;
     scan_ = Scan{.radar = formed.meta.radar,
                  .view = 0,
                  .number = formed.meta.arp_count,
@@ -79,6 +83,7 @@ std::optional<Scan> TurnAssembler::feed(const board::Sweep& sweep, TrueBearing h
   } else {
     former_.add(sweep, [&](const board::Sweep& formed) { take(formed, heading, own_ship); });
   }
+  faults_ |= sweep.meta.faults;
   if (!whole_) return std::nullopt;
   return std::move(scan_);
 }

@@ -33,6 +33,9 @@ class TurnAssembler {
 
   // Spokes of the turn begun, out of geometry.spokes_per_turn; 0 before its beginning has come.
   std::uint32_t received() const { return scan_.received; }
+  // Of all its sweeps: FaultBit.  With those of the sweep that ended it, which has what the board
+  // found out at the ARP.
+  std::uint32_t faults() const { return faults_; }
 
  private:
   void take(const board::Sweep& formed, TrueBearing heading, GeoPoint own_ship);
@@ -43,6 +46,7 @@ class TurnAssembler {
   board::SpokeFormer former_;
   std::optional<std::uint32_t> last_index_;
   bool begun_ = false, whole_ = false;
+  std::uint32_t faults_ = 0;
   Scan scan_;
 };
 

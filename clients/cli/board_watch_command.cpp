@@ -57,10 +57,15 @@ class Watch {
     clock_hz_ = sweep.meta.sample_clock_hz;
     if (!options_.sweeps) return;
     const board::SweepMeta& meta = sweep.meta;
-    line(meta.trigger_tick, "sweep",
-         fmt::format("{} at {:.3f} deg, ACP {} + {}/{}, ARP {}, faults: {}", meta.trigger_count,
+    const std::string formed =
+        meta.spokes_per_turn == 0
+            ? ""
+            : fmt::format(", spoke {} of {}, {} {}", meta.spoke, meta.spokes_per_turn, meta.pulses,
+                          meta.pulses == 1 ? "pulse" : "pulses");
+    line(meta.trigger_tick, meta.spokes_per_turn == 0 ? "sweep" : "spoke",
+         fmt::format("{} at {:.3f} deg, ACP {} + {}/{}, ARP {}{}, faults: {}", meta.trigger_count,
                      azimuth_deg(meta), meta.acp_count, meta.ticks_since_acp, meta.acp_period,
-                     meta.arp_count, fault_words(meta.faults)));
+                     meta.arp_count, formed, fault_words(meta.faults)));
   }
 
   void set_clock(std::uint32_t clock_hz) { clock_hz_ = clock_hz; }

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "clients/common/printable_text.hpp"
@@ -13,19 +14,9 @@
 namespace skerry::client {
 namespace {
 
+using board::BitName;
 using board::Reg;
 
-struct BitName {
-  std::uint32_t bit;
-  const char* name;
-};
-constexpr std::array<BitName, 7> kFaults = {{{board::fault::config, "config"},
-                                             {board::fault::acp_missing, "acp missing"},
-                                             {board::fault::acp_extra, "acp extra"},
-                                             {board::fault::arp_missing, "arp missing"},
-                                             {board::fault::stalled, "stalled"},
-                                             {board::fault::overrun, "overrun"},
-                                             {board::fault::late, "late"}}};
 constexpr std::array<BitName, 5> kStatus = {{{board::status::running, "running"},
                                              {board::status::armed, "armed"},
                                              {board::status::captured, "captured"},
@@ -35,22 +26,16 @@ constexpr std::array<BitName, 4> kControl = {{{board::control::run, "run"},
                                               {board::control::reset, "reset"},
                                               {board::control::arm, "arm"},
                                               {board::control::fifo, "fifo"}}};
-constexpr std::array<BitName, 7> kEvents = {{{board::event::arp, "arp"},
-                                             {board::event::heading, "heading"},
-                                             {board::event::fault_raised, "fault raised"},
-                                             {board::event::fault_cleared, "fault cleared"},
-                                             {board::event::captured, "captured"},
-                                             {board::event::configured, "configured"},
-                                             {board::event::reset, "reset"}}};
-
-template <std::size_t N>
-std::string words(const std::array<BitName, N>& names, std::uint32_t bits) {
+std::string words(std::span<const BitName> names, std::uint32_t bits) {
   std::string text;
   for (const BitName& name : names) {
     if ((bits & name.bit) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", name.name);
   }
   return text.empty() ? "none" : text;
 }
+
+// More values than these are not listed one by one.
+constexpr std::int64_t kMostListed = 6;
 
 // The words of a register whose values are kinds, from value 0 on.
 struct Kinds {
@@ -80,6 +65,17 @@ const Kinds* kinds_of(std::uint32_t address) {
   return found == kKinds.end() ? nullptr : &*found;
 }
 
+// ": log, linear"; empty for other registers.
+std::string kind_words(std::uint32_t address) {
+  const Kinds* const kinds = kinds_of(address);
+  if (!kinds) return {};
+  std::string text;
+  for (std::size_t i = 0; i < kinds->names.size() && kinds->names[i]; ++i) {
+    text += fmt::format("{}{}", i == 0 ? ": " : ", ", kinds->names[i]);
+  }
+  return text;
+}
+
 std::string lower(std::string_view text) {
   std::string out(text);
   for (char& c : out) {
@@ -88,7 +84,13 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-// A whole number, decimal or with 0x, negative or not; nothing if it is none or has over 32 bits.
+std::string name_at(std::uint32_t address) {
+  const board::RegisterInfo* const info = board::find_register(address);
+  return info ? std::string(info->name) : fmt::format("0x{:03X}", address);
+}
+
+}  // namespace
+
 std::optional<std::uint32_t> parse_number(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
@@ -103,17 +105,18 @@ std::optional<std::uint32_t> parse_number(std::string_view text) {
   return static_cast<std::uint32_t>(negative ? 0 - value : value);
 }
 
-std::string name_at(std::uint32_t address) {
-  const board::RegisterInfo* const info = board::find_register(address);
-  return info ? std::string(info->name) : fmt::format("0x{:03X}", address);
+std::string fault_words(std::uint32_t faults) { return words(board::fault_bits(), faults); }
+std::string fault_label(std::uint32_t faults) {
+  if (faults == 0) return {};
+  std::string label = "FAULTS: " + board::fault_names(faults);
+  for (char& c : label) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return label;
 }
-
-}  // namespace
-
-std::string fault_words(std::uint32_t faults) { return words(kFaults, faults); }
 std::string status_words(std::uint32_t status) { return words(kStatus, status); }
 std::string control_words(std::uint32_t control) { return words(kControl, control); }
-std::string event_words(std::uint32_t events) { return words(kEvents, events); }
+std::string event_words(std::uint32_t events) { return words(board::event_bits(), events); }
 
 std::string word_of(const board::RegisterInfo& info, std::uint32_t value) {
   if (const Kinds* const kinds = kinds_of(info.address)) {
@@ -140,14 +143,7 @@ std::int64_t number_of(const board::RegisterInfo& info, std::uint32_t value) {
 }
 
 std::string range_words(const board::RegisterInfo& info) {
-  std::string text = allowed_values(info);
-  if (const Kinds* const kinds = kinds_of(info.address)) {
-    text += ": ";
-    for (std::size_t i = 0; i < kinds->names.size() && kinds->names[i]; ++i) {
-      text += fmt::format("{}{}", i == 0 ? "" : ", ", kinds->names[i]);
-    }
-  }
-  return text;
+  return board::allowed_text(info) + kind_words(info.address);
 }
 
 Result<RegisterWrite, std::string> parse_write(std::string_view text) {
@@ -186,25 +182,26 @@ Result<RegisterWrite, std::string> parse_write(std::string_view text) {
 }
 
 std::string refusal(const RegisterWrite& write, board::RegisterError error) {
-  const std::string name = name_at(write.address);
-  const board::RegisterInfo* const info = board::find_register(write.address);
-  switch (error) {
-    case board::RegisterError::ok:
-      return {};
-    case board::RegisterError::out_of_range:
-      if (info) {
-        return fmt::format("{}: {} is out of range; allowed: {}", name,
-                           number_of(*info, write.value), range_words(*info));
-      }
-      return fmt::format("{}: 0x{:X} is out of range", name, write.value);
-    case board::RegisterError::read_only:
-      return fmt::format("{} is read only", name);
-    case board::RegisterError::misaligned:
-      return fmt::format("0x{:X} is no address of a register: they lie 4 apart", write.address);
-    case board::RegisterError::unknown_register:
-      break;
+  std::string text = board::refusal_text(write.address, write.value, error);
+  if (error == board::RegisterError::out_of_range) text += kind_words(write.address);
+  return text;
+}
+
+std::string range_column(const board::RegisterInfo& info) {
+  if (info.access != board::Access::read_write) return {};
+  const std::string zero = info.or_zero ? "0, " : "";
+  const std::int64_t steps = (info.max - info.min) / info.step;
+  if (info.step == 1) return fmt::format("{}{} .. {}", zero, info.min, info.max);
+  if (steps > kMostListed) {
+    const bool even = info.step == 2 && info.min % 2 == 0;
+    return fmt::format("{}{} .. {}, {}", zero, info.min, info.max,
+                       even ? "even" : fmt::format("by {}", info.step));
   }
-  return fmt::format("the board has no register at 0x{:X}", write.address);
+  std::string list = zero;
+  for (std::int64_t n = 0; n <= steps; ++n) {
+    list += fmt::format("{}{}", n == 0 ? "" : n == steps ? " or " : ", ", info.min + n * info.step);
+  }
+  return list;
 }
 
 std::string channel_words(const board::SweepMeta& meta, std::size_t channel) {

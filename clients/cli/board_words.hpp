@@ -12,8 +12,10 @@
 
 namespace skerry::client {
 
-// "acp missing, stalled"; "none" without a bit that has a name.
+// "acp_missing, stalled"; "none" without a bit that has a name.
 std::string fault_words(std::uint32_t faults);
+// "FAULTS: ACP_MISSING, STALLED", as a picture warns of them; empty without.
+std::string fault_label(std::uint32_t faults);
 std::string status_words(std::uint32_t status);
 std::string control_words(std::uint32_t control);
 std::string event_words(std::uint32_t events);
@@ -25,6 +27,12 @@ std::string word_of(const board::RegisterInfo& info, std::uint32_t value);
 std::int64_t number_of(const board::RegisterInfo& info, std::uint32_t value);
 // "0 to 100 %", "0 to 1: log, linear".
 std::string range_words(const board::RegisterInfo& info);
+// What may be written, in a column: "0, 1000 .. 60000", "8, 10, 12 or 14", "2 .. 16384, even";
+// empty where nothing may.
+std::string range_column(const board::RegisterInfo& info);
+
+// A whole number, decimal or with 0x, negative or not; nothing if it is none or has over 32 bits.
+std::optional<std::uint32_t> parse_number(std::string_view text);
 
 // A write as a user gives it: NAME=VALUE or ADDRESS=VALUE, the value decimal, hexadecimal (0x),
 // negative, or a word of that register.

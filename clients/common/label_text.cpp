@@ -75,12 +75,15 @@ LabelText label_text(const Scan& scan, Orientation orientation, const PpiLabels&
     text.bottom_left.push_back({fmt::format("SEA {:.0f}", labels.settings->sea())});
     text.bottom_left.push_back({fmt::format("RAIN {:.0f}", labels.settings->rain())});
   }
+  if (!labels.warning.empty()) text.bottom_left.push_back({printable(labels.warning, 60), true});
   if (!scan.has_one_range_scale()) text.bottom_left.push_back({"RANGE CHANGED", true});
 
   const std::string utc = utc_text(header.utc);
   if (scan.missing() > 0) {
     text.bottom_right.push_back(
-        {fmt::format("{} OF {} LOST", scan.missing(), scan.geometry.spokes_per_turn), true});
+        {fmt::format("{} OF {} {}", scan.missing(), scan.geometry.spokes_per_turn,
+                     labels.formed_of_pulses ? "EMPTY" : "LOST"),
+         true});
   }
   text.bottom_right.push_back({fmt::format("SCAN {}", scan.number)});
   text.bottom_right.push_back({fmt::format("CELL {:.2f} M", header.cell_size().in_metres())});

@@ -32,6 +32,8 @@ struct PpiLabels {
   std::string radar{};                       // its name
   std::optional<wire::Settings> settings{};  // gain, sea, rain
   std::optional<wire::OwnShip> own_ship{};   // name, speed
+  bool formed_of_pulses = false;  // a missing spoke had none, instead of having been lost
+  std::string warning{};          // a line of its own
 };
 
 // Where the video lies in a picture of these options.

@@ -121,7 +121,7 @@ constexpr std::array kBoard = {
 // Their names get the letter of the channel.
 constexpr std::array kChannel = {
     sets(Reg::source_a, "SOURCE", 0, 64, 1, "",
-         "0: off; n: radar n - 1, of the same own ship; after a reset the board's own in A"),
+         "0: off; n: radar n - 1, of the same own ship; at start the board's own in A"),
     sets(Reg::detector_a, "DETECTOR", 0, 1, 0, "", "0 logarithmic, 1 linear"),
     every(2, sets(Reg::bits_a, "BITS", 8, 14, 12, "bits", "of the converter")),
     sets(Reg::polarity_a, "POLARITY", 0, 1, 0, "", "1: the strongest echo reads 0"),

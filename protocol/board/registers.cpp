@@ -63,10 +63,7 @@ RegisterError check_write(std::uint32_t address, std::uint32_t value) {
   const RegisterInfo* const info = find_register(address);
   if (info == nullptr) return RegisterError::unknown_register;
   if (info->access == Access::read_only) return RegisterError::read_only;
-  if (info->access == Access::write_ones_to_clear) {
-    return (value & ~static_cast<std::uint32_t>(info->max)) == 0 ? RegisterError::ok
-                                                                 : RegisterError::out_of_range;
-  }
+  if (info->access == Access::write_ones_to_clear) return RegisterError::ok;
   const std::int64_t number = value_of(*info, value);
   if (info->or_zero && number == 0) return RegisterError::ok;
   const bool allowed = number >= info->min && number <= info->max &&

@@ -54,11 +54,11 @@ enum class Reg : std::uint32_t {
   wow_per_turn = 0x170,       // waves in a turn
   gust_ppm = 0x174,           // of the speed, largest deviation; once a turn, its strength varying
 
-  // Faults injected; a write adds to what is still to come, reading gives what is left.
+  // Faults injected; a write sets how many are still to come (0: none), reading gives that.
   inject_missing_acp = 0x180,  // pulses left out, one in 16
   inject_extra_acp = 0x184,    // pulses too many, one after every 16th
   inject_missing_arp = 0x188,  // turns
-  inject_stall_ms = 0x18C,     // the antenna stands still, from the next ACP on
+  inject_stall_ms = 0x18C,     // the antenna stands still, from the next ACP on, or as it does
 
   // Sweeps.
   fifo_depth = 0x1A0,       // samples, of both channels together
@@ -123,7 +123,7 @@ constexpr std::uint32_t channel_address(Reg of_a, std::uint32_t channel) {
 
 namespace control {
 inline constexpr std::uint32_t run = 1u << 0;    // triggers are captured as they come
-inline constexpr std::uint32_t reset = 1u << 1;  // counts, FIFO and faults to 0; reads 0
+inline constexpr std::uint32_t reset = 1u << 1;  // counts, FIFO, faults to 0; reads 0
 inline constexpr std::uint32_t arm = 1u << 2;    // capture the next trigger into the FIFO; reads 0
 inline constexpr std::uint32_t fifo = 1u << 3;  // while running, captured sweeps go to the FIFO too
 }  // namespace control
@@ -142,7 +142,7 @@ inline constexpr std::uint32_t acp_missing = 1u << 1;  // the last turn had too 
 inline constexpr std::uint32_t acp_extra = 1u << 2;    // too many
 inline constexpr std::uint32_t arp_missing = 1u << 3;  // none within 1.5 turns of ACPs
 inline constexpr std::uint32_t stalled = 1u << 4;      // no ACP for 8 of their periods
-inline constexpr std::uint32_t overrun = 1u << 5;      // the FIFO is full
+inline constexpr std::uint32_t overrun = 1u << 5;      // the FIFO has no room for a sweep
 inline constexpr std::uint32_t late = 1u << 6;         // sweeps had to be left out
 }  // namespace fault
 
@@ -186,7 +186,8 @@ struct RegisterInfo {
   std::string_view name;  // "PRF_MILLIHERTZ"
   Access access = Access::read_only;
   bool is_signed = false;  // two's complement
-  std::int64_t min = 0, max = 0, reset = 0;
+  std::int64_t min = 0, max = 0;
+  std::int64_t reset = 0;  // at the start; control::reset leaves settings as they are
   std::string_view unit;
   std::string_view what;   // one line
   std::uint32_t step = 1;  // a value is min + a multiple of it
@@ -201,8 +202,26 @@ const RegisterInfo* find_register(std::uint32_t address);
 const RegisterInfo* find_register(std::string_view name);
 
 // Whether `value` may be written there, by this register alone: what it means beside the others is
-// the board's to judge (fault `config`).  A write_ones_to_clear register takes any of its bits.
+// the board's to judge (fault `config`).  A write_ones_to_clear register takes any value: bits that
+// it does not have are ignored.
 RegisterError check_write(std::uint32_t address, std::uint32_t value);
+
+// "0, or 10000 to 20000000 mHz".
+std::string allowed_text(const RegisterInfo& info);
+// Why a write was refused, as a sentence: what was wrong, and what is allowed.  Empty for `ok`.
+std::string refusal_text(std::uint32_t address, std::uint32_t value, RegisterError error);
+
+// Bits by their names, as BOARD.md 3.1 has them, lowest first.
+struct BitName {
+  std::uint32_t bit = 0;
+  std::string_view name;
+};
+std::span<const BitName> fault_bits();
+std::span<const BitName> event_bits();
+// "acp_missing, stalled"; bits without a name as a number; empty for none.
+std::string fault_names(std::uint32_t faults);
+// Of one bit; "unknown" for others.
+std::string_view event_name(std::uint32_t event);
 
 // The value of a register as a number: two's complement where it is signed.
 constexpr std::int64_t value_of(const RegisterInfo& info, std::uint32_t bits) {

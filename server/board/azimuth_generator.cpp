@@ -178,11 +178,11 @@ void AzimuthGenerator::find_next() {
     const bool extra = half_acp_ % 2 == 1;
     const bool out =
         !extra && faults_.missing_acp > 0 && (half_acp_ / 2) % kFaultEvery == kFaultEvery / 2;
-    next_ = {nearest_tick(fine_tick(count)), board::Line::acp, !out};
+    next_ = {nearest_tick(fine_tick(count)), AzimuthLine::acp, !out};
   } else if (reference_first) {
-    next_ = {nearest_tick(fine_tick(reference)), board::Line::arp, faults_.missing_arp == 0};
+    next_ = {nearest_tick(fine_tick(reference)), AzimuthLine::arp, faults_.missing_arp == 0};
   } else {
-    next_ = {nearest_tick(fine_tick(bow)), board::Line::heading, true};
+    next_ = {nearest_tick(fine_tick(bow)), AzimuthLine::heading, true};
   }
   next_.tick = std::max(next_.tick, earliest_);
 }
@@ -190,7 +190,7 @@ void AzimuthGenerator::find_next() {
 void AzimuthGenerator::pop() {
   earliest_ = next_.tick;
   switch (next_.line) {
-    case board::Line::acp: {
+    case AzimuthLine::acp: {
       if (!next_.sent) --faults_.missing_acp;
       const std::uint64_t number = half_acp_ / 2;
       if (half_acp_ % 2 == 1) {
@@ -210,23 +210,30 @@ void AzimuthGenerator::pop() {
       half_acp_ += one_more ? 1 : 2;
       break;
     }
-    case board::Line::arp:
+    case AzimuthLine::arp:
       if (!next_.sent) --faults_.missing_arp;
       ++arp_turn_;
       break;
-    case board::Line::heading:
-    case board::Line::trigger:
+    case AzimuthLine::heading:
       ++heading_turn_;
       break;
   }
   find_next();
 }
 
-void AzimuthGenerator::inject(const AzimuthFaults& more) {
-  faults_.missing_acp += more.missing_acp;
-  faults_.extra_acp += more.extra_acp;
-  faults_.missing_arp += more.missing_arp;
-  faults_.stall += more.stall;
+void AzimuthGenerator::inject(const AzimuthOrders& orders, Tick now) {
+  faults_.missing_acp = orders.missing_acp.value_or(faults_.missing_acp);
+  faults_.extra_acp = orders.extra_acp.value_or(faults_.extra_acp);
+  faults_.missing_arp = orders.missing_arp.value_or(faults_.missing_arp);
+  if (orders.stall && now < stalled_until_) {
+    const Wide longer = fine_of(now + *orders.stall) - fine_of(stalled_until_);
+    origin_ += longer;
+    stall_fine_ += longer;
+    stalled_until_ = now + *orders.stall;
+    faults_.stall = 0;
+  } else {
+    faults_.stall = orders.stall.value_or(faults_.stall);
+  }
   find_next();
 }
 

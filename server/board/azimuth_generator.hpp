@@ -28,6 +28,20 @@ struct AzimuthFaults {
   bool none() const { return missing_acp == 0 && extra_acp == 0 && missing_arp == 0 && stall == 0; }
 };
 
+// What is to be sent wrongly from now on, in place of what was still to come; absent: as it is.
+struct AzimuthOrders {
+  std::optional<std::uint32_t> missing_acp = {}, extra_acp = {}, missing_arp = {};
+  std::optional<Tick> stall = {};
+};
+
+// The lines that an encoder drives.
+enum class AzimuthLine : std::uint8_t { acp, arp, heading };
+constexpr board::Line line_of(AzimuthLine line) {
+  return line == AzimuthLine::acp   ? board::Line::acp
+         : line == AzimuthLine::arp ? board::Line::arp
+                                    : board::Line::heading;
+}
+
 // The time of an azimuth (in turns) is origin + azimuth * turn + displacement.  Undisturbed, with
 // the bow at tick 0, that is the rational of echo::SpokeClock to half a tick, for ever.  Wow and
 // gusts are displacements, functions of the azimuth alone, and so never add up:
@@ -49,7 +63,7 @@ class AzimuthGenerator {
 
   struct Pulse {
     Tick tick = 0;
-    board::Line line = board::Line::acp;
+    AzimuthLine line = AzimuthLine::acp;
     bool sent = true;  // false: left out
   };
   // In order of azimuth, and so of ticks.  At one azimuth: ACP, ARP, heading.
@@ -61,7 +75,8 @@ class AzimuthGenerator {
   // The first tick at which it points there or further.
   Tick first_tick(Azimuth azimuth) const;
 
-  void inject(const AzimuthFaults& more);
+  // A stall in progress at `now` ends as long after it as `stall` says.
+  void inject(const AzimuthOrders& orders, Tick now);
   // Nothing wrong is to come; a stall in progress ends when it was to.
   void forget_faults();
   // A stall in progress counts as far as it is still to last.

@@ -1,4 +1,11 @@
 // Board: a radar's interface board, without a thread of its own.
+//   register_file     what is written, read and ordered; board_settings: what that means together
+//   board_core        a step of time; board_skip: time that is left out
+//   trigger_, azimuth_generator   the pulses; tick_clock, azimuth: when, and where
+//   azimuth_counter   what a digitiser makes of the pulses
+//   sweep_maker       echo or test_pattern, as samples
+//   record_writer, sweep_fifo   the ways out
+// board_unit puts it on a thread, with record_frames and shared_ring to the outside, and fault_log.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +48,18 @@ struct BoardBatch {
   std::uint64_t first_record = 0, first_signal = 0;
   std::vector<std::uint32_t> record_ends, signal_ends;  // record k is bytes [ends[k-1], ends[k])
   std::uint32_t sweeps = 0;
+  // FaultBit, in order, whatever EVENT_ENABLE says.
+  struct FaultChange {
+    std::uint32_t raised = 0, cleared = 0;
+  };
+  std::vector<FaultChange> fault_changes;
+  // False: kMostBytes of records were made before all that was due, and more is to be had at once.
+  bool is_complete = true;
+
+  // One record may exceed it.
+  static constexpr std::size_t kMostBytes = 8u << 20;
+  // Memory above this is given back by the first batch that does without.
+  static constexpr std::size_t kKeptBytes = 1u << 20;
   void clear();
 };
 
@@ -56,11 +75,10 @@ struct BoardCounters {
 // sweeps none are made, but every pulse is counted.
 //
 // Azimuth: board::azimuth_turns() of a sweep's metadata is where the antenna points, clockwise from
-// the ARP.  Every pulse stands at its nearest tick; so under steady rotation and with the true ACP
-// period the error is at most half a tick, and that is also the error of the metadata where a
-// period is a whole number of ticks.  Where it is not, the metadata have the last period to a tick,
-// and the error is at most 2.5 ticks (with an ARP between ACPs: its own place is rounded, too).
-// Under wow w in m waves and gusts g the last period is as old as one ACP: with a = w / (1 + w), b
+// the ARP.  Every pulse stands at its nearest tick; so under steady rotation the error is at most
+// half a tick from the second whole turn on, half a tick more where a turn is no whole number of
+// ticks, and half a tick more with an ARP between two ACPs: its own place is rounded, too.
+// Under wow w in m waves and gusts g the period known is as old as one ACP: with a = w / (1 + w), b
 // = g / (1 + g) at most (2 pi (m a + b) / ACPs) / (1 - a - b) of an ACP more.  Held by
 // BoardAzimuth.*.
 class Board {
@@ -85,7 +103,8 @@ class Board {
 
   // Makes all that happens before `now` (after the `now` of the call before).  `utc_zero`: UTC at
   // scenario time 0.  Where more than `kMostBehind` of sweeps are due the oldest are left out and
-  // counted.  Thread: the board's.
+  // counted.  Where a batch is full first (BoardBatch::is_complete), the next call with the same
+  // `now` goes on.  Thread: the board's.
   void advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, BoardBatch& out);
   static constexpr std::chrono::milliseconds kMostBehind{250};
 

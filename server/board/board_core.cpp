@@ -20,6 +20,11 @@ RotationSettings rotation_settings(const BoardSettings& s, std::uint32_t radar) 
           s.wow_ppm,  s.wow_per_turn, s.gust_ppm,     echo::mixed(kGustSeed, radar)};
 }
 
+Encoder encoder_of(const BoardSettings& s) {
+  const Wide ticks = static_cast<Wide>(s.clock_hz) * 60'000;
+  return {s.acp_per_turn, static_cast<Tick>(ticks / s.milli_rpm / s.acp_per_turn)};
+}
+
 std::uint64_t in_ns(UtcTime zero, ScenarioTime time) {
   const Duration utc = zero.time_since_epoch() + time.time_since_epoch();
   return utc.count() < 0 ? 0 : static_cast<std::uint64_t>(utc.count());
@@ -33,7 +38,7 @@ BoardCore::BoardCore(const BoardSetup& setup, RegisterFile& registers, SweepFifo
       fifo_(fifo),
       triggers_(TriggerSettings{}),
       azimuth_(RotationSettings{}),
-      counter_(settings_.acp_per_turn),
+      counter_(encoder_of(settings_)),
       maker_(setup.radar, setup.echoes),
       writer_(setup.radar) {
   take_spoke_ = [this](const board::Sweep& spoke) { put(spoke); };
@@ -50,7 +55,7 @@ void BoardCore::apply(const BoardSettings& settings) {
     const bool new_clock = settings.clock_hz != old.clock_hz;
     if (!(rotation == azimuth_.settings())) {
       azimuth_.set(rotation, before, tick_);
-      counter_.restart(settings.acp_per_turn, new_clock);
+      counter_.restart(encoder_of(settings), before, tick_, new_clock);
     }
     triggers_.set(trigger, tick_);
     if (new_clock) latched_ = {};
@@ -58,7 +63,7 @@ void BoardCore::apply(const BoardSettings& settings) {
   } else {
     triggers_ = TriggerGenerator(trigger);
     azimuth_ = AzimuthGenerator(rotation);
-    counter_ = AzimuthCounter(settings.acp_per_turn);
+    counter_ = AzimuthCounter(encoder_of(settings));
   }
   former_.reset();
   if (settings.spokes_per_turn != 0) former_.emplace(settings.spokes_per_turn);
@@ -81,12 +86,11 @@ void BoardCore::apply(const BoardSettings& settings) {
 }
 
 void BoardCore::inject(const BoardOrders& orders) {
-  AzimuthFaults faults;
-  faults.missing_acp = orders.missing_acp;
-  faults.extra_acp = orders.extra_acp;
-  faults.missing_arp = orders.missing_arp;
-  faults.stall = static_cast<Tick>(std::uint64_t{orders.stall_ms} * settings_.clock_hz / 1000);
-  if (!faults.none()) azimuth_.inject(faults);
+  AzimuthOrders wanted{orders.missing_acp, orders.extra_acp, orders.missing_arp};
+  if (orders.stall_ms) {
+    wanted.stall = static_cast<Tick>(std::uint64_t{*orders.stall_ms} * settings_.clock_hz / 1000);
+  }
+  azimuth_.inject(wanted, tick_);
 }
 
 void BoardCore::advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, BoardBatch& out) {
@@ -102,8 +106,15 @@ void BoardCore::advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, 
   const BoardOrders orders = registers_.take_orders(air.pulse);
   control_ = orders.control;
   event_enable_ = orders.event_enable;
-  armed_ = orders.armed;
+  arm_number_ = orders.arm_number;
+  armed_ = arm_number_ != 0;
+  fifo_epoch_ = orders.fifo_epoch;
   config_fault_ = orders.config_fault;
+  if (orders.config_is_new) {
+    // Another reason is another fault, to be raised again.
+    seen_faults_ &= ~board::fault::config;
+    reported_faults_ &= ~board::fault::config;
+  }
 
   if (orders.reset && former_) former_.emplace(settings_.spokes_per_turn);
   writer_.begin(out, tick_, orders.settings ? orders.settings->clock_hz : settings_.clock_hz);
@@ -113,7 +124,7 @@ void BoardCore::advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, 
     if (started_) emit(tick_, board::event::configured, 0, 0, false);
   }
   if (orders.reset) {
-    counter_.reset();
+    counter_.reset(tick_);
     azimuth_.forget_faults();
     latched_ = {};
     sweeps_ = sweeps_late_ = 0;
@@ -121,6 +132,7 @@ void BoardCore::advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, 
     emit(tick_, board::event::reset, 0, 0, false);
   }
   inject(orders);
+  if (overrun_ && fifo_.has_room(samples_of_sweep())) overrun_ = false;
   started_ = true;
 
   const Tick to = std::max(tick_at(now, settings_.clock_hz), tick_);
@@ -138,21 +150,29 @@ void BoardCore::advance(ScenarioTime now, UtcTime utc_zero, bool sweeps_wanted, 
   report_faults(tick_, false);
   if (former_ && !streams() && !fills_fifo()) former_.emplace(settings_.spokes_per_turn);
   run(to, false);
-  now_ = std::max(now, now_);
-  writer_.finish(to);
-  publish(to);
+  now_ = std::max(batch_->is_complete ? now : first_time_in(tick_, settings_.clock_hz), now_);
+  writer_.finish(tick_);
+  publish(tick_);
   batch_ = nullptr;
 }
 
 void BoardCore::run(Tick to, bool quiet) {
+  Tick last = tick_;
   for (;;) {
     const AzimuthGenerator::Pulse& pulse = azimuth_.next();
     const bool azimuth_first = pulse.tick <= triggers_.next();
     const Tick tick = azimuth_first ? pulse.tick : triggers_.next();
     check_stall(std::min(tick, to), quiet);
     if (tick >= to) break;
+    if (!quiet && tick > last && batch_->records.size() >= BoardBatch::kMostBytes) {
+      // All of a tick stays together.
+      batch_->is_complete = false;
+      tick_ = tick;
+      return;
+    }
+    last = tick;
     if (azimuth_first) {
-      const bool turn_ends = pulse.line == board::Line::arp;
+      const bool turn_ends = pulse.line == AzimuthLine::arp;
       on_azimuth_pulse(quiet);
       if (quiet && turn_ends) skip_good_turns(to);
     } else {
@@ -173,19 +193,18 @@ void BoardCore::on_azimuth_pulse(bool quiet) {
   const AzimuthGenerator::Pulse pulse = azimuth_.next();
   azimuth_.pop();
   if (!pulse.sent) return;
-  if (!quiet) writer_.edge(pulse.tick, pulse.line);
+  if (!quiet) writer_.edge(pulse.tick, line_of(pulse.line));
   switch (pulse.line) {
-    case board::Line::acp:
+    case AzimuthLine::acp:
       counter_.on_acp(pulse.tick);
       report_faults(pulse.tick, quiet);
       break;
-    case board::Line::arp:
+    case AzimuthLine::arp:
       counter_.on_arp(pulse.tick);
       emit(pulse.tick, board::event::arp, 0, counter_.counts().arps, quiet);
       report_faults(pulse.tick, quiet);
       break;
-    case board::Line::heading:
-    case board::Line::trigger:
+    case AzimuthLine::heading:
       emit(pulse.tick, board::event::heading, 0, counter_.counts().arps, quiet);
       break;
   }
@@ -214,6 +233,12 @@ void BoardCore::on_trigger(bool quiet) {
 }
 
 void BoardCore::capture(Tick tick, Azimuth azimuth) {
+  const bool for_fifo_alone = !streams() && !armed_ && !former_;
+  if (for_fifo_alone && fifo_.refuses(sweep_.meta, fifo_epoch_)) {
+    overrun_ = true;
+    report_faults(tick, false);
+    return;
+  }
   if (!prepared_) {
     maker_.prepare();
     prepared_ = true;
@@ -245,9 +270,9 @@ void BoardCore::capture(Tick tick, Azimuth azimuth) {
   }
   if (armed_) {
     armed_ = false;
+    if (!registers_.captured(arm_number_)) return;
     // A FIFO that is filled anyway has it already.
-    if (!fills_fifo() || former_) overrun_ = !fifo_.put(sweep_);
-    registers_.captured();
+    if (!fills_fifo() || former_) overrun_ = !fifo_.put(sweep_, fifo_epoch_);
     emit(tick, board::event::captured, 0, static_cast<std::uint32_t>(counts.triggers), false);
     report_faults(tick, false);
   }
@@ -256,7 +281,7 @@ void BoardCore::capture(Tick tick, Azimuth azimuth) {
 void BoardCore::put(const board::Sweep& sweep) {
   if (streams()) writer_.sweep(sweep);
   if (fills_fifo()) {
-    overrun_ = !fifo_.put(sweep);
+    overrun_ = !fifo_.put(sweep, fifo_epoch_);
     report_faults(sweep.meta.trigger_tick, false);
   }
 }
@@ -284,6 +309,7 @@ void BoardCore::report_faults(Tick tick, bool quiet) {
   if (quiet || now == reported_faults_) return;
   const std::uint32_t raised = now & ~reported_faults_, cleared = reported_faults_ & ~now;
   reported_faults_ = now;
+  batch_->fault_changes.push_back({raised, cleared});
   const std::uint32_t acps = counter_.counts().acps_per_arp;
   if (raised != 0) emit(tick, board::event::fault_raised, raised, acps, false);
   if (cleared != 0) emit(tick, board::event::fault_cleared, cleared, acps, false);

@@ -23,7 +23,8 @@ class BoardCore {
  private:
   void apply(const BoardSettings& settings);
   void inject(const BoardOrders& orders);
-  // All pulses before `to`.  quiet: counted, but neither sweeps nor records are made.
+  // All pulses before `to`, or until the batch is full.  quiet: counted, but neither sweeps nor
+  // records are made.
   void run(Tick to, bool quiet);
   // Whole turns at once, as long as nothing but good turns is to come before `to`.
   void skip_good_turns(Tick to);
@@ -44,6 +45,10 @@ class BoardCore {
   }
   bool has_channels() const {
     return settings_.channels[0].is_on() || settings_.channels[1].is_on();
+  }
+  std::uint64_t samples_of_sweep() const {
+    const auto& channels = sweep_.meta.channels;
+    return std::uint64_t{channels[0].samples} + channels[1].samples;
   }
   void publish(Tick now);
 
@@ -68,6 +73,7 @@ class BoardCore {
   bool wanted_ = false, radiates_ = true;
   std::uint32_t control_ = 0, event_enable_ = 0;
   bool armed_ = false, prepared_ = false;
+  std::uint64_t arm_number_ = 0, fifo_epoch_ = 0;  // of the orders
   bool config_fault_ = false, overrun_ = false, late_ = false;
   // As they were last; as the records say; raised, and events, in this step.
   std::uint32_t seen_faults_ = 0, reported_faults_ = 0, faults_seen_ = 0, events_seen_ = 0;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/board/trigger_generator.hpp"
+#include "protocol/board/contradiction.hpp"
 
 namespace skerry::server {
 namespace {
@@ -16,33 +16,61 @@ std::uint32_t nearest(double x) { return static_cast<std::uint32_t>(std::floor(x
 
 char letter_of(std::size_t channel) { return channel == 0 ? 'A' : 'B'; }
 
-std::string contradiction_in_channel(const BoardSettings& settings, std::size_t channel) {
-  const ChannelSettings& c = settings.channels[channel];
-  const char letter = letter_of(channel);
-  const Tick period = TriggerGenerator::shortest_period(
-      {settings.clock_hz, settings.prf_millihertz, settings.jitter_ppm, settings.stagger_ppm});
-  const std::uint64_t needed = c.length() + settings.delay_ticks;
-  if (needed > period) {
-    return fmt::format(
-        "SAMPLES_{0} {1} * DECIMATION_{0} {2} + TRIGGER_DELAY {3} is {4} ticks; at PRF {5:.3f} Hz "
-        "triggers come after {6}",
-        letter, c.format.samples, c.format.decimation, settings.delay_ticks, needed,
-        settings.prf_millihertz / 1000.0, period);
+board::JudgedSettings judged(const BoardSettings& settings, const echo::RadarSet& set) {
+  board::JudgedSettings judged;
+  judged.clock_hz = settings.clock_hz;
+  judged.pulse_code = settings.pulse_code;
+  judged.pulse_codes = static_cast<std::uint32_t>(set.pulses.size());
+  judged.pulse_s = settings.pulse.length_s;
+  judged.prf_millihertz = settings.prf_millihertz;
+  judged.jitter_ppm = settings.jitter_ppm;
+  judged.stagger_ppm = settings.stagger_ppm;
+  judged.delay_ticks = settings.delay_ticks;
+  judged.fifo_depth = settings.fifo_depth;
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    const ChannelSettings& c = settings.channels[channel];
+    judged.channels[channel] = {c.is_on(),     c.format.samples, c.format.decimation, c.format.bits,
+                                c.format.mode, c.test_mode,      c.test_value};
   }
-  if (c.format.mode == board::DecimationMode::sum) {
-    const std::uint64_t most = std::uint64_t{c.format.decimation} * ((1u << c.format.bits) - 1);
-    if (most > 0xFFFF) {
+  return judged;
+}
+
+std::string reason_of(const board::Contradiction& found, const BoardSettings& settings) {
+  const ChannelSettings& c = settings.channels[found.channel];
+  const char letter = letter_of(found.channel);
+  const double prf_hz = settings.prf_millihertz / 1000.0;
+  switch (found.kind) {
+    case board::Contradiction::Kind::pulse_code:
+      return fmt::format("PULSE_CODE {} is beyond PULSE_CODES {}", found.is, found.most);
+    case board::Contradiction::Kind::duty_cycle:
+      return fmt::format(
+          "PULSE_CODE {} of {:.0f} ns at PRF {:.3f} Hz is a duty cycle of {:.4f}, over {:.3f}; the "
+          "most is {} Hz",
+          settings.pulse_code, settings.pulse.length_s * 1e9, prf_hz, found.duty,
+          board::kMostDutyCycle, found.most);
+    case board::Contradiction::Kind::sweep_length:
+      return fmt::format(
+          "SAMPLES_{0} {1} * DECIMATION_{0} {2} + TRIGGER_DELAY {3} is {4} ticks; at PRF {5:.3f} "
+          "Hz triggers come after {6}",
+          letter, c.format.samples, c.format.decimation, settings.delay_ticks, found.is, prf_hz,
+          found.most);
+    case board::Contradiction::Kind::sum_width:
       return fmt::format(
           "DECIMATION_{0} {1} sums of BITS_{0} {2} reach {3}, over 65535; the most is {4}, or use "
           "the mean",
-          letter, c.format.decimation, c.format.bits, most, 0xFFFF / ((1u << c.format.bits) - 1));
-    }
+          letter, c.format.decimation, c.format.bits, found.is, found.most);
+    case board::Contradiction::Kind::target:
+      return fmt::format("TEST_VALUE_{0} {1} puts the test target beyond SAMPLES_{0} {2}", letter,
+                         found.is, c.format.samples);
+    case board::Contradiction::Kind::fifo_depth:
+      break;
   }
-  if (c.test_mode == board::TestMode::target && c.test_value >= c.format.samples) {
-    return fmt::format("TEST_VALUE_{0} {1} puts the test target beyond SAMPLES_{0} {2}", letter,
-                       c.test_value, c.format.samples);
-  }
-  return {};
+  const auto samples_of = [&](std::size_t channel) {
+    const ChannelSettings& each = settings.channels[channel];
+    return each.is_on() ? each.format.samples : 0;
+  };
+  return fmt::format("FIFO_DEPTH {} is below one sweep of {}: SAMPLES_A {} + SAMPLES_B {}",
+                     found.most, found.is, samples_of(0), samples_of(1));
 }
 
 }  // namespace
@@ -92,35 +120,8 @@ BoardSettings settings_of(const std::function<std::uint32_t(std::uint32_t)>& val
 }
 
 std::string contradiction_in(const BoardSettings& settings, const echo::RadarSet& set) {
-  if (settings.pulse_code > set.pulses.size()) {
-    return fmt::format("PULSE_CODE {} is beyond PULSE_CODES {}", settings.pulse_code,
-                       set.pulses.size());
-  }
-  const double duty = settings.pulse.length_s * settings.prf_millihertz / 1000.0;
-  if (duty > kMostDutyCycle) {
-    return fmt::format(
-        "PULSE_CODE {} of {:.0f} ns at PRF {:.3f} Hz is a duty cycle of {:.4f}, over {:.3f}; the "
-        "most is {:.0f} Hz",
-        settings.pulse_code, settings.pulse.length_s * 1e9, settings.prf_millihertz / 1000.0, duty,
-        kMostDutyCycle, std::floor(kMostDutyCycle / settings.pulse.length_s));
-  }
-  std::uint64_t samples = 0;
-  for (std::size_t channel = 0; channel < 2; ++channel) {
-    const ChannelSettings& c = settings.channels[channel];
-    if (!c.is_on()) continue;
-    samples += c.format.samples;
-    std::string reason = contradiction_in_channel(settings, channel);
-    if (!reason.empty()) return reason;
-  }
-  if (samples > settings.fifo_depth) {
-    const auto of = [&](std::size_t channel) {
-      const ChannelSettings& c = settings.channels[channel];
-      return c.is_on() ? c.format.samples : 0;
-    };
-    return fmt::format("FIFO_DEPTH {} is below one sweep of {}: SAMPLES_A {} + SAMPLES_B {}",
-                       settings.fifo_depth, samples, of(0), of(1));
-  }
-  return {};
+  const auto found = board::contradiction_in(judged(settings, set));
+  return found ? reason_of(*found, settings) : std::string();
 }
 
 }  // namespace skerry::server

@@ -55,10 +55,7 @@ BoardSettings settings_of(const std::function<std::uint32_t(std::uint32_t addres
                           const echo::RadarSet& set, const echo::Pulse& on_air);
 
 // Why these cannot be in force together, naming registers and numbers; empty: they can.  Printable
-// ASCII, shorter than board::kFaultReasonBytes.  Pulse codes are checked against the set.
+// ASCII, shorter than board::kFaultReasonBytes.  The rules are protocol/board/contradiction.hpp's.
 std::string contradiction_in(const BoardSettings& settings, const echo::RadarSet& set);
-
-// Most that transmitters on ships stand: pulse length times PRF.
-inline constexpr double kMostDutyCycle = 0.002;
 
 }  // namespace skerry::server

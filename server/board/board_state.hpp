@@ -15,10 +15,12 @@ struct BoardOrders {
   std::uint32_t control = 0;
   std::uint32_t event_enable = 0;
   bool reset = false;
-  bool armed = false;
+  std::uint64_t arm_number = 0;  // 0: not armed; otherwise which arming it is
+  std::uint64_t fifo_epoch = 0;
   bool config_fault = false;
-  // To be injected, stall in ms.
-  std::uint32_t missing_acp = 0, extra_acp = 0, missing_arp = 0, stall_ms = 0;
+  bool config_is_new = false;  // its reason is another than before
+  // How many are to be injected from now on, stall in ms, where that was written.
+  std::optional<std::uint32_t> missing_acp, extra_acp, missing_arp, stall_ms;
 };
 
 // What was counted up to a trigger, and that trigger's place.

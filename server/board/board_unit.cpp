@@ -88,16 +88,22 @@ void BoardUnit::run(const std::stop_token& stop) {
 }
 
 void BoardUnit::step() {
-  batch_.clear();
-  const Clock::time_point begun = Clock::now();
+  const Clock::time_point now = Clock::now();
+  while (!step_once(now)) {
+  }
+}
+
+bool BoardUnit::step_once(Clock::time_point now) {
   const double cpu_before = thread_cpu_s();
-  board_.advance(ScenarioTime(std::max(Duration{}, Duration(begun - zero_))), utc_zero_,
+  board_.advance(ScenarioTime(std::max(Duration{}, Duration(now - zero_))), utc_zero_,
                  sweeps_wanted(), batch_);
   const double cpu_s = thread_cpu_s() - cpu_before;
-  hand_out();
-  measure(begun, cpu_s);
+  // Before anybody can react to a fault and so change its reason.
   log_.look_at(
-      batch_, [this] { return board_.counters().fault_reason; }, begun);
+      batch_, [this] { return board_.counters().fault_reason; }, now);
+  hand_out();
+  measure(now, cpu_s);
+  return batch_.is_complete;
 }
 
 void BoardUnit::hand_out() {

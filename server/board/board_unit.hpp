@@ -61,6 +61,8 @@ class BoardUnit final : public BoardPort {
   using Clock = std::chrono::steady_clock;
   void run(const std::stop_token& stop);
   void step();
+  // A batch of what was due `now`; false: there is more.
+  bool step_once(Clock::time_point now);
   void hand_out();
   void measure(Clock::time_point now, double cpu_s);
   bool sweeps_wanted() const;

@@ -2,74 +2,53 @@
 
 #include <spdlog/spdlog.h>
 
-#include <array>
-#include <span>
-#include <utility>
-#include <variant>
+#include <algorithm>
 
-#include "protocol/board/sweep_record.hpp"
+#include "protocol/board/registers.hpp"
 
 namespace skerry::server {
 
-std::string fault_names(std::uint32_t faults) {
-  static constexpr std::array<std::pair<std::uint32_t, const char*>, 7> kNames = {{
-      {board::fault::config, "config"},
-      {board::fault::acp_missing, "acp_missing"},
-      {board::fault::acp_extra, "acp_extra"},
-      {board::fault::arp_missing, "arp_missing"},
-      {board::fault::stalled, "stalled"},
-      {board::fault::overrun, "overrun"},
-      {board::fault::late, "late"},
-  }};
-  std::string names;
-  for (const auto& [bit, name] : kNames) {
-    if ((faults & bit) != 0) names += (names.empty() ? "" : ", ") + std::string(name);
-  }
-  return names;
-}
-
 void FaultLog::look_at(const BoardBatch& batch, const std::function<std::string()>& reason,
                        std::chrono::steady_clock::time_point now) {
-  if (now - second_begun_ >= std::chrono::seconds(1)) tell_left_out();
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : batch.signal_ends) {
-    const auto record = board::decode_record(std::span(batch.signals).subspan(begin, end - begin));
-    begin = end;
-    if (!record) continue;
-    const auto* const event = std::get_if<board::Event>(&record->record);
-    if (event == nullptr) continue;
-    if (event->event != board::event::fault_raised && event->event != board::event::fault_cleared)
-      continue;
-    if (has_room(now)) {
-      tell(*event, reason);
-    } else {
-      ++left_out_;
+  room_ =
+      std::min<std::chrono::steady_clock::duration>(room_ + (now - last_), kMostLines * kLineTime);
+  last_ = now;
+  if (left_out_ > 0 && take_room()) tell_left_out();
+  for (const auto& [raised, cleared] : batch.fault_changes) {
+    for (const bool is_raised : {true, false}) {
+      const std::uint32_t faults = is_raised ? raised : cleared;
+      if (faults == 0) continue;
+      if (take_room()) {
+        tell(is_raised, faults, reason);
+      } else {
+        ++left_out_;
+      }
     }
   }
 }
 
-bool FaultLog::has_room(std::chrono::steady_clock::time_point now) {
-  if (now - second_begun_ >= std::chrono::seconds(1)) {
-    second_begun_ = now;
-    lines_ = 0;
-  }
-  return ++lines_ <= kMostLines;
+bool FaultLog::take_room() {
+  if (room_ < kLineTime) return false;
+  room_ -= kLineTime;
+  return true;
 }
 
 void FaultLog::tell_left_out() {
-  if (left_out_ == 0) return;
   spdlog::warn("board of {}: {} more faults raised or cleared", name_, left_out_);
   left_out_ = 0;
 }
 
-void FaultLog::tell(const board::Event& event, const std::function<std::string()>& reason) {
-  if (event.event == board::event::fault_cleared) {
-    spdlog::info("board of {}: fault cleared: {}", name_, fault_names(event.faults));
-  } else if ((event.faults & board::fault::config) != 0) {
-    spdlog::warn("board of {}: fault raised: {}: {}", name_, fault_names(event.faults), reason());
-  } else {
-    spdlog::warn("board of {}: fault raised: {}", name_, fault_names(event.faults));
+void FaultLog::tell(bool is_raised, std::uint32_t faults,
+                    const std::function<std::string()>& reason) {
+  const std::string names = board::fault_names(faults);
+  if (!is_raised) {
+    spdlog::info("board of {}: fault cleared: {}", name_, names);
+    return;
   }
+  // Empty where the settings have been put right meanwhile.
+  std::string why = (faults & board::fault::config) != 0 ? reason() : "";
+  if (!why.empty()) why.insert(0, ": ");
+  spdlog::warn("board of {}: fault raised: {}{}", name_, names, why);
 }
 
 }  // namespace skerry::server

@@ -9,12 +9,15 @@ constexpr std::size_t kSpareEdges = 64;
 }  // namespace
 
 void BoardBatch::clear() {
+  if (records.capacity() > kKeptBytes && records.size() <= kKeptBytes) Bytes().swap(records);
   records.clear();
   signals.clear();
   record_ends.clear();
   signal_ends.clear();
   first_record = first_signal = 0;
   sweeps = 0;
+  fault_changes.clear();
+  is_complete = true;
 }
 
 void RecordWriter::begin(BoardBatch& batch, Tick tick, std::uint32_t clock_hz) {

@@ -40,6 +40,8 @@ RegisterFile::RegisterFile(Constants constants, SweepFifo& fifo)
   judge();
   for (const auto& [address, value] : constants_.initial) write(address, value);
   judge();
+  // What is on the air is not known yet; the first step latches what is wrong then.
+  faults_latched_ = 0;
 }
 
 std::vector<RegisterFile::Value> RegisterFile::access(const std::vector<Operation>& operations) {
@@ -84,13 +86,17 @@ RegisterError RegisterFile::write(std::uint32_t address, std::uint32_t value) {
       events_ &= ~value;
       return RegisterError::ok;
     case Reg::inject_missing_acp:
-      return inject(Reg::inject_missing_acp, more_missing_acp_, state_.missing_acp, value);
+      missing_acp_ = value;
+      return RegisterError::ok;
     case Reg::inject_extra_acp:
-      return inject(Reg::inject_extra_acp, more_extra_acp_, state_.extra_acp, value);
+      extra_acp_ = value;
+      return RegisterError::ok;
     case Reg::inject_missing_arp:
-      return inject(Reg::inject_missing_arp, more_missing_arp_, state_.missing_arp, value);
+      missing_arp_ = value;
+      return RegisterError::ok;
     case Reg::inject_stall_ms:
-      return inject(Reg::inject_stall_ms, more_stall_ms_, state_.stall_ms, value);
+      stall_ms_ = value;
+      return RegisterError::ok;
     default:
       words_[address / 4] = value;
       changed_ = true;
@@ -98,22 +104,12 @@ RegisterError RegisterFile::write(std::uint32_t address, std::uint32_t value) {
   }
 }
 
-RegisterError RegisterFile::inject(Reg reg, std::uint32_t& more, std::uint32_t left,
-                                   std::uint32_t value) {
-  const board::RegisterInfo* info = board::find_register(board::address_of(reg));
-  if (std::uint64_t{more} + left + value > static_cast<std::uint64_t>(info->max)) {
-    return RegisterError::out_of_range;
-  }
-  more += value;
-  return RegisterError::ok;
-}
-
 void RegisterFile::command(std::uint32_t bits) {
   if ((bits & board::control::reset) != 0) {
     reset_ = true;
     armed_ = captured_ = false;
     faults_latched_ = events_ = 0;
-    more_missing_acp_ = more_extra_acp_ = more_missing_arp_ = more_stall_ms_ = 0;
+    missing_acp_ = extra_acp_ = missing_arp_ = stall_ms_ = std::nullopt;
     const BoardState before = state_;
     state_ = {};
     state_.clocks = before.clocks;
@@ -123,6 +119,7 @@ void RegisterFile::command(std::uint32_t bits) {
   }
   if ((bits & board::control::arm) != 0) {
     armed_ = true;
+    ++arm_number_;
     captured_ = false;
   }
 }
@@ -132,10 +129,12 @@ void RegisterFile::judge() {
   changed_ = false;
   const BoardSettings wanted = settings_of(
       [&](std::uint32_t address) { return words_[address / 4]; }, constants_.set, on_air_);
-  const bool had_fault = !reason_.empty();
-  reason_ = contradiction_in(wanted, constants_.set);
+  const std::string before = std::exchange(reason_, contradiction_in(wanted, constants_.set));
   if (!reason_.empty()) {
-    if (!had_fault) faults_latched_ |= board::fault::config;
+    if (reason_ != before) {
+      faults_latched_ |= board::fault::config;
+      reason_is_new_ = true;
+    }
     return;
   }
   if (wanted == in_force_) return;
@@ -158,26 +157,29 @@ BoardOrders RegisterFile::take_orders(const echo::Pulse& on_air) {
   orders.control = stored(Reg::control);
   orders.event_enable = stored(Reg::event_enable);
   orders.reset = std::exchange(reset_, false);
-  orders.armed = armed_;
+  orders.arm_number = armed_ ? arm_number_ : 0;
+  orders.fifo_epoch = fifo_.epoch();
   orders.config_fault = !reason_.empty();
-  orders.missing_acp = std::exchange(more_missing_acp_, 0);
-  orders.extra_acp = std::exchange(more_extra_acp_, 0);
-  orders.missing_arp = std::exchange(more_missing_arp_, 0);
-  orders.stall_ms = std::exchange(more_stall_ms_, 0);
+  orders.config_is_new = std::exchange(reason_is_new_, false) && orders.config_fault;
+  orders.missing_acp = std::exchange(missing_acp_, std::nullopt);
+  orders.extra_acp = std::exchange(extra_acp_, std::nullopt);
+  orders.missing_arp = std::exchange(missing_arp_, std::nullopt);
+  orders.stall_ms = std::exchange(stall_ms_, std::nullopt);
   // Until the step is done they are still to come.
-  state_.missing_acp += orders.missing_acp;
-  state_.extra_acp += orders.extra_acp;
-  state_.missing_arp += orders.missing_arp;
-  state_.stall_ms += orders.stall_ms;
+  state_.missing_acp = orders.missing_acp.value_or(state_.missing_acp);
+  state_.extra_acp = orders.extra_acp.value_or(state_.extra_acp);
+  state_.missing_arp = orders.missing_arp.value_or(state_.missing_arp);
+  state_.stall_ms = orders.stall_ms.value_or(state_.stall_ms);
   return orders;
 }
 
-void RegisterFile::captured() {
+bool RegisterFile::captured(std::uint64_t arm_number) {
   const std::lock_guard lock(mutex_);
-  if (!armed_) return;
+  if (!armed_ || arm_number != arm_number_) return false;
   armed_ = false;
   captured_ = true;
   digdar_words_[static_cast<std::uint32_t>(board::Digdar::trig_source) / 4] = 0;
+  return true;
 }
 
 void RegisterFile::publish(const BoardState& state) {
@@ -262,13 +264,13 @@ std::uint32_t RegisterFile::value_of(std::uint32_t address) const {
     case Reg::utc_ns_high:
       return high(state_.utc_ns);
     case Reg::inject_missing_acp:
-      return state_.missing_acp + more_missing_acp_;
+      return missing_acp_.value_or(state_.missing_acp);
     case Reg::inject_extra_acp:
-      return state_.extra_acp + more_extra_acp_;
+      return extra_acp_.value_or(state_.extra_acp);
     case Reg::inject_missing_arp:
-      return state_.missing_arp + more_missing_arp_;
+      return missing_arp_.value_or(state_.missing_arp);
     case Reg::inject_stall_ms:
-      return state_.stall_ms + more_stall_ms_;
+      return stall_ms_.value_or(state_.stall_ms);
     case Reg::fifo_level:
       return fifo_.counters().level;
     case Reg::overruns_a:

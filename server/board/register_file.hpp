@@ -40,8 +40,9 @@ class RegisterFile {
 
   // on_air: what pulse code 0 stands for now.
   BoardOrders take_orders(const echo::Pulse& on_air);
-  // What was armed has been captured.
-  void captured();
+  // What was armed has been captured.  False: another arming or a reset came since the orders were
+  // taken, and it does not count.
+  bool captured(std::uint64_t arm_number);
   void publish(const BoardState& state);
   // Of the last step, with the fault `config`.
   BoardState state() const;
@@ -51,8 +52,6 @@ class RegisterFile {
   static constexpr std::uint32_t kWords = 0x100;  // of the board's own map
 
   board::RegisterError write(std::uint32_t address, std::uint32_t value);
-  board::RegisterError inject(board::Reg reg, std::uint32_t& more, std::uint32_t left,
-                              std::uint32_t value);
   board::RegisterError write_digdar(const board::DigdarRegister& row, std::uint32_t value);
   void command(std::uint32_t bits);
   void judge();
@@ -77,11 +76,13 @@ class RegisterFile {
   BoardSettings in_force_;
   bool settings_taken_ = false;
   std::string reason_;
+  bool reason_is_new_ = false;  // since orders were taken
 
   bool reset_ = false, armed_ = false, captured_ = false;
+  std::uint64_t arm_number_ = 0;  // the latest
   std::uint32_t faults_latched_ = 0, events_ = 0;
-  std::uint32_t more_missing_acp_ = 0, more_extra_acp_ = 0, more_missing_arp_ = 0,
-                more_stall_ms_ = 0;
+  // Written, and not yet taken.
+  std::optional<std::uint32_t> missing_acp_, extra_acp_, missing_arp_, stall_ms_;
   BoardState state_;
 };
 

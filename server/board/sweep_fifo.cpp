@@ -2,18 +2,36 @@
 
 namespace skerry::server {
 
-bool SweepFifo::put(const board::Sweep& sweep) {
+bool SweepFifo::has_room(std::uint64_t samples) const {
   const std::lock_guard lock(mutex_);
-  const std::uint64_t sequence = sequence_++;
-  const std::uint64_t samples =
-      std::uint64_t{sweep.meta.channels[0].samples} + sweep.meta.channels[1].samples;
-  if (samples_ + samples > depth_ || held_.size() >= kMostSweeps) {
-    for (std::size_t c = 0; c < 2; ++c) {
-      if (sweep.meta.channels[c].samples != 0) ++counters_.overruns[c];
-    }
-    return false;
+  return has_room_locked(samples);
+}
+
+std::uint64_t SweepFifo::epoch() const {
+  const std::lock_guard lock(mutex_);
+  return epoch_;
+}
+
+bool SweepFifo::refuses(const board::SweepMeta& meta, std::uint64_t epoch) {
+  const std::lock_guard lock(mutex_);
+  return epoch == epoch_ && refuses_locked(meta);
+}
+
+bool SweepFifo::refuses_locked(const board::SweepMeta& meta) {
+  if (has_room_locked(samples_of(meta))) return false;
+  ++sequence_;
+  for (std::size_t c = 0; c < 2; ++c) {
+    if (meta.channels[c].samples != 0) ++counters_.overruns[c];
   }
-  Held held{{}, sequence, samples};
+  return true;
+}
+
+bool SweepFifo::put(const board::Sweep& sweep, std::uint64_t epoch) {
+  const std::lock_guard lock(mutex_);
+  if (epoch != epoch_) return true;
+  if (refuses_locked(sweep.meta)) return false;
+  const std::uint64_t sequence = sequence_++;
+  Held held{{}, sequence, samples_of(sweep.meta)};
   if (!spare_.empty()) {
     held.record = std::move(spare_.back());
     spare_.pop_back();
@@ -21,7 +39,7 @@ bool SweepFifo::put(const board::Sweep& sweep) {
   }
   board::append_record(held.record, sequence, sweep);
   held_.push_back(std::move(held));
-  samples_ += samples;
+  samples_ += held_.back().samples;
   return true;
 }
 
@@ -65,6 +83,7 @@ void SweepFifo::reset() {
   spare_.clear();
   samples_ = 0;
   counters_ = {};
+  ++epoch_;
 }
 
 SweepFifo::Counters SweepFifo::counters() const {

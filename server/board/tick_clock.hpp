@@ -35,6 +35,11 @@ constexpr ScenarioTime time_of(Tick tick, std::uint32_t clock_hz) {
   const Wide ns = static_cast<Wide>(tick) * 1'000'000'000 / clock_hz;
   return ScenarioTime(Duration(static_cast<std::int64_t>(ns)));
 }
+// The first ns that lies in a tick.
+constexpr ScenarioTime first_time_in(Tick tick, std::uint32_t clock_hz) {
+  const Wide ns = ceil_quotient(static_cast<Wide>(tick) * 1'000'000'000, clock_hz);
+  return ScenarioTime(Duration(static_cast<std::int64_t>(ns)));
+}
 
 // Pulse n comes n * numerator / denominator ticks after the origin, at the nearest tick: a rational
 // computed from n each time, so that after any number of pulses the error is still at most half a

@@ -63,11 +63,4 @@ std::uint64_t TriggerGenerator::count(Tick from, Tick to) const {
   return std::max(first_from(to), begin) - begin;
 }
 
-Tick TriggerGenerator::shortest_period(const TriggerSettings& settings) {
-  const Tick period = series_of(settings, 0).period();
-  const Tick jitter = period * settings.jitter_ppm / kParts;
-  const Tick stagger = period * settings.stagger_ppm / kParts;
-  return period - std::min(period, 2 * (jitter + stagger));
-}
-
 }  // namespace skerry::server

@@ -17,6 +17,7 @@ struct TriggerSettings {
 // Trigger n of a TickSeries, displaced by a pure function of its place: by up to jitter to either
 // side, uniformly to a tick, and by stagger, later and earlier by turns.  With either all triggers
 // come later by the most that one could come early, so that none lies before its series' place.
+// The shortest time between two is board::shortest_trigger_period.
 // Settings that change begin a new series, one period after the last trigger.
 class TriggerGenerator {
  public:
@@ -36,9 +37,6 @@ class TriggerGenerator {
   std::uint64_t skip_to(Tick tick);
   // How many come in [from, to), nothing taken.
   std::uint64_t count(Tick from, Tick to) const;
-
-  // The shortest time between two triggers.
-  static Tick shortest_period(const TriggerSettings& settings);
 
  private:
   void lay(const TriggerSettings& settings, Tick origin);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "protocol/board/contradiction.hpp"
 #include "protocol/board/registers.hpp"
 #include "protocol/video/range_scale.hpp"
 
@@ -13,9 +14,6 @@ namespace skerry::server {
 namespace {
 
 using board::Reg;
-
-// Most that transmitters on ships stand: pulse length times PRF.
-constexpr double kMostDutyCycle = 0.002;
 
 std::uint32_t nearest(double x) { return static_cast<std::uint32_t>(std::floor(x + 0.5)); }
 std::uint32_t as_register(std::int64_t x) { return static_cast<std::uint32_t>(x); }
@@ -107,47 +105,90 @@ echo::Pulse pulse_of(const scenario::Radar& radar) {
                        static_cast<echo::PulseChoice>(static_cast<int>(radar.pulse())));
 }
 
-std::uint32_t samples_of(const scenario::BoardChannel& said, std::uint32_t channel) {
-  return said.has_samples() ? said.samples() : reset_value(Reg::samples_a, channel);
+std::string channel_key(std::size_t channel) {
+  return channel == 0 ? "board.channel_a." : "board.channel_b.";
 }
 
-std::optional<SetComplaint> complaint_of_channel(const scenario::Board& board,
-                                                 const scenario::BoardChannel& said,
-                                                 std::uint32_t channel, double prf_hz) {
-  const std::string key = channel == 0 ? "board.channel_a." : "board.channel_b.";
-  const std::uint32_t samples = samples_of(said, channel);
-  const std::uint32_t decimation = said.has_decimation() ? said.decimation() : 1;
-  if (samples % 2 != 0) {
-    return SetComplaint{key + "samples", fmt::format("{} is odd; allowed: even numbers", samples)};
+// What the board will judge: the map's values and over them what the scenario gives.
+board::JudgedSettings judged(const scenario::Radar& radar, const echo::Pulse& pulse) {
+  const std::function<std::uint32_t(const std::string&)> any = [](const std::string&) {
+    return 0u;
+  };
+  const RegisterValues given = Registers(any).of(radar);
+  const auto value = [&](Reg reg, std::uint32_t channel = 0) {
+    const std::uint32_t address = board::channel_address(reg, channel);
+    for (const auto& [each, said] : given) {
+      if (each == address) return said;
+    }
+    return reset_value(reg, channel);
+  };
+  board::JudgedSettings judged;
+  judged.clock_hz = value(Reg::sample_clock_hz);
+  judged.pulse_code = value(Reg::pulse_code);
+  judged.pulse_codes = static_cast<std::uint32_t>(radar_set(radar).pulses.size());
+  judged.pulse_s = pulse.length_s;
+  judged.prf_millihertz = value(Reg::prf_millihertz);
+  if (judged.prf_millihertz == 0) {
+    judged.prf_millihertz = std::max(nearest(pulse.prf_hz * 1e3), 1u);
   }
-  const double irregular = 1e-2 * (board.jitter_percent() + board.stagger_percent());
-  const double apart = std::floor(clock_hz(board) / prf_hz * (1.0 - irregular));
-  const double delay = std::floor(board.delay_us() * 1e-6 * clock_hz(board) + 0.5);
-  const double needed = double{1} * samples * decimation + delay;
-  if (needed > apart) {
-    const char* const at = said.has_samples() || !board.has_prf_hz() ? "samples" : nullptr;
-    return SetComplaint{
-        at ? key + at : "board.prf_hz",
-        fmt::format("a sweep of {} samples * decimation {} + delay {:.0f} takes {:.0f} ticks of "
-                    "{:g} MHz, but at {:g} Hz triggers come after {:.0f}; allowed: fewer or a "
-                    "lower PRF",
-                    samples, decimation, delay, needed, clock_hz(board) * 1e-6, prf_hz, apart)};
+  judged.jitter_ppm = value(Reg::jitter_ppm);
+  judged.stagger_ppm = value(Reg::stagger_ppm);
+  judged.delay_ticks = value(Reg::trigger_delay);
+  judged.fifo_depth = value(Reg::fifo_depth);
+  for (std::uint32_t c = 0; c < 2; ++c) {
+    judged.channels[c] = {
+        value(Reg::source_a, c) != 0,
+        value(Reg::samples_a, c),
+        value(Reg::decimation_a, c),
+        value(Reg::bits_a, c),
+        static_cast<board::DecimationMode>(value(Reg::decimation_mode_a, c)),
+        static_cast<board::TestMode>(value(Reg::test_mode_a, c)),
+        value(Reg::test_value_a, c),
+    };
   }
-  const std::uint32_t bits = said.has_bits() ? said.bits() : reset_value(Reg::bits_a, channel);
-  const std::uint32_t strongest = (1u << bits) - 1;
-  if (said.decimation_mode() == scenario::BoardChannel::sum && decimation > 0xFFFF / strongest) {
-    return SetComplaint{key + "decimation",
-                        fmt::format("sums of {} values of {} bits are wider than 16 bits; allowed: "
-                                    "at most {}, or the mean",
-                                    decimation, bits, 0xFFFF / strongest)};
+  return judged;
+}
+
+SetComplaint complaint_of_contradiction(const board::Contradiction& found,
+                                        const board::JudgedSettings& settings,
+                                        const scenario::Board& board) {
+  const std::string key = channel_key(found.channel);
+  const board::JudgedChannel& c = settings.channels[found.channel];
+  const double prf_hz = settings.prf_millihertz / 1e3;
+  switch (found.kind) {
+    case board::Contradiction::Kind::pulse_code:
+      return {"board.pulse", fmt::format("{}, but the set has {} pulses; allowed: 0 to {}",
+                                         found.is, found.most, found.most)};
+    case board::Contradiction::Kind::duty_cycle:
+      return {"board.prf_hz",
+              fmt::format("a pulse of {:g} us at {:g} Hz is a duty cycle of {:.4f}; allowed: {:g}, "
+                          "at most {} Hz",
+                          settings.pulse_s * 1e6, prf_hz, found.duty, board::kMostDutyCycle,
+                          found.most)};
+    case board::Contradiction::Kind::sweep_length: {
+      const auto& said = found.channel == 0 ? board.channel_a() : board.channel_b();
+      return {said.has_samples() || !board.has_prf_hz() ? key + "samples" : "board.prf_hz",
+              fmt::format("a sweep of {} samples * decimation {} + delay {} takes {} ticks of "
+                          "{:g} MHz, but at {:g} Hz triggers come after {}; allowed: fewer or a "
+                          "lower PRF",
+                          c.samples, c.decimation, settings.delay_ticks, found.is,
+                          settings.clock_hz * 1e-6, prf_hz, found.most)};
+    }
+    case board::Contradiction::Kind::sum_width:
+      return {key + "decimation",
+              fmt::format("sums of {} values of {} bits are wider than 16 bits; allowed: at most "
+                          "{}, or the mean",
+                          c.decimation, c.bits, found.most)};
+    case board::Contradiction::Kind::target:
+      return {
+          key + "test_value",
+          fmt::format("a target at sample {} of {}; allowed: less than that", found.is, c.samples)};
+    case board::Contradiction::Kind::fifo_depth:
+      break;
   }
-  const bool target = said.test() == scenario::BoardChannel::target;
-  if (target && said.has_test_value() && said.test_value() >= samples) {
-    return SetComplaint{key + "test_value",
-                        fmt::format("a target at sample {} of {}; allowed: less than that",
-                                    said.test_value(), samples)};
-  }
-  return std::nullopt;
+  return {"board.fifo",
+          fmt::format("{} samples, but one sweep of all channels has {}; allowed: at least that",
+                      found.most, found.is)};
 }
 
 }  // namespace
@@ -159,40 +200,22 @@ RegisterValues board_registers(const scenario::Radar& radar,
 
 std::optional<SetComplaint> complaint_of_board(const scenario::Radar& radar) {
   const scenario::Board& board = radar.board();
-  const std::size_t pulses = radar_set(radar).pulses.size();
-  if (board.pulse() > pulses) {
-    return SetComplaint{
-        "board.pulse", fmt::format("{}, but the set has {} pulses; allowed: 0 to {}", board.pulse(),
-                                   pulses, pulses)};
-  }
   if (board.blanked_sectors_size() > kMaxBoardSectors) {
     return SetComplaint{"board.blanked_sectors",
                         fmt::format("{} entries; allowed: at most {}", board.blanked_sectors_size(),
                                     kMaxBoardSectors)};
   }
-  const echo::Pulse pulse = pulse_of(radar);
-  const double prf_hz = board.has_prf_hz() ? board.prf_hz() : pulse.prf_hz;
-  if (pulse.length_s * prf_hz > kMostDutyCycle) {
-    return SetComplaint{
-        "board.prf_hz",
-        fmt::format("a pulse of {:g} us at {:g} Hz is a duty cycle of {:.4f}; allowed: {:g}, at "
-                    "most {:.0f} Hz",
-                    pulse.length_s * 1e6, prf_hz, pulse.length_s * prf_hz, kMostDutyCycle,
-                    std::floor(kMostDutyCycle / pulse.length_s))};
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    const auto& said = channel == 0 ? board.channel_a() : board.channel_b();
+    if (said.samples() % 2 != 0) {
+      return SetComplaint{channel_key(channel) + "samples",
+                          fmt::format("{} is odd; allowed: even numbers", said.samples())};
+    }
   }
-  if (auto wrong = complaint_of_channel(board, board.channel_a(), 0, prf_hz)) return wrong;
-  std::uint64_t samples = samples_of(board.channel_a(), 0);
-  if (board.channel_b().has_source()) {
-    if (auto wrong = complaint_of_channel(board, board.channel_b(), 1, prf_hz)) return wrong;
-    samples += samples_of(board.channel_b(), 1);
-  }
-  if (board.has_fifo() && board.fifo() < samples) {
-    return SetComplaint{"board.fifo",
-                        fmt::format("{} samples, but one sweep of all channels has {}; allowed: at "
-                                    "least that",
-                                    board.fifo(), samples)};
-  }
-  return std::nullopt;
+  const board::JudgedSettings settings = judged(radar, pulse_of(radar));
+  const auto found = board::contradiction_in(settings);
+  if (!found) return std::nullopt;
+  return complaint_of_contradiction(*found, settings, board);
 }
 
 }  // namespace skerry::server

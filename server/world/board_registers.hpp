@@ -24,7 +24,8 @@ RegisterValues board_registers(const scenario::Radar& radar,
 // The first contradiction in `radar.board`, at a key of scenario::Radar that is given or would be:
 // two channels that cannot be, sweeps longer than triggers are apart, a FIFO below one sweep, sums
 // wider than 16 bits, a pulse the set does not have or that would be on for too long.  The pulse is
-// the one on the air at the start.  Sources are not looked at.
+// the one on the air at the start.  Sources are not looked at.  The rules are those by which the
+// board itself judges (protocol/board/contradiction.hpp).
 // Requires a set without complaint, known by name.
 std::optional<SetComplaint> complaint_of_board(const scenario::Radar& radar);
 

@@ -176,6 +176,13 @@ TEST(BoardCommands, ShowARunningBoard) {
   const Ending ppi = board({"ppi", "--stream", "shm", "-o", folder.path("p.png")});
   EXPECT_EQ(ppi.code, 0) << ppi.err;
   EXPECT_THAT(ppi.out, HasSubstr("512 spokes"));
+  const Ending off = board({"ppi", "--channel", "B", "-o", folder.path("b.png")});
+  EXPECT_EQ(off.code, 1);
+  EXPECT_THAT(off.err, HasSubstr("channel B is off: SOURCE_B is 0"));
+  const Ending elsewhere = board({"set", "SOURCE_B=7"});
+  EXPECT_EQ(elsewhere.code, 1);
+  EXPECT_THAT(elsewhere.err, HasSubstr("no radar 6 on this own ship"));
+  EXPECT_EQ(board({"set", "FAULTS_LATCHED=0xFFFFFFFF"}).code, 0);
   for (const char* file : {"s.png", "p.png"}) {
     EXPECT_THAT(text_of_file(folder.path(file)), testing::StartsWith("\x89PNG"));
   }

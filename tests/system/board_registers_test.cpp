@@ -169,8 +169,10 @@ TEST_F(BoardRegisters, ThatContradictEachOtherSetTheFaultWithItsReasonUntilTheyD
   };
   EXPECT_EQ(write(board, Reg::decimation_a, 64), board::RegisterError::ok);
   EXPECT_EQ(read(board, Reg::faults) & board::fault::config, board::fault::config);
+  await_fault(board::event::fault_raised);
   EXPECT_EQ(write(board, Reg::decimation_a, 1), board::RegisterError::ok);
   EXPECT_EQ(read(board, Reg::faults) & board::fault::config, 0u);
+  await_fault(board::event::fault_cleared);
 
   EXPECT_EQ(write(board, Reg::fifo_depth, 1000), board::RegisterError::ok);
   await_fault(board::event::fault_raised);

@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -73,19 +74,17 @@ TEST(SharedRing, ReplacesWhatADeadServerLeftAndEndsWithItsOwner) {
 
 TEST(FaultLog, LeavesOutWhatIsTooMuchAndSaysHowMuchItWas) {
   BoardBatch batch;
-  for (std::uint32_t i = 0; i < 50; ++i) {
-    board::Event event;
-    event.event = i % 2 == 0 ? board::event::fault_raised : board::event::fault_cleared;
-    event.faults = board::fault::overrun | board::fault::stalled;
-    board::append_record(batch.signals, i, event);
-    batch.signal_ends.push_back(static_cast<std::uint32_t>(batch.signals.size()));
+  const std::uint32_t faults = board::fault::overrun | board::fault::stalled;
+  for (int i = 0; i < 25; ++i) {
+    batch.fault_changes.push_back({faults, 0});
+    batch.fault_changes.push_back({0, faults});
   }
   FaultLog log("X");
   const std::chrono::steady_clock::time_point now(std::chrono::hours(1));
   const auto reason = [] { return std::string(); };
   testing::internal::CaptureStdout();
   log.look_at(batch, reason, now);
-  log.look_at(BoardBatch{}, reason, now + std::chrono::seconds(2));
+  log.look_at(BoardBatch{}, reason, now + FaultLog::kLineTime);
   const std::string text = testing::internal::GetCapturedStdout();
   std::size_t lines = 0;
   std::string line;
@@ -93,6 +92,24 @@ TEST(FaultLog, LeavesOutWhatIsTooMuchAndSaysHowMuchItWas) {
   EXPECT_EQ(lines, FaultLog::kMostLines + 1u);
   EXPECT_NE(text.find("board of X: fault raised: stalled, overrun"), std::string::npos);
   EXPECT_NE(text.find("board of X: 30 more faults raised or cleared"), std::string::npos);
+}
+
+TEST(FaultLog, SaysFewLinesOfAFaultThatComesAndGoesOnAndOn) {
+  BoardBatch batch;
+  batch.fault_changes = {{board::fault::overrun, 0}, {0, board::fault::overrun}};
+  FaultLog log("X");
+  std::chrono::steady_clock::time_point now(std::chrono::hours(1));
+  testing::internal::CaptureStdout();
+  for (const auto end = now + std::chrono::hours(1); now < end; now += std::chrono::seconds(1)) {
+    log.look_at(
+        batch, [] { return std::string(); }, now);
+  }
+  const std::string text = testing::internal::GetCapturedStdout();
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  EXPECT_GE(lines, 360);
+  EXPECT_LE(lines, 360 + FaultLog::kMostLines);
+  // After 20 lines and as many left out, a count of those every ten seconds.
+  EXPECT_NE(text.find("board of X: 20 more faults raised or cleared"), std::string::npos);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ std::string range_of(const RegisterInfo& info) {
 }
 
 TEST(BoardSpec, HasEveryRegisterOfTheMapAsItIs) {
-  const auto rows = tables()["| address | name | access | range | reset | unit | what |"];
+  const auto rows = tables()["| address | name | access | range | at start | unit | what |"];
   ASSERT_EQ(rows.size(), all_registers().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const RegisterInfo& info = all_registers()[i];
@@ -134,20 +134,10 @@ TEST(BoardSpec, HasEveryBitWhereItIs) {
   expect(2, status::captured, "captured");
   expect(2, status::radiating, "radiating");
   expect(2, status::fault, "fault");
-  expect(3, fault::config, "config");
-  expect(3, fault::acp_missing, "acp_missing");
-  expect(3, fault::acp_extra, "acp_extra");
-  expect(3, fault::arp_missing, "arp_missing");
-  expect(3, fault::stalled, "stalled");
-  expect(3, fault::overrun, "overrun");
-  expect(3, fault::late, "late");
-  expect(4, event::arp, "arp");
-  expect(4, event::heading, "heading");
-  expect(4, event::fault_raised, "fault_raised");
-  expect(4, event::fault_cleared, "fault_cleared");
-  expect(4, event::captured, "captured");
-  expect(4, event::configured, "configured");
-  expect(4, event::reset, "reset");
+  for (const BitName& each : fault_bits()) expect(3, each.bit, std::string(each.name));
+  for (const BitName& each : event_bits()) expect(4, each.bit, std::string(each.name));
+  EXPECT_EQ(fault_bits().size(), 7u);
+  EXPECT_EQ(event_bits().size(), 7u);
 }
 
 // The tables of bytes, in the order of the file: every record, sweep, channel, edges, event, ring.

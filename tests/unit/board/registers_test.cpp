@@ -57,7 +57,7 @@ TEST(Registers, OfChannelBAreThoseOfAFurtherOn) {
   EXPECT_EQ(find_register("test_value_b")->address, address_of(Reg::test_value_b));
 }
 
-TEST(Registers, AfterAResetHoldWhatMayBeWritten) {
+TEST(Registers, AtTheStartHoldWhatMayBeWritten) {
   for (const RegisterInfo& info : all_registers()) {
     if (info.access == Access::read_only) {
       EXPECT_EQ(check_write(info.address, 0), read_only) << info.name;
@@ -107,11 +107,48 @@ TEST(Registers, TakeZeroAndStepsAsTheirTableSays) {
   EXPECT_EQ(check_write(channel_address(Reg::samples_a, 1), 2046), ok);
 }
 
-TEST(Registers, AreClearedByTheBitsTheyHave) {
-  EXPECT_EQ(check_write(address_of(Reg::faults_latched), 0x7F), ok);
-  EXPECT_EQ(check_write(address_of(Reg::faults_latched), 0x80), out_of_range);
-  EXPECT_EQ(check_write(address_of(Reg::events), 0x41), ok);
-  EXPECT_EQ(check_write(address_of(Reg::events), 0x8000'0000), out_of_range);
+TEST(Registers, AreClearedByAnyBits) {
+  for (const Reg reg : {Reg::faults_latched, Reg::events}) {
+    for (const std::uint32_t bits : {0u, 0x41u, 0x80u, 0x8000'0000u, 0xFFFF'FFFFu}) {
+      EXPECT_EQ(check_write(address_of(reg), bits), ok) << bits;
+    }
+  }
+}
+
+TEST(RefusalText, SaysWhatWasWrongAndWhatIsAllowed) {
+  const auto text = [](Reg reg, std::int64_t value) {
+    const auto bits = static_cast<std::uint32_t>(value);
+    return refusal_text(address_of(reg), bits, check_write(address_of(reg), bits));
+  };
+  EXPECT_EQ(text(Reg::prf_millihertz, 0), "");
+  EXPECT_EQ(text(Reg::prf_millihertz, 5),
+            "PRF_MILLIHERTZ: 5 is out of range; allowed: 0, or 10000 to 20000000 mHz");
+  EXPECT_EQ(text(Reg::gain_a, -6001),
+            "GAIN_A: -6001 is out of range; allowed: -6000 to 6000 0.01 dB");
+  EXPECT_EQ(text(Reg::bits_a, 9), "BITS_A: 9 is out of range; allowed: 8 to 14 bits in steps of 2");
+  EXPECT_EQ(text(Reg::status, 1), "STATUS is read only");
+  EXPECT_EQ(refusal_text(0x1D0, 1, unknown_register), "the board has no register at 0x1D0");
+  EXPECT_EQ(refusal_text(0x121, 1, misaligned),
+            "0x121 is no address of a register: they are multiples of 4");
+}
+
+TEST(RefusalText, OfASourceThatIsNotOnThisShipSaysSo) {
+  for (const Reg reg : {Reg::source_a, Reg::source_b}) {
+    EXPECT_EQ(refusal_text(address_of(reg), 3, out_of_range),
+              std::string(find_register(address_of(reg))->name) +
+                  ": no radar 2 on this own ship; allowed: 0, or a radar of the same own ship + 1");
+  }
+  EXPECT_EQ(refusal_text(address_of(Reg::source_a), 65, out_of_range),
+            "SOURCE_A: 65 is out of range; allowed: 0 to 64");
+}
+
+TEST(BitNames, AreGivenForEachAndForSeveral) {
+  EXPECT_EQ(fault_names(0), "");
+  EXPECT_EQ(fault_names(fault::stalled | fault::acp_missing), "acp_missing, stalled");
+  EXPECT_EQ(fault_names(fault::late | 0x300), "late, 0x300");
+  EXPECT_EQ(event_name(event::fault_raised), "fault_raised");
+  EXPECT_EQ(event_name(0x80), "unknown");
+  EXPECT_EQ(event_name(event::arp | event::heading), "unknown");
 }
 
 TEST(Registers, ThatAreNotThereAreUnknownAndBetweenTwoMisaligned) {

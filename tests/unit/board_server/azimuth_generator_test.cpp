@@ -10,8 +10,6 @@
 namespace skerry::server {
 namespace {
 
-using board::Line;
-
 std::vector<AzimuthGenerator::Pulse> pulses_of(AzimuthGenerator& azimuth, std::size_t count) {
   std::vector<AzimuthGenerator::Pulse> pulses;
   for (std::size_t i = 0; i < count; ++i, azimuth.pop()) pulses.push_back(azimuth.next());
@@ -27,11 +25,11 @@ double off_by(Azimuth azimuth, double turns) { return (azimuth.in_turns() - turn
 TEST(AzimuthGenerator, AtOneAzimuthAcpThenArpThenHeading) {
   AzimuthGenerator azimuth(whole());
   const auto pulses = pulses_of(azimuth, 4);
-  EXPECT_EQ(pulses[0].line, Line::acp);
-  EXPECT_EQ(pulses[1].line, Line::arp);
-  EXPECT_EQ(pulses[2].line, Line::heading);
+  EXPECT_EQ(pulses[0].line, AzimuthLine::acp);
+  EXPECT_EQ(pulses[1].line, AzimuthLine::arp);
+  EXPECT_EQ(pulses[2].line, AzimuthLine::heading);
   EXPECT_EQ(pulses[2].tick, 0u);
-  EXPECT_EQ(pulses[3].line, Line::acp);
+  EXPECT_EQ(pulses[3].line, AzimuthLine::acp);
   EXPECT_EQ(pulses[3].tick, 12'500u);
 }
 
@@ -42,7 +40,7 @@ TEST(AzimuthGenerator, TheArpStandsWhereItsErrorPutsIt) {
     AzimuthGenerator azimuth(settings);
     std::vector<Tick> arps;
     while (arps.size() < 3) {
-      if (azimuth.next().line == Line::arp) arps.push_back(azimuth.next().tick);
+      if (azimuth.next().line == AzimuthLine::arp) arps.push_back(azimuth.next().tick);
       azimuth.pop();
     }
     const double place = (error < 0 ? 65'536 + error : error) / 65'536.0;
@@ -65,7 +63,7 @@ TEST(AzimuthGenerator, WhereItPointsIsTheInverseOfWhenItPasses) {
     for (std::uint32_t acp = 0; acp < 2000;) {
       const AzimuthGenerator::Pulse pulse = azimuth.next();
       azimuth.pop();
-      if (pulse.line != Line::acp) continue;
+      if (pulse.line != AzimuthLine::acp) continue;
       // Half a tick of rounding, at the highest speed.
       worst = std::max(worst, std::fabs(off_by(azimuth.at(pulse.tick), 1000.0 + acp++ / 450.0)));
     }
@@ -82,7 +80,7 @@ TEST(AzimuthGenerator, DisturbedAzimuthsNeverGoBack) {
     settings.gust_ppm = 300'000;
     settings.seed = waves;
     AzimuthGenerator azimuth(settings);
-    azimuth.inject({.missing_acp = 500, .extra_acp = 500, .missing_arp = 1, .stall = 1234});
+    azimuth.inject({.missing_acp = 500, .extra_acp = 500, .missing_arp = 1, .stall = 1234}, 0);
     Tick last = 0;
     Azimuth pointed;
     for (int i = 0; i < 100'000; ++i, azimuth.pop()) {
@@ -112,7 +110,7 @@ std::vector<Speeds> speeds_of(const RotationSettings& settings, int turns) {
     for (std::uint32_t acp = 0; acp < settings.acp_per_turn;) {
       const AzimuthGenerator::Pulse pulse = azimuth.next();
       azimuth.pop();
-      if (pulse.line != Line::acp) continue;
+      if (pulse.line != AzimuthLine::acp) continue;
       ++acp;
       if (pulse.tick == 0) continue;
       const double speed = even / static_cast<double>(pulse.tick - last);
@@ -168,7 +166,7 @@ TEST(AzimuthGenerator, DisturbancesLeaveTheBowsTimeAlone) {
 TEST(AzimuthGenerator, AStallShiftsAllThatFollows) {
   AzimuthGenerator azimuth(whole());
   pulses_of(azimuth, 103);  // up to ACP 100
-  azimuth.inject({.stall = 1'000'000});
+  azimuth.inject({.stall = 1'000'000}, 0);
   EXPECT_TRUE(azimuth.disturbed(1'250'000));
   const auto pulses = pulses_of(azimuth, 3);
   EXPECT_EQ(pulses[0].tick, 101u * 12'500u);

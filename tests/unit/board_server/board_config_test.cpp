@@ -113,6 +113,44 @@ TEST(BoardConfig, AContradictionFromTheStartLeavesTheMapsOwnInForce) {
   EXPECT_EQ(b.read(Reg::faults), board::fault::config);
   b.run_to(10ms);
   EXPECT_EQ(b.output.sweeps.back().meta.channels[0].decimation, 1u);
+  EXPECT_EQ(b.read(Reg::faults_latched), board::fault::config);
+  EXPECT_EQ(b.output.of(event::fault_raised, board::fault::config).size(), 1u);
+}
+
+TEST(BoardConfig, AnotherReasonIsRaisedAgain) {
+  Harness b(Harness::small());
+  b.run_to(50ms);
+  b.write(Reg::pulse_code, 5);
+  b.run_fresh(50ms);
+  EXPECT_EQ(b.output.of(event::fault_raised, board::fault::config).size(), 1u);
+  const std::string first = b.fault_reason();
+  b.write(Reg::faults_latched, board::fault::config);
+
+  b.write(Reg::gain_a, 100);
+  b.run_fresh(50ms);
+  EXPECT_TRUE(b.output.of(event::fault_raised).empty()) << "the reason is the same";
+  EXPECT_EQ(b.read(Reg::faults_latched), 0u);
+
+  b.write(Reg::pulse_code, 6);
+  EXPECT_NE(b.fault_reason(), first);
+  EXPECT_EQ(b.read(Reg::faults_latched), board::fault::config) << "at once";
+  b.run_fresh(50ms);
+  EXPECT_EQ(b.output.of(event::fault_raised, board::fault::config).size(), 1u);
+  ASSERT_EQ(b.batch.fault_changes.size(), 1u);
+  EXPECT_EQ(b.batch.fault_changes[0].raised, board::fault::config);
+  EXPECT_TRUE(b.output.of(event::fault_cleared).empty());
+  b.run_fresh(50ms);
+  EXPECT_TRUE(b.output.of(event::fault_raised).empty()) << "once";
+}
+
+TEST(BoardConfig, WhatFitsThePulseOnTheAirIsNoFaultFromTheStart) {
+  Harness b({{Reg::samples_a, 16'384}});
+  b.on_air.pulse = {1.0e-6, 3e6, 600.0, 96.0};
+  b.run_to(50ms);
+  EXPECT_EQ(b.read(Reg::faults), 0u);
+  EXPECT_EQ(b.read(Reg::faults_latched), 0u);
+  EXPECT_TRUE(b.output.of(event::fault_raised).empty());
+  EXPECT_EQ(b.output.sweeps.back().samples[0].size(), 16'384u);
 }
 
 TEST(BoardConfig, AnotherPulseOnTheAirIsJudgedToo) {

@@ -196,14 +196,85 @@ TEST_F(BoardFaults, EventsThatAreNotEnabledAreCountedButNotSent) {
   EXPECT_EQ(b.read(Reg::events), event::heading | event::fault_cleared);
 }
 
-TEST_F(BoardFaults, InjectionsAddUpToTheirMostAndNoFurther) {
+TEST_F(BoardFaults, AWriteSetsHowManyInjectionsAreStillToCome) {
   EXPECT_EQ(b.write(Reg::inject_missing_arp, 600), RegisterError::ok);
-  EXPECT_EQ(b.write(Reg::inject_missing_arp, 400), RegisterError::ok);
-  EXPECT_EQ(b.write(Reg::inject_missing_arp, 1), RegisterError::out_of_range);
+  EXPECT_EQ(b.write(Reg::inject_missing_arp, 1000), RegisterError::ok);
+  EXPECT_EQ(b.write(Reg::inject_missing_arp, 1001), RegisterError::out_of_range);
   EXPECT_EQ(b.read(Reg::inject_missing_arp), 1000u);
   b.run_for(kTurn);
   EXPECT_EQ(b.read(Reg::inject_missing_arp), 999u);
   EXPECT_EQ(b.write(Reg::inject_missing_arp, 1), RegisterError::ok);
+  EXPECT_EQ(b.read(Reg::inject_missing_arp), 1u);
+  b.run_for(kTurn);
+  EXPECT_EQ(b.read(Reg::inject_missing_arp), 0u);
+  b.run_fresh(2 * kTurn);
+  EXPECT_EQ(b.output.of(board::Line::arp).size(), 2u);
+}
+
+TEST_F(BoardFaults, ZeroCancelsWhatWasToBeInjected) {
+  const Reg all[] = {Reg::inject_missing_acp, Reg::inject_extra_acp, Reg::inject_missing_arp};
+  for (const Reg reg : all) b.write(reg, 1000);
+  b.run_for(10ms);
+  EXPECT_EQ(b.read(Reg::inject_missing_acp), 999u) << "16 ACPs in 9.8 ms";
+  for (const Reg reg : all) {
+    EXPECT_EQ(b.write(reg, 0), RegisterError::ok);
+    EXPECT_EQ(b.read(reg), 0u);
+  }
+  b.run_for(10ms);
+  for (const Reg reg : all) EXPECT_EQ(b.read(reg), 0u);
+  b.run_for(2 * kTurn);
+  expect_recovered();
+}
+
+TEST_F(BoardFaults, AStallInProgressIsCutShortOrMadeLonger) {
+  b.write(Reg::inject_stall_ms, 60'000);
+  b.run_for(200ms);
+  EXPECT_EQ(b.read(Reg::faults), fault::stalled);
+  const Tick stood = b.output.of(board::Line::acp).back();
+  b.write(Reg::inject_stall_ms, 300);
+  b.run_for(100ms);
+  EXPECT_EQ(b.read(Reg::inject_stall_ms), 200u);
+  EXPECT_EQ(b.output.of(board::Line::acp).back(), stood);
+  b.write(Reg::inject_stall_ms, 0);
+  EXPECT_EQ(b.read(Reg::inject_stall_ms), 0u);
+  const Tick now = tick_at(ScenarioTime(b.now), 20'480'000);
+  b.run_for(100ms);
+  EXPECT_EQ(b.read(Reg::inject_stall_ms), 0u);
+  EXPECT_EQ(b.read(Reg::faults), 0u);
+  const auto acps = b.output.of(board::Line::acp);
+  const auto after = std::upper_bound(acps.begin(), acps.end(), stood);
+  ASSERT_NE(after, acps.end());
+  EXPECT_EQ(*after, now + 12'500u);
+  b.run_to(2 * kTurn + 400ms);
+  EXPECT_EQ(b.read(Reg::acp_per_arp), 4096u) << "no ACP was lost";
+  EXPECT_EQ(b.output.of(board::Line::arp).back(), 102'400'000u + (now - stood));
+}
+
+TEST_F(BoardFaults, AllBitsClearWhatIsLatched) {
+  b.write(Reg::inject_missing_acp, 1);
+  b.run_to(2 * kTurn + 10ms);
+  EXPECT_NE(b.read(Reg::faults_latched), 0u);
+  EXPECT_NE(b.read(Reg::events), 0u);
+  EXPECT_EQ(b.write(Reg::faults_latched, 0xFFFF'FFFF), RegisterError::ok);
+  EXPECT_EQ(b.write(Reg::events, 0xFFFF'FFFF), RegisterError::ok);
+  EXPECT_EQ(b.read(Reg::faults_latched), 0u);
+  EXPECT_EQ(b.read(Reg::events), 0u);
+}
+
+TEST_F(BoardFaults, ChangesOfFaultsAreToldWhateverEventsAreEnabled) {
+  b.write(Reg::event_enable, 0);
+  b.write(Reg::inject_missing_acp, 1);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> changes;
+  while (b.now < 3 * kTurn + 10ms) {
+    b.run_for(50ms);
+    for (const auto& [raised, cleared] : b.batch.fault_changes) {
+      changes.emplace_back(raised, cleared);
+    }
+  }
+  EXPECT_TRUE(b.output.events.empty());
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> expected = {{fault::acp_missing, 0},
+                                                                         {0, fault::acp_missing}};
+  EXPECT_EQ(changes, expected);
 }
 
 }  // namespace

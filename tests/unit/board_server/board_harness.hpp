@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -41,6 +42,7 @@ class FakeEchoes final : public echo::SweepEchoes {
     EXPECT_GE(n + 16, last_row_) << "rows went back too far";
     last_row_ = n;
     asked.push_back({n, when});
+    if (on_row) on_row();
     return cells_;
   }
 
@@ -50,6 +52,7 @@ class FakeEchoes final : public echo::SweepEchoes {
   };
   std::vector<Wish> wishes;
   std::vector<Asked> asked;
+  std::function<void()> on_row;  // in the middle of a step
 
  private:
   Grid grid_;
@@ -107,8 +110,13 @@ class Harness {
   Output& run_to(Duration to, Duration step = std::chrono::milliseconds(50)) {
     while (now < to) {
       now = std::min(now + step, to);
-      board.advance(ScenarioTime(now), utc_zero(), wanted, batch);
-      decode();
+      for (bool is_complete = false; !is_complete;) {
+        board.advance(ScenarioTime(now), utc_zero(), wanted, batch);
+        decode();
+        biggest_batch = std::max(biggest_batch, batch.records.size());
+        is_complete = batch.is_complete;
+        if (!is_complete && between_batches) between_batches();
+      }
     }
     return output;
   }
@@ -152,6 +160,8 @@ class Harness {
   Duration now{0};
   bool wanted = true;
   BoardBatch batch;
+  std::size_t biggest_batch = 0;          // bytes
+  std::function<void()> between_batches;  // of one step
   Output output;
   Board board;
 

@@ -179,6 +179,22 @@ TEST(BoardSweeps, TheFifoHoldsWhatItsDepthAllowsAndCountsTheRest) {
   EXPECT_EQ(b.read(Reg::fifo_level), 0u);
 }
 
+TEST(BoardSweeps, AnOverrunEndsWhenThereIsRoomForASweepAgain) {
+  Harness b(Harness::small({{Reg::fifo_depth, 80}, {Reg::control, control::run | control::fifo}}));
+  b.run_to(5ms, 5ms);
+  EXPECT_EQ(b.read(Reg::faults), board::fault::overrun);
+  b.write(Reg::control, 0);
+  b.run_for(5ms, 5ms);
+  EXPECT_EQ(b.read(Reg::faults), board::fault::overrun) << "it is still full";
+  Bytes out;
+  std::uint64_t first = 0;
+  EXPECT_EQ(b.board.take_fifo(1, 1 << 20, out, first), 1u);
+  b.run_fresh(5ms, 5ms);
+  EXPECT_EQ(b.read(Reg::faults), 0u);
+  EXPECT_EQ(b.output.of(event::fault_cleared, board::fault::overrun).size(), 1u);
+  EXPECT_EQ(b.read(Reg::faults_latched), board::fault::overrun);
+}
+
 TEST(BoardSweeps, TheFifoGivesNoMoreBytesThanAskedFor) {
   Harness b(Harness::small({{Reg::control, control::run | control::fifo}}));
   b.run_to(5ms);

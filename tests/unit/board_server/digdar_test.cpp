@@ -132,5 +132,22 @@ TEST(DigdarPage, CountsAndClocksAreThoseOfThePulses) {
   EXPECT_EQ(b.read(at_trigger(Digdar::acp_at_arp)), acps_then);
 }
 
+TEST(DigdarPage, CountsSurviveAnotherClock) {
+  Harness b(Harness::small());
+  b.run_to(6s);
+  const std::uint32_t acps = b.read(at(Digdar::acp_count));
+  const std::uint32_t acps_at_arp = b.read(at(Digdar::acp_at_arp));
+  const std::uint32_t triggers_at_arp = b.read(at(Digdar::trig_at_arp));
+  EXPECT_GT(acps_at_arp, 8000u);
+  EXPECT_GT(triggers_at_arp, 14'000u);
+  b.write(Reg::sample_clock_hz, 10'000'000);
+  b.output.edges_until = 0;  // of this clock
+  b.run_for(100ms);
+  EXPECT_NEAR(b.read(at(Digdar::acp_count)), acps + 164.0, 1.0);
+  EXPECT_EQ(b.read(at(Digdar::acp_at_arp)), acps_at_arp);
+  EXPECT_EQ(b.read(at(Digdar::trig_at_arp)), triggers_at_arp);
+  EXPECT_EQ(b.read(at(Digdar::acp_count)) - acps_at_arp, b.read(Reg::acp_count));
+}
+
 }  // namespace
 }  // namespace skerry::server

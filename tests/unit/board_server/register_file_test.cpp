@@ -72,8 +72,7 @@ TEST(RegisterFile, WhatIsRefusedChangesNothing) {
       continue;
     }
     if (info.access == Access::write_ones_to_clear) {
-      refused(info.address, 0x8000'0000, RegisterError::out_of_range);
-      continue;
+      continue;  // takes any value
     }
     refused(info.address, static_cast<std::uint32_t>(info.max + 1), RegisterError::out_of_range);
     refused(info.address, 0x7FFF'FFFF, RegisterError::out_of_range);

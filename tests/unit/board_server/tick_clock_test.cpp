@@ -91,10 +91,10 @@ TEST(TickClock, AzimuthPulsesOfThirtyDaysStandAtTheirNearestTick) {
       while (arps < 2) {
         const AzimuthGenerator::Pulse pulse = azimuth.next();
         azimuth.pop();
-        if (pulse.line == board::Line::acp) {
+        if (pulse.line == AzimuthLine::acp) {
           const Wide n = Wide{from} * rate.acps + acps++;
           ASSERT_TRUE(is_nearest(pulse.tick, n, turn, per_acp)) << from << " " << acps;
-        } else if (pulse.line == board::Line::arp) {
+        } else if (pulse.line == AzimuthLine::arp) {
           const Wide n = Wide{from + arps++} * 65'536 + 12'345;
           ASSERT_TRUE(is_nearest(pulse.tick, n, turn, Wide{rate.milli_rpm} * 65'536));
         } else {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "protocol/board/contradiction.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -54,7 +56,8 @@ TEST(TriggerGenerator, StaggerIsLongerAndShorterByTurns) {
 TEST(TriggerGenerator, TriggersNeverChangePlacesAndKeepTheShortestPeriod) {
   TriggerSettings settings = even();
   settings.jitter_ppm = settings.stagger_ppm = 200'000;
-  const Tick shortest = TriggerGenerator::shortest_period(settings);
+  const Tick shortest = board::shortest_trigger_period(settings.clock_hz, settings.prf_millihertz,
+                                                       settings.jitter_ppm, settings.stagger_ppm);
   EXPECT_EQ(shortest, 2000u);
   TriggerGenerator triggers(settings);
   const auto ticks = ticks_of(triggers, 100'000);

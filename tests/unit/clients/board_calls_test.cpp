@@ -4,9 +4,11 @@
 #include <skerry_board.h>
 
 #include <array>
+#include <cmath>
 #include <future>
 #include <thread>
 
+#include "protocol/board/digdar_page.hpp"
 #include "tests/unit/clients/fake_board.hpp"
 
 extern "C" int32_t board_header_in_c(void);
@@ -156,7 +158,15 @@ TEST(BoardCalls, ReadAndWriteRegistersByAddressAndByName) {
   EXPECT_EQ(address, address_of(Reg::prf_millihertz));
 
   EXPECT_EQ(skb_write_register(board, address_of(Reg::acp_per_turn), 1), SKB_ERROR_OUT_OF_RANGE);
-  EXPECT_THAT(skb_last_error(), HasSubstr("ACP_PER_TURN (0x160): out of range: 1; allowed: 360"));
+  EXPECT_THAT(skb_last_error(), HasSubstr("ACP_PER_TURN: 1 is out of range; allowed: 360"));
+  for (const std::int64_t beyond : {std::int64_t{4'294'966'996}, std::int64_t{-6001}}) {
+    EXPECT_EQ(skb_write_named(board, "GAIN_A", beyond), SKB_ERROR_OUT_OF_RANGE) << beyond;
+    EXPECT_THAT(skb_last_error(), HasSubstr(std::to_string(beyond) + " is out of range"));
+  }
+  ASSERT_EQ(skb_read_named(board, "GAIN_A", &number), SKB_OK);
+  EXPECT_EQ(number, -300) << "as it was";
+  EXPECT_EQ(skb_write_named(board, "PRF_MILLIHERTZ", 0), SKB_OK) << "0 has a meaning of its own";
+  EXPECT_EQ(skb_read_register64(board, 0xFFFFFFFC, &wide), SKB_ERROR_ARGUMENT);
   EXPECT_EQ(skb_write_named(board, "SAMPLES_A", -1), SKB_ERROR_OUT_OF_RANGE);
   EXPECT_EQ(skb_write_named(board, "SAMPLES_A", std::int64_t{1} << 40), SKB_ERROR_OUT_OF_RANGE);
   EXPECT_EQ(skb_write_named(board, "IDENTITY", 1), SKB_ERROR_READ_ONLY);
@@ -207,6 +217,86 @@ TEST(BoardCalls, GiveSweepsWithWhatWasLatched) {
   EXPECT_EQ(skb_read_sweep(board, SKB_LONGEST_TIMEOUT_MS + 1, &sweep, sizeof sweep, a.data(), 16,
                            nullptr, 0),
             SKB_ERROR_ARGUMENT);
+}
+
+// BOARD.md 5, of what a program has of a sweep alone.
+double azimuth_from(const skb_sweep& sweep) {
+  double acp = sweep.acp_period;
+  const double mean = static_cast<double>(sweep.turn_ticks) / sweep.acp_per_turn;
+  if (sweep.turn_ticks != 0 && std::abs(mean - acp) <= 1.0) acp = mean;
+  const auto fraction = [&](double ticks) { return acp > 0 ? std::min(1.0, ticks / acp) : 0.0; };
+  const double turns =
+      (sweep.acp_count + fraction(sweep.ticks_since_acp) - fraction(sweep.arp_ticks)) /
+      sweep.acp_per_turn;
+  return turns - std::floor(turns);
+}
+
+TEST(BoardCalls, GiveAllThatAnAzimuthIsWorkedOutOf) {
+  const board::Sweep sent = [] {
+    board::Sweep sweep = fake_sweep(40);
+    sweep.meta.acp_period = 5;  // whole ticks of 4.75
+    sweep.meta.turn_ticks = 4096 * 19 / 4;
+    sweep.meta.ticks_since_acp = 4;
+    sweep.meta.arp_ticks = 1;
+    return sweep;
+  }();
+  FakeBoard fake;
+  fake.on_stream = [&](FakePeer& peer) { send_record(peer, 1, sent); };
+  FakeServer server([&](FakePeer& peer) { fake.serve(peer); });
+  Board board(place_of(server));
+  skb_sweep sweep;
+  std::vector<std::uint16_t> a;
+  ASSERT_EQ(next_sweep(board, sweep, a), SKB_OK);
+  EXPECT_EQ(sweep.turn_ticks, 4096u * 19 / 4);
+  EXPECT_NEAR(azimuth_from(sweep), sweep.azimuth_turns, 1e-12);
+  EXPECT_NEAR(azimuth_from(sweep), board::azimuth_turns(sent.meta), 1e-12);
+}
+
+TEST(BoardCalls, GoOnWhenTheSampleClockIsLowered) {
+  const auto of_clock = [](std::uint64_t n, std::uint32_t clock_hz, std::uint64_t tick) {
+    board::Sweep sweep = fake_sweep(n);
+    sweep.meta.sample_clock_hz = clock_hz;
+    sweep.meta.trigger_tick = tick;
+    return sweep;
+  };
+  FakeBoard fake;
+  fake.on_stream = [&](FakePeer& peer) {
+    send_record(peer, 1, of_clock(1, 20'000'000, 2'000'000'000));
+    send_record(peer, 2,
+                board::Event{.radar = 3, .tick = 2'000'000'500, .event = board::event::arp});
+    send_record(peer, 3, of_clock(2, 20'000'000, 2'000'000'400));
+    send_record(peer, 4, of_clock(3, 1'000'000, 100'000'030));
+    send_record(peer, 5,
+                edges_of(100'000'000, 100'100'000, {{100'050'000, board::Line::arp}}, 1'000'000));
+    send_record(peer, 6, of_clock(4, 1'000'000, 100'050'010));
+  };
+  FakeServer server([&](FakePeer& peer) { fake.serve(peer); });
+  Board board(place_of(server));
+  skb_event event{};
+  skb_sweep sweep;
+  std::vector<std::uint16_t> a;
+  ASSERT_EQ(skb_wait_arp(board, kLong, &event, sizeof event), SKB_OK);
+  EXPECT_EQ(event.tick, 2'000'000'500u);
+  ASSERT_EQ(next_sweep(board, sweep, a, 2000), SKB_OK) << skb_last_error();
+  EXPECT_EQ(sweep.trigger_count, 3u) << "of the turn of the old clock there was none";
+  ASSERT_EQ(skb_wait_arp(board, 2000, &event, sizeof event), SKB_OK) << skb_last_error();
+  EXPECT_EQ(event.tick, 100'050'000u);
+  ASSERT_EQ(next_sweep(board, sweep, a, 2000), SKB_OK) << skb_last_error();
+  EXPECT_EQ(sweep.trigger_count, 4u);
+}
+
+TEST(BoardCalls, EndInTimeWhateverAServerFloodsThemWith) {
+  FakeBoard fake;
+  fake.on_stream = [](FakePeer& peer) {
+    while (send_records(peer, {}, 0)) {
+    }
+  };
+  FakeServer server([&](FakePeer& peer) { fake.serve(peer); });
+  Board board(place_of(server));
+  skb_sweep sweep;
+  std::vector<std::uint16_t> a;
+  EXPECT_EQ(next_sweep(board, sweep, a, kShort), SKB_ERROR_TIMEOUT);
+  EXPECT_EQ(skb_wait_arp(board, kShort, nullptr, 0), SKB_ERROR_TIMEOUT);
 }
 
 TEST(BoardCalls, FillTheLargerStructureOfANewerProgram) {
@@ -265,12 +355,17 @@ TEST(BoardCalls, ArmAndTakeTheSweepOutOfTheFifo) {
   FakeBoard fake;
   fake.registers[address_of(Reg::control)] = board::control::run;
   fake.fifo = {fake_sweep(1), fake_sweep(2)};
+  std::vector<wire::BoardAccess> accesses;
+  fake.on_access = [&](const wire::BoardAccess& access) { accesses.push_back(access); };
   FakeServer server([&](FakePeer& peer) { fake.serve(peer); });
   Board board(place_of(server));
   ASSERT_EQ(skb_arm(board), SKB_OK) << skb_last_error();
-  std::uint32_t control = 0;
-  ASSERT_EQ(skb_read_register(board, address_of(Reg::control), &control), SKB_OK);
-  EXPECT_EQ(control, board::control::run | board::control::arm) << "the others stay";
+  ASSERT_EQ(accesses.size(), 1u) << "nothing can come between";
+  ASSERT_EQ(accesses[0].operations_size(), 2);
+  EXPECT_EQ(accesses[0].operations(0).address(), address_of(board::Digdar::trig_source));
+  EXPECT_GT(accesses[0].operations(0).write(), 0u) << "without one COMMAND arms nothing";
+  EXPECT_EQ(accesses[0].operations(1).address(), address_of(board::Digdar::command));
+  EXPECT_EQ(accesses[0].operations(1).write(), board::digdar_command::arm);
   skb_sweep sweep;
   std::array<std::uint16_t, 8> a{};
   EXPECT_EQ(skb_read_fifo(board, kLong, &sweep, sizeof sweep, a.data(), 1, nullptr, 0),

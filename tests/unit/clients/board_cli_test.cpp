@@ -23,8 +23,8 @@ Outcome run(std::vector<std::string> arguments) {
   const int code = program.wait();
   return {code, program.out(), program.err()};
 }
-Outcome run_at(FakeBoard board, std::vector<std::string> arguments) {
-  FakeServer server([&](FakePeer& peer) { board.serve(peer); });
+Outcome run_at(FakeBoard board, std::vector<std::string> arguments, int connections = 1) {
+  FakeServer server([&](FakePeer& peer) { board.serve(peer); }, connections);
   arguments.insert(arguments.end(), {"--radar", "3", "--port", std::to_string(server.port())});
   return run(std::move(arguments));
 }
@@ -103,6 +103,8 @@ TEST(BoardCli, ShowsRegistersAsATableAndAsJson) {
   EXPECT_THAT(table.out, HasSubstr("FAULTS: config: FIFO_DEPTH 2 \"?[2J"));
   EXPECT_THAT(table.out, testing::ContainsRegex("0x210 +GAIN_A +-300 0xFFFFFED4 +0.01 dB +rw"));
   EXPECT_THAT(table.out, HasSubstr("[rings]"));
+  EXPECT_THAT(table.out, testing::ContainsRegex("FAULTS_LATCHED .* w1c "));
+  EXPECT_THAT(table.out, testing::ContainsRegex("BITS_A .* 8, 10, 12 or 14 "));
   for (const auto& info : board::all_registers()) {
     EXPECT_THAT(table.out, HasSubstr(std::string(info.name)));
   }
@@ -111,6 +113,28 @@ TEST(BoardCli, ShowsRegistersAsATableAndAsJson) {
   EXPECT_THAT(some.out, HasSubstr("\"fault_reason\": \"FIFO_DEPTH 2 \\\"?[2J\""));
   EXPECT_THAT(some.out, HasSubstr("\"name\": \"GAIN_A\", \"value\": -300"));
   EXPECT_THAT(some.out, Not(HasSubstr("TEST_MODE")));
+}
+
+TEST(BoardCli, FindsRegistersByAddressAndOnTheDigitisersPage) {
+  FakeBoard board;
+  board.fault_reason = "FIFO";
+  const Outcome page = run_at(board, {"registers", "dec_rate"});
+  EXPECT_EQ(page.code, 0) << page.err;
+  EXPECT_THAT(page.out, testing::ContainsRegex("0x100C +DIGDAR_DEC_RATE"));
+  const Outcome address = run_at(board, {"registers", "0x1000", "0x080", "528"});
+  EXPECT_EQ(address.code, 0) << address.err;
+  EXPECT_THAT(address.out, testing::ContainsRegex("0x1000 +DIGDAR_COMMAND"));
+  EXPECT_THAT(address.out, testing::ContainsRegex("0x080 +FAULT_REASON_0 .* 0x4F464946"));
+  EXPECT_THAT(address.out, testing::ContainsRegex("0x210 +GAIN_A"));
+  EXPECT_THAT(address.out, Not(HasSubstr("GAIN_B")));
+}
+
+TEST(BoardCli, ShowsWhatIsInTheRegistersAfterAWrite) {
+  FakeBoard board;
+  board.registers[address_of(Reg::faults_latched)] = board::fault::late;
+  const Outcome cleared = run_at(board, {"set", "FAULTS_LATCHED=0xFFFFFFFF"});
+  EXPECT_EQ(cleared.code, 0) << cleared.err;
+  EXPECT_EQ(cleared.out, "FAULTS_LATCHED = 0 bits (none)\n");
 }
 
 TEST(BoardCli, WritesRegistersAndSaysWhatWasRefusedAndWhy) {
@@ -141,6 +165,8 @@ TEST(BoardCli, ShowsOneSweepHereAndAsAPicture) {
   const Outcome picture = run_at(board, {"scope", "-o", file});
   EXPECT_EQ(picture.code, 0) << picture.err;
   EXPECT_THAT(text_of_file(file), StartsWith("\x89PNG"));
+  EXPECT_THAT(picture.out, HasSubstr("trigger 3 at tick"))
+      << "the first with the signals of three triggers before it";
   EXPECT_EQ(run_at(board, {"scope", "--from", "50", "--to", "2"}).code, 2);
   const Outcome nowhere = run({"scope", "-o", "/no/such/folder/x.png"});
   EXPECT_EQ(nowhere.code, 1);
@@ -175,9 +201,54 @@ TEST(BoardCli, WritesEventsLineByLine) {
   EXPECT_EQ(events.code, 0) << events.err;
   EXPECT_EQ(events.out,
             "     2.000000050 s         40000001  arp            count 17\n"
-            "     2.000000100 s         40000002  fault raised   acp missing\n");
+            "     2.000000100 s         40000002  fault_raised   acp_missing\n");
   EXPECT_THAT(run_at(board, {"watch", "--edges", "--count", "3"}).out,
               HasSubstr("40000020  HEADING\n"));
+}
+
+TEST(BoardCli, CallsFormedSpokesWhatTheyAre) {
+  FakeBoard board;
+  board.on_stream = [](FakePeer& peer) {
+    board::Sweep spoke = fake_sweep(8);
+    spoke.meta.pulses = 4;
+    spoke.meta.spoke = 2;
+    spoke.meta.spokes_per_turn = 128;
+    send_record(peer, 1, spoke);
+    send_record(peer, 2, fake_sweep(9));
+  };
+  const Outcome lines = run_at(board, {"watch", "--sweeps", "--count", "2"});
+  EXPECT_EQ(lines.code, 0) << lines.err;
+  EXPECT_THAT(lines.out, testing::ContainsRegex("spoke +8 at .*, spoke 2 of 128, 4 pulses, "));
+  EXPECT_THAT(lines.out, testing::ContainsRegex("sweep +9 at "));
+}
+
+TEST(BoardCli, DrawsATurnWithItsFaultsAndSaysWhereNoPulseCame) {
+  FakeBoard board;
+  board.registers[address_of(Reg::source_a)] = 4;
+  board.on_stream = [](FakePeer& peer) {
+    for (std::uint64_t n = 0; n < 2048; ++n) {
+      board::Sweep sweep = fake_sweep(n);
+      if (n == 700) sweep.meta.faults = board::fault::acp_missing;
+      if (n / 10 == 80) continue;
+      if (!send_record(peer, n, sweep)) return;
+    }
+    peer.wait_until_client_leaves();
+  };
+  const std::string file = test_folder() + "/board.png";
+  const Outcome outcome = run_at(board, {"ppi", "-o", file}, 2);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("FAULTS: ACP_MISSING\n"));
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("no pulse in [45] spokes of 256"));
+  EXPECT_THAT(text_of_file(file), StartsWith("\x89PNG"));
+}
+
+TEST(BoardCli, SaysAtOnceThatAChannelIsOff) {
+  FakeBoard board;
+  board.on_stream = send_turns;
+  const Outcome outcome = run_at(board, {"ppi", "--channel", "B", "--timeout", "20"}, 2);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("channel B is off: SOURCE_B is 0"));
+  EXPECT_THAT(outcome.err, HasSubstr("skerry board set SOURCE_B=4"));
 }
 
 TEST(BoardCli, DrawsNoTurnWithoutKnowingWhereTheShipIs) {

@@ -257,6 +257,82 @@ TEST(BoardClient, MapsNoMemoryThatIsNotABoardsRing) {
   EXPECT_EQ(client.map_ring(kLong).error().kind, ClientErrorKind::malformed);
 }
 
+TEST(BoardClient, LooksAtTheClockWhileAServerFloodsIt) {
+  const wire::ServerMessage empty = [] {
+    wire::ServerMessage message;
+    message.mutable_board_records()->set_radar(kBoardRadar);
+    return message;
+  }();
+  Bytes later;
+  board::append_record(later, 1, fake_sweep(1));
+  later[board::layout::kKind] = 200;
+  for (const bool of_no_records : {true, false}) {
+    FakeBoard board;
+    board.on_stream = [&](FakePeer& peer) {
+      while (of_no_records ? peer.send(empty) : send_records(peer, later, 1)) {
+      }
+    };
+    FakeServer server([&](FakePeer& peer) { board.serve(peer); });
+    BoardClient client = connected(server);
+    ASSERT_TRUE(client.stream(BoardStreamKind::records, kLong));
+    for (const auto timeout : {0ms, 0ms, kShort}) {
+      const auto nothing = client.next(timeout);
+      ASSERT_TRUE(nothing && !*nothing);
+    }
+    EXPECT_EQ(client.access({{.address = 0}}, kShort).error().kind, ClientErrorKind::timed_out);
+  }
+}
+
+TEST(BoardClient, CountsWhatWaitsWithWhatItTakesBesidesItsBytes) {
+  FakeBoard board;
+  board.on_stream = [](FakePeer& peer) {
+    send_record(peer, 0, board::Event{.radar = 3, .event = board::event::arp});
+    const auto access = peer.receive();
+    // 10 MiB of records, a message each: less than may wait, if that were all they took.
+    for (std::uint64_t n = 1; n <= 160'000;) {
+      Bytes frames;
+      for (int i = 0; i < 1000; ++i, ++n) {
+        Bytes record;
+        board::append_record(record, n, board::Event{.radar = 3, .event = board::event::arp});
+        wire::ServerMessage message;
+        message.mutable_board_records()->set_records(std::string(record.begin(), record.end()));
+        append_frame(frames, message);
+      }
+      if (!peer.send_bytes(frames)) return;
+    }
+    wire::ServerMessage answer;
+    answer.mutable_board()->add_results();
+    peer.send(answer);
+    peer.answer(access->request());
+  };
+  FakeServer server([&](FakePeer& peer) { board.serve(peer); });
+  BoardClient client = connected(server);
+  ASSERT_TRUE(client.stream(BoardStreamKind::records, kLong));
+  ASSERT_TRUE(*client.next(kLong)) << "the first one";
+  ASSERT_TRUE(client.access({{.address = 0}}, kLong));
+  const auto oldest = client.next(kLong);
+  ASSERT_TRUE(oldest && *oldest);
+  EXPECT_GT(client.records_lost(), 20'000u);
+  EXPECT_EQ((*oldest)->sequence, client.records_lost() + 1);
+}
+
+TEST(BoardClient, MapsNoMemoryOfAnotherUserNotEvenAsRoot) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give memory to another user";
+  FakeRing ring;
+  const int file = ::shm_open(ring.name().c_str(), O_RDWR, 0);
+  ASSERT_EQ(::fchown(file, 65534, 65534), 0);
+  ::close(file);
+  FakeBoard board;
+  board.ring_name = ring.name();
+  board.ring_bytes = ring.size();
+  FakeServer server([&](FakePeer& peer) { board.serve(peer); });
+  BoardClient client = connected(server);
+  const auto mapped = client.map_ring(kLong);
+  ASSERT_FALSE(mapped);
+  EXPECT_EQ(mapped.error().kind, ClientErrorKind::unreachable);
+  EXPECT_THAT(mapped.error().text, HasSubstr("it belongs to user 65534"));
+}
+
 TEST(BoardClient, GivesUpWaitingAndGoesOn) {
   FakeServer server([](FakePeer& peer) {
     say_board_hello(peer);

@@ -74,7 +74,42 @@ TEST(BoardWords, SayWhyAWriteWasRefused) {
   EXPECT_THAT(refusal({0xFFC, 1}, board::RegisterError::unknown_register), HasSubstr("0xFFC"));
   EXPECT_THAT(refusal({3, 1}, board::RegisterError::misaligned), HasSubstr("0x3"));
   EXPECT_EQ(fault_words(0), "none");
-  EXPECT_EQ(fault_words(board::fault::acp_missing | board::fault::stalled), "acp missing, stalled");
+  EXPECT_EQ(fault_words(board::fault::acp_missing | board::fault::stalled), "acp_missing, stalled");
+  EXPECT_EQ(fault_label(0), "");
+  EXPECT_EQ(fault_label(board::fault::acp_missing | board::fault::stalled),
+            "FAULTS: ACP_MISSING, STALLED");
+}
+
+TEST(BoardWords, SayThatARadarIsNotOnThisOwnShip) {
+  const RegisterWrite write{board::channel_address(Reg::source_a, 0), 7};
+  const std::string text = refusal(write, board::RegisterError::out_of_range);
+  EXPECT_THAT(text, HasSubstr("SOURCE_A: no radar 6 on this own ship"));
+  EXPECT_THAT(text, Not(HasSubstr("to 64")));
+  EXPECT_THAT(refusal({write.address, 65}, board::RegisterError::out_of_range),
+              HasSubstr("65 is out of range; allowed: 0 to 64"));
+}
+
+TEST(BoardWords, ShowRangesWithTheirSteps) {
+  const auto range = [](Reg reg) {
+    return range_column(*board::find_register(board::address_of(reg)));
+  };
+  EXPECT_EQ(range(Reg::bits_a), "8, 10, 12 or 14");
+  EXPECT_EQ(range(Reg::samples_a), "2 .. 16384, even");
+  EXPECT_EQ(range(Reg::gain_a), "-6000 .. 6000");
+  EXPECT_THAT(range(Reg::prf_millihertz), testing::StartsWith("0, "));
+  EXPECT_EQ(range(Reg::identity), "");
+  EXPECT_EQ(range(Reg::faults_latched), "");
+}
+
+TEST(BoardScope, WritesZeroWithoutASign) {
+  EXPECT_EQ(mark_text(-0.0, 0.5), "0");
+  EXPECT_EQ(mark_text(-1e-17, 0.5), "0");
+  EXPECT_EQ(mark_text(0.0, 20, true), "0");
+  EXPECT_EQ(mark_text(20, 20, true), "+20");
+  EXPECT_EQ(mark_text(-20, 20, true), "-20");
+  EXPECT_EQ(mark_text(0.5, 0.5), "0.5");
+  const board::Sweep sweep = spiky({1});
+  EXPECT_THAT(draw_scope_text(sweep, whole_window(sweep.meta), {80, 24}), Not(HasSubstr("-0 ")));
 }
 
 TEST(BoardScope, KeepsTheStrongestSampleOfEachColumn) {
@@ -183,6 +218,13 @@ TEST(BoardTurn, TakesAsManySpokesAsHavePulses) {
   board::SweepMeta meta = fake_sweep(0).meta;  // 512 pulses a turn
   EXPECT_EQ(spokes_that_fit(meta, 4096), 512u);
   EXPECT_EQ(spokes_that_fit(meta, 256), 256u);
+  meta.turn_ticks = 4096 * 4096;
+  meta.acp_period *= 3;
+  EXPECT_EQ(spokes_that_fit(meta, 4096), 512u) << "an ACP was missing just then";
+  meta.acp_period = 1;
+  EXPECT_EQ(spokes_that_fit(meta, 4096), 512u) << "there was one too many";
+  meta.acp_period = 4096;
+  meta.turn_ticks = 0;
   meta.prf_millihertz *= 5;
   EXPECT_EQ(spokes_that_fit(meta, 4096), 2048u);
   meta.spokes_per_turn = 1000;
@@ -201,12 +243,16 @@ TEST(BoardTurn, CollectsAWholeTurnFromTheBowOn) {
     // One strong sample, twice as far every quarter of a turn; a cell is 0.9 m, a sample 22.3 m.
     for (auto& sample : sweep.samples[0]) sample = 0;
     sweep.samples[0][1 + n % 512 / 128] = 4095;
+    if (n == 400) sweep.meta.faults = board::fault::arp_missing;  // before the turn
+    if (n == 700) sweep.meta.faults = board::fault::stalled;
+    if (n == 1024) sweep.meta.faults = board::fault::acp_missing;  // found out at the turn's end
     scan = assembler.feed(sweep, TrueBearing::from(degrees(30)), {60.0, 5.0});
     EXPECT_EQ(scan.has_value(), n == 1025) << n;
   }
   ASSERT_TRUE(scan);
   EXPECT_EQ(scan->number, 1u);
   EXPECT_TRUE(scan->is_complete());
+  EXPECT_EQ(assembler.faults(), board::fault::stalled | board::fault::acp_missing);
   for (const std::uint32_t index : {10u, 80u, 140u, 200u}) {
     const auto& cells = scan->spokes[index]->cells;
     const double middle_m = board::sample_range_m(fake_sweep(0).meta, 0, 1 + index / 64);

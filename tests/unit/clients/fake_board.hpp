@@ -86,11 +86,13 @@ bool send_record(FakePeer& peer, std::uint64_t sequence, const T& record) {
   return send_records(peer, bytes, 1);
 }
 
-// Registers that hold what is written, a FIFO, and whatever `on_stream` sends.
+// Registers that hold what is written (or clear its ones), a FIFO, whatever `on_stream` sends, and
+// an own ship that lies still.
 struct FakeBoard {
   std::map<std::uint32_t, std::uint32_t> registers;
   std::deque<board::Sweep> fifo;
   std::function<void(FakePeer&)> on_stream = [](FakePeer&) {};
+  std::function<void(const wire::BoardAccess&)> on_access = [](const wire::BoardAccess&) {};
   std::string ring_name;
   std::uint64_t ring_bytes = 0;
   std::string fault_reason;
@@ -100,6 +102,7 @@ struct FakeBoard {
     while (const auto message = peer.receive()) {
       wire::ServerMessage answer;
       if (message->has_board_access()) {
+        on_access(message->board_access());
         for (const auto& operation : message->board_access().operations()) {
           *answer.mutable_board()->add_results() = access(operation);
         }
@@ -122,6 +125,12 @@ struct FakeBoard {
         peer.send(answer);
       }
       peer.answer(message->request());
+      if (message->has_subscribe()) {
+        answer.mutable_own_ship()->set_name("Still");
+        peer.send(answer);
+        answer.mutable_settings()->set_range_nm(0.125);
+        peer.send(answer);
+      }
       if (message->has_board_stream() &&
           message->board_stream().kind() != wire::BoardStream::NONE) {
         on_stream(peer);
@@ -146,14 +155,25 @@ struct FakeBoard {
     const auto found = registers.find(address);
     return found == registers.end() ? 0 : found->second;
   }
+  void take(std::uint32_t address, std::uint32_t value) {
+    const auto* const info = board::find_register(address);
+    if (info->access == board::Access::write_ones_to_clear) {
+      registers[address] &= ~value;
+    } else {
+      registers[address] = value;
+    }
+  }
   wire::BoardResult access(const wire::BoardOperation& operation) {
     wire::BoardResult result;
     const std::uint32_t address = operation.address();
     if (operation.has_write()) {
       const auto error = board::check_write(address, operation.write());
       result.set_error(static_cast<wire::BoardError>(error));
-      if (error == board::RegisterError::ok) registers[address] = operation.write();
-    } else if (address % 4 != 0) {
+      if (error == board::RegisterError::ok) take(address, operation.write());
+      result.set_value(operation.write());
+      return result;
+    }
+    if (address % 4 != 0) {
       result.set_error(wire::BOARD_MISALIGNED);
     } else if (!board::find_register(address)) {
       result.set_error(wire::BOARD_UNKNOWN_REGISTER);

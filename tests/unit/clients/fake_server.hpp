@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "clients/common/asio.hpp"
 #include "protocol/video/spoke.hpp"
@@ -92,18 +93,24 @@ class FakePeer {
   FrameReader frames_{kMaxClientFrame};
 };
 
-// Runs `script` with the first connection, on a thread of its own, then closes it.  Declare it
-// before the client: it waits for the script to end.
+// Runs `script` with each of the first connections, each on a thread of its own, then closes it.
+// Declare it before the client: it waits for the scripts to end.
 class FakeServer {
  public:
-  explicit FakeServer(std::function<void(FakePeer&)> script)
-      : thread_([this, run = std::move(script)] {
-          boost::system::error_code error;
-          boost::asio::ip::tcp::socket socket(io_);
-          acceptor_.accept(socket, error);
-          if (error) return;
-          FakePeer peer(std::move(socket));
-          run(peer);
+  explicit FakeServer(std::function<void(FakePeer&)> script, int connections = 1)
+      : thread_([this, run = std::move(script), connections] {
+          std::vector<std::thread> scripts;
+          for (int i = 0; i < connections; ++i) {
+            boost::system::error_code error;
+            boost::asio::ip::tcp::socket socket(io_);
+            acceptor_.accept(socket, error);
+            if (error) break;
+            scripts.emplace_back([&run, peer = FakePeer(std::move(socket))]() mutable {
+              FakePeer served = std::move(peer);  // closed when the script ends
+              run(served);
+            });
+          }
+          for (std::thread& each : scripts) each.join();
         }) {}
   ~FakeServer() {
     ::shutdown(acceptor_.native_handle(), SHUT_RDWR);  // ends an accept() nobody came to

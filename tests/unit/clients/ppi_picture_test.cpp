@@ -139,6 +139,13 @@ TEST(LabelText, SaysWhatTheScanShows) {
   EXPECT_EQ(text.bottom_left[0].text, "GAIN 55");
   EXPECT_EQ(text.bottom_right[0].text, "1 OF 256 LOST");
   EXPECT_TRUE(text.bottom_right[0].warning);
+  labels.settings.reset();
+  labels.formed_of_pulses = true;
+  labels.warning = "FAULTS: STALLED";
+  const LabelText formed = label_text(scan, Orientation::head_up, labels);
+  EXPECT_EQ(formed.bottom_right[0].text, "1 OF 256 EMPTY");
+  EXPECT_EQ(formed.bottom_left[0].text, "FAULTS: STALLED");
+  EXPECT_TRUE(formed.bottom_left[0].warning);
 }
 
 TEST(LabelText, WritesPositionsAndTimesWithoutRoundingErrors) {

@@ -106,6 +106,18 @@ TEST(BoardRegisters, ThatContradictEachOtherAreRefusedByNameAndLine) {
                 "channel_a.samples: a sweep of 16384 samples * decimation 2 + delay 2000 takes "
                 "34768 ticks of 20 MHz, but at 1000 Hz triggers come after 20000; allowed: fewer "
                 "or a lower PRF");
+  // Jitter and stagger count twice: one trigger late, the next one early.
+  EXPECT_EQ(refusal("{prf_hz: 1000, jitter_percent: 5, stagger_percent: 10, "
+                    "channel_a: {samples: 14002}}"),
+            "8: " + at +
+                "channel_a.samples: a sweep of 14002 samples * decimation 1 + delay 0 takes 14002 "
+                "ticks of 20 MHz, but at 1000 Hz triggers come after 14000; allowed: fewer or a "
+                "lower PRF");
+  EXPECT_EQ(refusal("{prf_hz: 1000, jitter_percent: 5, stagger_percent: 10, "
+                    "channel_a: {samples: 14000}}"),
+            "");
+  EXPECT_EQ(refusal("{channel_b: {samples: 513}}"),
+            "8: " + at + "channel_b.samples: 513 is odd; allowed: even numbers");
   EXPECT_EQ(refusal("{fifo: 4000, channel_b: {source: S}}"),
             "8: " + at +
                 "fifo: 4000 samples, but one sweep of all channels has 4096; allowed: at least "
