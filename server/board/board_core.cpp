@@ -270,6 +270,8 @@ void BoardCore::capture(Tick tick, Azimuth azimuth) {
   }
   if (armed_) {
     armed_ = false;
+    // Who finds the sweep in the FIFO finds its latches in the registers.
+    publish(tick);
     if (!registers_.captured(arm_number_)) return;
     // A FIFO that is filled anyway has it already.
     if (!fills_fifo() || former_) overrun_ = !fifo_.put(sweep_, fifo_epoch_);
@@ -335,6 +337,7 @@ void BoardCore::publish(Tick now) {
   const std::uint64_t hz = settings_.clock_hz;
   state.stall_ms = static_cast<std::uint32_t>((left.stall * 1000 + hz - 1) / hz);
   registers_.publish(state);
+  faults_seen_ = events_seen_ = 0;
 }
 
 }  // namespace skerry::server
