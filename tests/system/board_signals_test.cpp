@@ -53,7 +53,7 @@ class BoardSignals : public testing::Test {
 };
 
 TEST_F(BoardSignals, ATurnHasEveryAcpAndOneArpAsSigrokReadsIt) {
-  if (!is_installed("sigrok-cli")) GTEST_SKIP() << "no sigrok-cli";
+  if (!is_installed("sigrok-cli")) FAIL() << "sigrok-cli is not installed; tests/run installs it";
   client::BoardClient board = board_of(server_);
   ASSERT_EQ(write(board, Reg::rotation_millirpm, 60'000), board::RegisterError::ok);
   ASSERT_EQ(write(board, Reg::acp_per_turn, 2048), board::RegisterError::ok);
@@ -98,7 +98,7 @@ bool is_ramp(const std::vector<std::int16_t>& video, std::size_t begin, std::siz
 }
 
 TEST_F(BoardSignals, AfterEveryTriggerOfTheWavTheSweepStandsSampleForSample) {
-  if (!is_installed("sox")) GTEST_SKIP() << "no sox";
+  if (!is_installed("sox")) FAIL() << "sox is not installed; tests/run installs it";
   constexpr std::size_t kSamples = 512;
   client::BoardClient board = board_of(server_);
   ASSERT_EQ(write(board, Reg::samples_a, kSamples), board::RegisterError::ok);
