@@ -75,7 +75,7 @@ skb_channel channel_of(const board::SweepMeta& meta, std::size_t index) {
   channel.decimation = format.decimation;
   channel.mode = static_cast<std::uint32_t>(format.mode);
   channel.bits = format.bits;
-  channel.largest_code = largest_code(format);
+  channel.largest_code = board::largest_code(format);
   channel.detector = static_cast<std::uint32_t>(format.detector);
   channel.inverted = format.inverted ? 1 : 0;
   channel.first_range_m = board::sample_range_m(meta, index, 0);

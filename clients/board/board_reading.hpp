@@ -10,9 +10,6 @@
 
 namespace skerry::client {
 
-// The largest code that a channel gives, 1 .. 65535.
-std::uint32_t largest_code(const board::ChannelFormat& format);
-
 // The registers of FAULT_REASON, to be read in one access, and the text in their values: printable
 // ASCII, "" where there is no fault of that kind.
 std::vector<BoardClient::Operation> fault_reason_reads();

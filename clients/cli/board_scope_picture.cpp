@@ -125,7 +125,7 @@ class ScopePainter {
 
   void channel(std::size_t channel, const Box& box) {
     fill(box, kPanel);
-    const std::uint32_t top_code = largest_code(sweep_.meta.channels[channel]);
+    const std::uint32_t top_code = board::largest_code(sweep_.meta.channels[channel]);
     const auto y_of = [&](double code) {
       return box.bottom - std::min(code / top_code, 1.0) * (box.height() - 1) - 1.0;
     };

@@ -46,7 +46,7 @@ class DotPlane {
 
 std::string panel(const board::Sweep& sweep, std::size_t channel, const ScopeWindow& window,
                   int columns, int rows) {
-  const std::uint32_t top = largest_code(sweep.meta.channels[channel]);
+  const std::uint32_t top = board::largest_code(sweep.meta.channels[channel]);
   const int dots = rows * kDotRows;
   // The row of dots of a code, from the top.
   const auto dot_of = [&](std::uint32_t code) {

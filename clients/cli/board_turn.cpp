@@ -28,7 +28,7 @@ std::uint32_t spokes_that_fit(const board::SweepMeta& meta, std::uint32_t most) 
 
 std::vector<std::uint8_t> cells_of(const board::Sweep& sweep, std::size_t channel,
                                    const ScanGeometry& geometry, RangeScale range) {
-  const std::uint32_t top = largest_code(sweep.meta.channels[channel]);
+  const std::uint32_t top = board::largest_code(sweep.meta.channels[channel]);
   const bool inverted = sweep.meta.channels[channel].inverted;
   const auto columns =
       columns_of(sweep, channel, {0.0, range.length().in_metres()}, geometry.cells);

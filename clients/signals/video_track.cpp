@@ -6,13 +6,6 @@
 namespace skerry::client {
 namespace {
 
-std::uint32_t largest_code(const board::ChannelFormat& format) {
-  const std::uint32_t of_converter = (1u << std::min<unsigned>(format.bits, 16)) - 1;
-  const bool sums = format.mode == board::DecimationMode::sum;
-  return std::min<std::uint32_t>(
-      sums ? of_converter * std::min(format.decimation, 65535u) : of_converter, 65535u);
-}
-
 std::uint16_t scaled(std::uint16_t code, unsigned bits) {
   const unsigned value = bits > 15 ? code >> 1u : static_cast<unsigned>(code) << (15 - bits);
   return static_cast<std::uint16_t>(std::min(value, 32767u));
@@ -21,11 +14,7 @@ std::uint16_t scaled(std::uint16_t code, unsigned bits) {
 }  // namespace
 
 unsigned code_bits(const board::ChannelFormat& format) {
-  return std::max(1u, static_cast<unsigned>(std::bit_width(largest_code(format))));
-}
-
-std::uint16_t rest_code(const board::ChannelFormat& format) {
-  return format.inverted ? static_cast<std::uint16_t>(largest_code(format)) : std::uint16_t{0};
+  return std::max(1u, static_cast<unsigned>(std::bit_width(board::largest_code(format))));
 }
 
 std::int16_t full_scale(std::uint16_t code, const board::ChannelFormat& format) {
@@ -80,7 +69,7 @@ void VideoTrack::fill(std::uint64_t first, std::span<std::uint16_t> out) const {
     const Stretch part = stretch(index);
     if (part.begin == part.end) continue;
     const board::ChannelFormat& format = part.sweep->meta.channels[channel_];
-    const std::uint16_t rest = rest_code(format);
+    const std::uint16_t rest = board::blank_code(format);
     const std::uint16_t level = scale_ == Scale::codes ? rest : scaled(rest, code_bits(format));
     const std::uint64_t end = std::min(grid_.index(part.end - 1), last) + 1;
     if (end > next) {

@@ -12,8 +12,6 @@ namespace skerry::client {
 
 // Bits that the largest code of a channel takes, 1 .. 16: those of the converter, more after a sum.
 unsigned code_bits(const board::ChannelFormat& format);
-// The code of no echo at all: 0, or the largest where the polarity is inverted.
-std::uint16_t rest_code(const board::ChannelFormat& format);
 // A code on the 16-bit scale of waveforms: left-justified below the sign, code << (15 - bits), so
 // that full scale is just below 32767 and nothing is rounded.  Error: of codes of 16 bits (sums)
 // the lowest bit goes.

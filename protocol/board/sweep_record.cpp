@@ -39,6 +39,16 @@ void pad(Bytes& out, std::size_t begin) {
 
 }  // namespace
 
+std::uint32_t largest_code(const ChannelFormat& format) {
+  const std::uint64_t converter = (std::uint64_t{1} << std::min<unsigned>(format.bits, 16)) - 1;
+  const std::uint64_t added = format.mode == DecimationMode::sum ? format.decimation : 1;
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(converter * added, 1, 65'535));
+}
+
+std::uint16_t blank_code(const ChannelFormat& format) {
+  return format.inverted ? static_cast<std::uint16_t>(largest_code(format)) : std::uint16_t{0};
+}
+
 double acp_ticks(const SweepMeta& meta) {
   const double last = meta.acp_period;
   if (meta.turn_ticks == 0 || meta.acp_per_turn == 0) return last;

@@ -33,6 +33,11 @@ struct ChannelFormat {
   friend bool operator==(const ChannelFormat&, const ChannelFormat&) = default;
 };
 
+// The largest value of a sample, 1 .. 65535: the converter's, or what a sum of them comes to.
+std::uint32_t largest_code(const ChannelFormat& format);
+// The value of a sample without any video: 0, inverted the largest.
+std::uint16_t blank_code(const ChannelFormat& format);
+
 // What the board latched at the trigger.
 struct SweepMeta {
   std::uint32_t radar = 0;

@@ -104,7 +104,7 @@ void SweepMaker::make(Azimuth azimuth, ScenarioTime when, bool blanked, board::S
     if (!settings.is_on()) continue;
     const std::span<std::uint16_t> codes(sweep.samples[i]);
     if (blanked) {
-      std::fill(codes.begin(), codes.end(), blank_code(settings.format));
+      std::fill(codes.begin(), codes.end(), board::blank_code(settings.format));
     } else if (settings.test_mode != board::TestMode::off) {
       fill_test_pattern(settings, sweep.meta.trigger_count, board::azimuth_turns(sweep.meta),
                         codes);
@@ -113,7 +113,7 @@ void SweepMaker::make(Azimuth azimuth, ScenarioTime when, bool blanked, board::S
       channels_[i].receiver->receive(source->before, source->after, share, sweep.meta.trigger_tick,
                                      codes);
     } else {
-      std::fill(codes.begin(), codes.end(), blank_code(settings.format));
+      std::fill(codes.begin(), codes.end(), board::blank_code(settings.format));
     }
   }
 }

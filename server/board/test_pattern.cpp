@@ -42,12 +42,4 @@ void fill_test_pattern(const ChannelSettings& channel, std::uint64_t trigger, do
   }
 }
 
-std::uint16_t blank_code(const board::ChannelFormat& format) {
-  if (!format.inverted) return 0;
-  const std::uint32_t full = (1u << format.bits) - 1;
-  const bool sum = format.mode == board::DecimationMode::sum;
-  return static_cast<std::uint16_t>(
-      std::min<std::uint64_t>(std::uint64_t{full} * (sum ? format.decimation : 1), 0xFFFF));
-}
-
 }  // namespace skerry::server

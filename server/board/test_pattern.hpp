@@ -22,7 +22,4 @@ inline constexpr double kTestTargetHalfWidth = 1.0 / 720.0;
 void fill_test_pattern(const ChannelSettings& channel, std::uint64_t trigger, double turns,
                        std::span<std::uint16_t> codes);
 
-// What a channel reads where its video is blanked: no echo and no noise.
-std::uint16_t blank_code(const board::ChannelFormat& format);
-
 }  // namespace skerry::server

@@ -116,8 +116,8 @@ TEST(VideoTrack, FullScaleIsLeftJustifiedAndExact) {
   EXPECT_EQ(full_scale(4095, twelve), 32760);
   const board::ChannelFormat eight{.samples = 2, .bits = 8, .inverted = true};
   EXPECT_EQ(full_scale(255, eight), 32640);
-  EXPECT_EQ(rest_code(eight), 255);
-  EXPECT_EQ(rest_code(twelve), 0);
+  EXPECT_EQ(board::blank_code(eight), 255);
+  EXPECT_EQ(board::blank_code(twelve), 0);
   const board::ChannelFormat sum{
       .samples = 2, .decimation = 4, .bits = 14, .mode = board::DecimationMode::sum};
   EXPECT_EQ(code_bits(sum), 16u);
