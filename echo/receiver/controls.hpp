@@ -15,12 +15,22 @@ struct RadarControls {
   bool transmit = true;
   PulseChoice pulse = PulseChoice::automatic;
   bool tune_auto = true;
-  double tune = 50.0;  // 0 to 100 by hand; 50 is right on the frequency
+  double tune = 50.0;                  // 0 to 100 by hand; 50 is right on the frequency
+  double rotation_rpm = 0.0;           // 10 to 60; 0: as the set turns
+  double bearing_alignment_deg = 0.0;  // -180 to 180: how far the picture is turned clockwise
+  double antenna_height_m = 0.0;       // 1 to 100; 0: the set's
   friend bool operator==(const RadarControls&, const RadarControls&) = default;
 };
 
 // What becomes of the samples of a cell that holds more than one.
 enum class Decimation : std::uint8_t { peak, mean };
+
+// Which cells are coloured by their radial speed.
+enum class DopplerMode : std::uint8_t { off, both, approaching };
+
+// What the picture is set for; anything but custom decides gain, sea, rain and what cleans the
+// picture by itself.
+enum class PictureMode : std::uint8_t { custom, harbour, offshore, buoy, weather, bird };
 
 // All but the range scale and the switches run from 0 to 100, as on a real set.
 struct ViewControls {
@@ -34,6 +44,16 @@ struct ViewControls {
   bool sea_auto = false;                // follows the clutter by itself; `sea` then trims about 50
   bool stretch_bearing = false;         // echo_stretch acts across spokes too
   Decimation decimation = Decimation::peak;
+  bool gain_auto = false;              // gain follows noise and clutter
+  double side_lobe_suppression = 0.0;  // 0: off
+  bool side_lobe_auto = false;
+  double noise_rejection = 0.0;    // 0: off
+  double target_separation = 0.0;  // 0: off; sharpens the beam
+  double target_boost = 0.0;       // 0: off; small echoes made stronger
+  DopplerMode doppler = DopplerMode::off;
+  double doppler_threshold_mps = 2.0;  // 0.1 to 20: what is slower is not coloured
+  PictureMode mode = PictureMode::custom;
+  double instrumented_range_m = 0.0;  // where the last cell ends; 0: at the range scale
   friend bool operator==(const ViewControls&, const ViewControls&) = default;
 };
 

@@ -181,7 +181,8 @@ VideoChannelPtr RadarServer::find_channel(std::uint32_t radar, std::uint32_t vie
 }
 
 std::optional<std::uint32_t> RadarServer::open_view(
-    std::uint32_t radar, std::uint32_t like, const std::function<void(VideoChannel&)>& prepare) {
+    std::uint32_t radar, std::uint32_t like, bool /*follows*/,
+    const std::function<void(VideoChannel&)>& prepare) {
   const RadarViewPtr opened = radars_.at(radar)->unit.views().open(like, prepare);
   return opened ? std::optional(opened->number) : std::nullopt;
 }
@@ -208,7 +209,7 @@ std::optional<wire::Reply> RadarServer::refusal_by_state(const wire::Set& set) c
   return std::nullopt;
 }
 
-wire::Reply RadarServer::apply(const wire::Set& set) {
+wire::Reply RadarServer::apply(const wire::Set& set, const std::string& /*origin*/) {
   if (const auto wrong = refusal_of(set)) return *wrong;
   const std::lock_guard lock(apply_mutex_);
   if (const auto wrong = refusal_by_state(set)) return *wrong;

@@ -39,11 +39,11 @@ class RadarServer : public RadarHost {
   std::uint32_t radar_count() const override { return static_cast<std::uint32_t>(radars_.size()); }
   VideoChannelPtr find_channel(std::uint32_t radar, std::uint32_t view) override;
   std::optional<std::uint32_t> open_view(
-      std::uint32_t radar, std::uint32_t like,
+      std::uint32_t radar, std::uint32_t like, bool follows,
       const std::function<void(VideoChannel&)>& prepare) override;
   void close_view(std::uint32_t radar, std::uint32_t view) override;
   BoardPortPtr find_board(std::uint32_t radar) override;
-  wire::Reply apply(const wire::Set& set) override;
+  wire::Reply apply(const wire::Set& set, const std::string& origin) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
   wire::Status status() const override;

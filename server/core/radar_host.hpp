@@ -1,13 +1,17 @@
 // RadarHost: all that the network needs to know of the rest of the server.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "protocol/wire/radar.pb.h"
 #include "server/core/board_port.hpp"
+#include "server/core/traffic.hpp"
 #include "server/core/video_channel.hpp"
 
 namespace skerry::server {
@@ -29,8 +33,9 @@ class RadarHost {
 
   // A further view with the settings of view `like`; `prepare` adds its formats before any video
   // comes.  Nothing if the radar has as many as it may.  Requires a radar and view that are there.
+  // One that follows has at all times the controls of `like`, except for its instrumented range.
   virtual std::optional<std::uint32_t> open_view(
-      std::uint32_t radar, std::uint32_t like,
+      std::uint32_t radar, std::uint32_t like, bool follows,
       const std::function<void(VideoChannel&)>& prepare) = 0;
   // No effect on view 0.
   virtual void close_view(std::uint32_t radar, std::uint32_t view) = 0;
@@ -38,8 +43,19 @@ class RadarHost {
   // The interface board of a radar; nullptr if it has none, or there is no such radar.
   virtual BoardPortPtr find_board(std::uint32_t /*radar*/) { return nullptr; }
 
-  // Checks all of `set` and applies all or nothing; the reply says which value was out of range.
-  virtual wire::Reply apply(const wire::Set& set) = 0;
+  // Checks all of `set` and applies all or nothing; the reply says which value was out of range, or
+  // which control the instructor has locked.  What changed goes to the log with `origin`: who
+  // asked, as an operator would name them ("console 127.0.0.1:50714", "Navico display 192.0.2.7").
+  virtual wire::Reply apply(const wire::Set& set, const std::string& origin) = 0;
+
+  // All other ships and marks of the world, as tracking and AIS know them.
+  virtual std::vector<TrafficItem> traffic() const { return {}; }
+  // An own ship whose motion comes from an outside simulator: her state as of now.  She goes back
+  // to her own motion kDriveTimeout after the last.  Error: why it is refused.
+  static constexpr std::chrono::seconds kDriveTimeout{10};
+  virtual std::optional<std::string> drive(std::uint32_t /*radar*/, const OwnShipFix& /*fix*/) {
+    return "this server's own ships cannot be driven from outside";
+  }
 
   // Require a radar and view that find_channel() knows.
   virtual wire::Settings settings(std::uint32_t radar, std::uint32_t view) const = 0;

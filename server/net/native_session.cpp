@@ -202,7 +202,7 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
   wire::Set without_token = set;
   without_token.clear_token();
   wire::ServerMessage answer;
-  *answer.mutable_reply() = context_.host.apply(without_token);
+  *answer.mutable_reply() = context_.host.apply(without_token, "console " + client_->peer);
   answer.mutable_reply()->set_request(request);
   send(answer);
   context_.tell_settings();

@@ -55,7 +55,7 @@ SpokeFeed* NetContext::find_board_feed(std::uint32_t radar, const std::string& f
 }
 
 std::optional<std::uint32_t> NetContext::open_view(std::uint32_t radar, std::uint32_t like) {
-  const auto view = host.open_view(radar, like, [](VideoChannel& channel) {
+  const auto view = host.open_view(radar, like, false, [](VideoChannel& channel) {
     channel.add_format(kNativeFormat, native_encoder());
   });
   if (view) opened_[{radar, *view}] = std::chrono::steady_clock::now();

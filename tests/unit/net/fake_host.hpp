@@ -57,7 +57,7 @@ class FakeHost final : public RadarHost {
   // As many as kMaxViews, 0 among them, numbered upwards.
   static constexpr std::size_t kMaxViews = 3;
   std::optional<std::uint32_t> open_view(
-      std::uint32_t radar, std::uint32_t,
+      std::uint32_t radar, std::uint32_t, bool,
       const std::function<void(VideoChannel&)>& prepare) override {
     const std::lock_guard lock(mutex_);
     Radar& mine = *radars_[radar];
@@ -80,7 +80,7 @@ class FakeHost final : public RadarHost {
   std::shared_ptr<FakeBoard> board;
   BoardPortPtr find_board(std::uint32_t radar) override { return radar == 0 ? board : nullptr; }
 
-  wire::Reply apply(const wire::Set& set) override {
+  wire::Reply apply(const wire::Set& set, const std::string&) override {
     const std::lock_guard lock(mutex_);
     last_set_ = set;
     wire::Reply reply;

@@ -1,0 +1,38 @@
+// What moves and stands around an own ship, and how an outside simulator says where she is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "protocol/quantity/geo_point.hpp"
+
+namespace skerry::server {
+
+enum class TrafficKind : std::uint8_t { ship, boat, aid_to_navigation, other };
+
+// A ship or mark as it really is: no tracker's errors.
+struct TrafficItem {
+  std::uint32_t number = 0;  // of the scenario, stable for as long as the server runs, from 1
+  TrafficKind kind = TrafficKind::ship;
+  std::string name;
+  std::uint32_t mmsi = 0;  // nine digits
+  GeoPoint position;
+  double heading_deg = 0.0;             // true, [0, 360)
+  double course_over_ground_deg = 0.0;  // true, [0, 360)
+  double speed_mps = 0.0;               // over ground, >= 0
+  double rate_of_turn_deg_min = 0.0;    // starboard positive
+  double length_m = 0.0;
+  double beam_m = 0.0;
+};
+
+// What is not given stays as it was.
+struct OwnShipFix {
+  std::optional<GeoPoint> position;
+  std::optional<double> heading_deg;             // true, [0, 360)
+  std::optional<double> course_over_ground_deg;  // true, [0, 360)
+  std::optional<double> speed_mps;               // over ground, >= 0
+  std::optional<double> rate_of_turn_deg_min;    // starboard positive
+};
+
+}  // namespace skerry::server
