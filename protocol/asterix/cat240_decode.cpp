@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/asterix/cat240.hpp"
+#include "protocol/asterix/cat240_cells.hpp"
 #include "protocol/asterix/cat240_items.hpp"
 #include "protocol/wire/byte_order.hpp"
 
@@ -22,7 +23,9 @@ constexpr ItemSet kVideoItems(Item::message_index, Item::header_nano, Item::head
 // leaves why in error().
 class RecordReader {
  public:
-  RecordReader(ByteReader& in, std::size_t block_offset) : in_(in), block_offset_(block_offset) {}
+  // `inflation_left`: octets that compressed cells of the datagram may still come to.
+  RecordReader(ByteReader& in, std::size_t block_offset, std::size_t& inflation_left)
+      : in_(in), block_offset_(block_offset), inflation_left_(inflation_left) {}
 
   bool read(Cat240Record& record);
   const WireError& error() const { return error_; }
@@ -46,6 +49,7 @@ class RecordReader {
 
   ByteReader& in_;
   std::size_t block_offset_;
+  std::size_t& inflation_left_;
   ItemSet items_;
   WireError error_;
 };
@@ -123,24 +127,34 @@ bool RecordReader::read_blocks(Cat240Video& video) {
     if (items_.has(size.item)) octets = in_.take(in_.octet() * size.octets);
   }
   if (!whole("049 or the video block")) return false;
-  const bool plain = !video.compressed;
-  if (valid_octets > octets.size() ||
-      (plain && std::uint64_t{video.cell_count} * video.bits_per_cell > 8ull * valid_octets)) {
+  const std::uint64_t cell_octets = (std::uint64_t{video.cell_count} * video.bits_per_cell + 7) / 8;
+  if (valid_octets > octets.size() || (!video.compressed && cell_octets > valid_octets)) {
     return fail(WireErrorKind::malformed,
                 fmt::format("item 049 says {} cells of {} bits in {} octets, the video block has "
                             "{} octets",
                             video.cell_count, video.bits_per_cell, valid_octets, octets.size()));
   }
-  if (!plain || video.bits_per_cell > 8) {
-    video.cells.assign(octets.begin(), octets.begin() + valid_octets);
-    return true;
+  octets = octets.first(valid_octets);
+  Bytes plain;
+  if (video.compressed) {
+    if (cell_octets > inflation_left_) {
+      return fail(WireErrorKind::oversized,
+                  fmt::format("compressed cells of {} octets, expected at most {} in a datagram",
+                              cell_octets, kCat240MaxInflated));
+    }
+    inflation_left_ -= static_cast<std::size_t>(cell_octets);
+    auto inflated = cat240::inflated(octets, static_cast<std::size_t>(cell_octets));
+    if (!inflated) {
+      video.foreign.assign(octets.begin(), octets.end());
+      return true;
+    }
+    plain = std::move(*inflated);
+    octets = plain;
   }
-  video.cells.resize(video.cell_count);
-  const std::uint32_t bits = video.bits_per_cell;
-  const std::uint32_t per_octet = 8 / bits;
-  for (std::uint32_t i = 0; i < video.cell_count; ++i) {
-    const std::uint32_t shift = 8 - bits * (i % per_octet + 1);
-    video.cells[i] = static_cast<std::uint8_t>(octets[i / per_octet] >> shift & ((1u << bits) - 1));
+  if (video.bits_per_cell <= 8) {
+    video.cells = cat240::narrow_cells(octets, video.cell_count, video.bits_per_cell);
+  } else {
+    video.wide_cells = cat240::wide_cells(octets, video.cell_count, video.bits_per_cell);
   }
   return true;
 }
@@ -196,6 +210,7 @@ Result<std::vector<Cat240Record>, WireError> decode_cat240(std::span<const std::
                                          datagram.size(), kMaxDatagramOctets)}};
   }
   std::vector<Cat240Record> records;
+  std::size_t inflation_left = kCat240MaxInflated;
   ByteReader in(datagram);
   while (in.left() > 0) {
     const std::size_t start = in.offset();
@@ -214,7 +229,7 @@ Result<std::vector<Cat240Record>, WireError> decode_cat240(std::span<const std::
     ByteReader block(in.take(length - cat240::kBlockHeader));
     if (category != kCat240) continue;
     while (block.left() > 0) {
-      RecordReader reader(block, start + cat240::kBlockHeader);
+      RecordReader reader(block, start + cat240::kBlockHeader, inflation_left);
       if (!reader.read(records.emplace_back())) return Failure{reader.error()};
     }
   }

@@ -1,9 +1,7 @@
 #include "server/net/encoders.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdint>
-#include <optional>
+#include <span>
 
 #include "protocol/wire/frame.hpp"
 
@@ -27,12 +25,6 @@ void end_spoke(EncodedSector& encoded) {
   encoded.spoke_ends.push_back(static_cast<std::uint32_t>(encoded.bytes.size()));
 }
 
-std::string summary_text(const SpokeHeader& h) {
-  return fmt::format("Skerry radar {} scan {}: {} NM, {} spokes, {} cells", h.radar, h.scan,
-                     h.range_scale.in_nautical_miles(), h.geometry.spokes_per_turn,
-                     h.geometry.cells);
-}
-
 }  // namespace
 
 SectorEncoder native_encoder() {
@@ -46,17 +38,13 @@ SectorEncoder native_encoder() {
   };
 }
 
-SectorEncoder cat240_encoder(Cat240Source source) {
-  return [source, message_index = std::uint32_t{0}, summarised = std::optional<std::uint32_t>()](
-             const Sector& sector) mutable -> EncodedSectorPtr {
+SectorEncoder cat240_encoder(const Cat240StreamShape& shape) {
+  return [stream = Cat240Stream(shape)](const Sector& sector) mutable -> EncodedSectorPtr {
     const auto encoded = begin_sector(sector);
     for (const SpokePtr& spoke : sector.spokes) {
-      const SpokeHeader& header = spoke->header;
-      if (summarised != header.scan) {
-        append_cat240_summary(encoded->bytes, summary_text(header), source, header.utc);
-        summarised = header.scan;
-      }
-      append_cat240_video(encoded->bytes, *spoke, source, message_index++);
+      stream.add(*spoke, [&](std::span<const std::uint8_t> datagram) {
+        encoded->bytes.insert(encoded->bytes.end(), datagram.begin(), datagram.end());
+      });
       end_spoke(*encoded);
     }
     return encoded;
@@ -65,7 +53,7 @@ SectorEncoder cat240_encoder(Cat240Source source) {
 
 void add_network_formats(VideoChannel& channel, Cat240Source source) {
   channel.add_format(kNativeFormat, native_encoder());
-  channel.add_format(kCat240Format, cat240_encoder(source));
+  channel.add_format(kCat240Format, cat240_encoder({.options = {.source = source, .bits = {}}}));
 }
 
 }  // namespace skerry::server

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "protocol/asterix/cat240.hpp"
+#include "protocol/asterix/cat240_stream.hpp"
 #include "server/core/video_channel.hpp"
 
 namespace skerry::server {
@@ -17,8 +17,9 @@ inline const std::string kCat240Format = "cat240";
 
 SectorEncoder native_encoder();
 
-// The message index counts video messages from 0.  Its state is the encoder's own: one per channel.
-SectorEncoder cat240_encoder(Cat240Source source);
+// Spokes as datagrams of that shape, whole ones: where several records go into one, a spoke may
+// have none.  Its state is the encoder's own: one per channel.
+SectorEncoder cat240_encoder(const Cat240StreamShape& shape);
 
 // Adds all formats to a channel.  Call before its radar starts.
 void add_network_formats(VideoChannel& channel, Cat240Source source);

@@ -1,4 +1,6 @@
 // A reader of ASTERIX CAT240, and the way there and back of spokes made from the input.
+#include <algorithm>
+
 #include "protocol/asterix/cat240.hpp"
 #include "tests/fuzz/fuzz_require.hpp"
 
@@ -9,7 +11,8 @@ using namespace skerry;
 bool same_video(const std::optional<Cat240Video>& a, const std::optional<Cat240Video>& b) {
   if (a.has_value() != b.has_value()) return false;
   return !a || (a->message_index == b->message_index && a->start_azimuth == b->start_azimuth &&
-                a->cell_count == b->cell_count && a->cells == b->cells);
+                a->cell_count == b->cell_count && a->cells == b->cells &&
+                a->wide_cells == b->wide_cells && a->foreign == b->foreign);
 }
 
 void check_decoding(std::span<const std::uint8_t> input) {
@@ -21,19 +24,26 @@ void check_decoding(std::span<const std::uint8_t> input) {
   }
   std::size_t cells = 0;
   for (const Cat240Record& record : *records) {
-    const bool video = record.kind == Cat240Kind::video;
-    fuzz::require(record.video.has_value() == video, "video has a picture");
-    fuzz::require(record.summary.has_value() != video, "a summary has a text");
-    if (!video) continue;
-    cells += record.video->cells.size();
-    if (!record.video->compressed && record.video->bits_per_cell <= 8) {
-      fuzz::require(record.video->cells.size() == record.video->cell_count, "a byte per cell");
+    const bool is_video = record.kind == Cat240Kind::video;
+    fuzz::require(record.video.has_value() == is_video, "video has a picture");
+    fuzz::require(record.summary.has_value() != is_video, "a summary has a text");
+    if (!is_video) continue;
+    const Cat240Video& video = *record.video;
+    cells += video.cells.size() + 4 * video.wide_cells.size() + video.foreign.size();
+    if (!video.foreign.empty()) {
+      fuzz::require(video.compressed && video.cells.empty(), "octets nobody can read");
+    } else if (video.cell_count > 0) {
+      const bool narrow = video.bits_per_cell <= 8;
+      fuzz::require((narrow ? video.cells.size() : video.wide_cells.size()) == video.cell_count,
+                    "a number per cell");
     }
   }
-  fuzz::require(cells <= 8 * input.size(), "the output is bounded by the input");
+  fuzz::require(cells <= 8 * input.size() + 8 * kCat240MaxInflated,
+                "the output is bounded by the input");
   fuzz::require(records->size() <= input.size(), "so is the number of records");
 
-  if (2 * input.size() > 65535) return;
+  // Twice as much may inflate to more than a datagram may.
+  if (2 * input.size() > 65535 || cells > kCat240MaxInflated / 8) return;
   Bytes twice(input.begin(), input.end());
   twice.insert(twice.end(), input.begin(), input.end());
   const auto both = decode_cat240(twice);
@@ -76,10 +86,40 @@ void check_round_trip(const Spoke& spoke) {
   fuzz::require(ratio > 1 - 1.2e-4 && ratio < 1 + 1.2e-4, "its cells are of the same size");
 }
 
+// Any way of sending them: what comes back is what the spoke has on so many bits.
+void check_variant(const Spoke& spoke, std::span<const std::uint8_t> input) {
+  fuzz::Choices choices(input);
+  Cat240Options options;
+  options.bits = static_cast<std::uint8_t>(1u << choices.below(6));
+  options.blocks = static_cast<Cat240Blocks>(choices.below(4));
+  options.compressed = choices.below(2) == 1;
+  options.nanoseconds = choices.below(2) == 1;
+  options.time_of_day = choices.below(2) == 1;
+  options.start_range = static_cast<std::uint32_t>(choices.below(5000));
+  Bytes out;
+  const std::size_t begun = begin_cat240_block(out);
+  append_cat240_video_record(out, spoke.header, spoke.cells, options, 7);
+  end_cat240_block(out, begun);
+  const auto records = decode_cat240(out);
+  fuzz::require(records.ok() && records->size() == 1, "every variant is read");
+  const Cat240Video& video = *records->front().video;
+  fuzz::require(video.start_range + video.cell_count == spoke.cells.size(), "all cells are there");
+  for (std::uint32_t i = 0; i < video.cell_count; ++i) {
+    const std::uint32_t cell = spoke.cells[video.start_range + i];
+    const std::uint32_t eight = spoke.header.geometry.bits == 4 ? cell * 17 : cell;
+    const std::uint32_t read =
+        video.bits_per_cell <= 8 ? video.cells[i] : video.wide_cells[i] & 0xFF;
+    fuzz::require(read == eight >> (8 - std::min<std::uint32_t>(video.bits_per_cell, 8)),
+                  "and each has its video");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   check_decoding({data, size});
-  check_round_trip(spoke_from({data, size}));
+  const Spoke spoke = spoke_from({data, size});
+  check_round_trip(spoke);
+  check_variant(spoke, {data, size});
   return 0;
 }

@@ -73,17 +73,24 @@ TEST(Cat240Reading, UnpacksSmallCellsFromTheHighBits) {
   EXPECT_THAT(cells(2, 5), ElementsAre(2, 3, 1, 0, 2));
   EXPECT_THAT(cells(3, 3), ElementsAre(0xB, 4, 8));
   EXPECT_THAT(cells(4, 2), ElementsAre(0xB4, 0x80));
-  EXPECT_THAT(cells(5, 1), ElementsAre(0xB4, 0x80));
 }
 
-TEST(Cat240Reading, LeavesCompressedOctetsAsTheyAre) {
+TEST(Cat240Reading, ReadsWideCellsFromTheHighOctet) {
+  const auto records = decode_cat240(block(video(5, {0, 4, 0, 0, 2, 1, 0xB4, 0x80, 1, 2})));
+  ASSERT_TRUE(records.ok()) << records.error().text;
+  EXPECT_THAT(records->front().video->wide_cells, ElementsAre(0xB480u, 0x0102u));
+  EXPECT_TRUE(records->front().video->cells.empty());
+}
+
+TEST(Cat240Reading, LeavesOctetsCompressedInAnotherWayAsTheyAre) {
   const Bytes record =
       kFemtoLow + kVideoStart + Bytes{0x80, 4, 0, 3, 0, 4, 0, 1, 0x78, 0x9C, 0x01, 0};
   const auto records = decode_cat240(block(record));
   ASSERT_TRUE(records.ok()) << records.error().text;
   EXPECT_TRUE(records->front().video->compressed);
   EXPECT_EQ(records->front().video->cell_count, 1024u);
-  EXPECT_THAT(records->front().video->cells, ElementsAre(0x78, 0x9C, 0x01));
+  EXPECT_THAT(records->front().video->foreign, ElementsAre(0x78, 0x9C, 0x01));
+  EXPECT_TRUE(records->front().video->cells.empty());
 }
 
 TEST(Cat240Reading, AcceptsFspecOctetsThatAddNothing) {
