@@ -23,6 +23,7 @@
 #include "echo/returns/static_returns.hpp"
 #include "echo/scene/spoke_aim.hpp"
 #include "echo/targets/echo_splat.hpp"
+#include "echo/targets/radial_speeds.hpp"
 #include "echo/targets/target_returns.hpp"
 
 namespace skerry::echo {
@@ -77,8 +78,9 @@ struct SpokeReturns::Contributors {
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
   // And all else.
   void add_beacons(const SpokeAim& aim, std::span<float> row) const;
+  // `closing`: empty where speeds are not wanted.
   void make_row(const Scene& scene, const Look& look, std::span<const CellRun> no_water,
-                std::span<float> row) const;
+                std::span<float> row, std::span<float> closing) const;
 
   RadarModel model;
   ParallelFor parallel;
@@ -104,8 +106,10 @@ struct SpokeReturns::Contributors {
   MinimumRange minimum_range;
   Saturation saturation;
 
+  std::optional<RadialSpeeds> speeds;  // nothing: nobody wants them
+
   std::size_t pitch;
-  AlignedFloats rows;
+  AlignedFloats rows, closing_rows;
   std::vector<Look> looks;
   std::vector<std::vector<CellRun>> dry;  // of each spoke
   std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
@@ -139,6 +143,7 @@ void SpokeReturns::Contributors::prepare(const Scene& scene, std::uint64_t first
   points.clear();
   targets.prepare(scene, from, to, hidden, points);
   const StrongEchoes& strong = targets.strong();
+  if (speeds) speeds->prepare(scene, points, strong, from, to);
   false_points.clear();
   if (!points.empty() || !strong.points.empty())
     false_echoes.add(scene, from, to, points, strong.points, false_points);
@@ -205,12 +210,13 @@ void SpokeReturns::Contributors::add_beacons(const SpokeAim& aim, std::span<floa
 }
 
 void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
-                                          std::span<const CellRun> no_water,
-                                          std::span<float> row) const {
+                                          std::span<const CellRun> no_water, std::span<float> row,
+                                          std::span<float> closing) const {
   const SpokeAim& aim = look.aim;
   if (sea.any()) add_sea(aim, no_water, row);
   if (targets.shadows().any()) targets.shadows().apply(aim, row);
   splat.add(aim, row);
+  if (!closing.empty()) speeds->find(aim, row, closing);
   if (!scene.rain.empty()) {
     thread_local RainPath path;
     path.trace(scene, model, aim);
@@ -242,20 +248,32 @@ void SpokeReturns::set_tune_loss(double db) {
   all_->tune_factor = static_cast<float>(ratio_from_decibels(-db));
 }
 
+void SpokeReturns::set_doppler(bool wanted) {
+  if (wanted == all_->speeds.has_value()) return;
+  all_->speeds.reset();
+  if (wanted) all_->speeds.emplace(all_->model);
+  all_->closing_rows.resize(wanted ? all_->rows.size() : 0);
+}
+
 PowerRows SpokeReturns::make(const Scene& scene, std::uint64_t first, std::uint32_t count) {
   Contributors& all = *all_;
   all.prepare(scene, first, count);
   const auto row = [&](std::size_t k) {
     return std::span(all.rows).subspan(k * all.pitch, all.model.geometry.cells);
   };
+  const auto closing = [&](std::size_t k) {
+    return all.speeds ? std::span(all.closing_rows).subspan(k * all.pitch, all.model.geometry.cells)
+                      : std::span<float>{};
+  };
   // The sea's waves are made only where some spoke sees water.
   all.parallel(count,
                [&](std::size_t k) { all.lay_land(scene, all.looks[k].aim, row(k), all.dry[k]); });
   all.look_for_water(count);
   all.sea.prepare(scene, all.looks[0].aim, all.looks[count - 1].aim, all.wet);
-  all.parallel(count,
-               [&](std::size_t k) { all.make_row(scene, all.looks[k], all.dry[k], row(k)); });
-  return {first, count, all.pitch, all.rows};
+  all.parallel(count, [&](std::size_t k) {
+    all.make_row(scene, all.looks[k], all.dry[k], row(k), closing(k));
+  });
+  return {first, count, all.pitch, all.rows, all.closing_rows};
 }
 
 }  // namespace skerry::echo

@@ -19,6 +19,8 @@ struct PowerRows {
   std::uint32_t count = 0;
   std::size_t pitch = 0;  // floats from row to row: not a multiple of 4 KiB
   std::span<const float> cells;
+  // How fast what echoes in a cell comes nearer, m/s (radial_speeds.hpp); empty unless wanted.
+  std::span<const float> closing = {};
 };
 
 // Joins what echoes (land, sea, rain, targets, beacons) and what is not there (false echoes) to the
@@ -37,6 +39,9 @@ class SpokeReturns {
 
   // What detuning takes from echoes, dB >= 0; SARTs and other radars keep their strength.
   void set_tune_loss(double db);
+
+  // Whether rows come with radial speeds; not at first.
+  void set_doppler(bool wanted);
 
   // Rows of spokes first .. first + count - 1, valid until the next call.  count: 1 to kMaxSector.
   // scene.index is not looked at: it serves is_ashore() and single rays (ray_returns.hpp).

@@ -19,6 +19,7 @@ struct SetOptions {
   wire::Set request;
   RainOptions rain;
   std::vector<std::string> artefacts;
+  std::vector<std::string> blanked;
 };
 
 // Whether the request says more than where it goes.
@@ -26,6 +27,7 @@ bool changes_anything(wire::Set request) {
   request.clear_radar();
   request.clear_view();
   request.clear_token();
+  request.clear_instructor();
   return request.ByteSizeLong() > 0;
 }
 
@@ -39,6 +41,7 @@ int run_set(const SetOptions& options, const CLI::App& command) {
   for (const std::string& text : options.artefacts) {
     if (const auto wrong = add_artefact(text, *request.mutable_world())) return refuse(*wrong);
   }
+  if (const auto wrong = add_blanked(options.blanked, request)) return refuse(*wrong);
   if (options.rain.any()) {
     if (const auto wrong = add_rain(options.rain, *request.mutable_world())) return refuse(*wrong);
   }
@@ -90,6 +93,32 @@ void add_rain_options(CLI::App& command, RainOptions& rain, const CLI::Validator
   command.add_flag("--remove-all-rain", rain.remove_all, "Removes all of them")->group(group);
 }
 
+void add_instructor_options(CLI::App& command, wire::Set& request) {
+  const char* const group = "Instructor";
+  command
+      .add_flag_callback(
+          "--instructor", [&request] { request.set_instructor(true); },
+          "As the instructor, whom no lock holds")
+      ->group(group);
+  const auto add = [&](const char* name, void (wire::Set::*put)(const std::string&),
+                       const char* text) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [&request, put](const std::vector<std::string>& controls) {
+              request.set_instructor(true);
+              for (const std::string& control : controls) (request.*put)(control);
+            },
+            text)
+        ->group(group);
+  };
+  add("--lock", &wire::Set::add_lock,
+      "Only the instructor changes these controls of the radar from now on: names as in "
+      "radar.proto "
+      "(gain, range_nm, transmit, course_deg, world ...)");
+  add("--unlock", &wire::Set::add_unlock, "All may change them again");
+}
+
 }  // namespace
 
 Command make_set_command(CLI::App& app) {
@@ -127,6 +156,14 @@ Command make_set_command(CLI::App& app) {
   }
   add_rain_options(*command, options->rain, number);
   command
+      ->add_option(
+          "--blank", options->blanked,
+          "Where the transmitter is off: up to four sectors FROM-TO, degrees clockwise from "
+          "the bow, in place of those there were; none: nowhere")
+      ->expected(1, 4)
+      ->group("Radar (for all its views)");
+  add_instructor_options(*command, *request);
+  command
       ->add_option("--artefact", options->artefacts,
                    "NAME=on or NAME=off, as often as wanted: " + artefact_names())
       ->group(kWorldGroup);
@@ -141,6 +178,10 @@ Command make_set_command(CLI::App& app) {
       "  skerry set --radar 1 --range 6 --gain 55 --sea-auto on\n"
       "  skerry set --radar 1 --transmit off              (standby)\n"
       "  skerry set --pulse long --tune-auto off --tune 48\n"
+      "  skerry set --doppler both --mode harbour\n"
+      "  skerry set --blank 350-10 120-150\n"
+      "  skerry set --lock range_nm transmit\n"
+      "  skerry set --instructor --range 12\n"
       "  skerry set --sea-state 4 --wind-from 225\n"
       "  skerry set --add-rain 60.45 4.95 --rain-radius 3 --rain-rate 16 --rain-drift 45 "
       "--rain-speed 12\n"

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "clients/common/printable_text.hpp"
 
@@ -34,6 +36,27 @@ constexpr std::array kNumbers = {
                   [](wire::Set& s, double v) { s.set_echo_stretch(v); }},
     NumberControl{"--integration", "Integration of the spokes of a beam, 0 (off) to 100",
                   kViewGroup, [](wire::Set& s, double v) { s.set_integration(v); }},
+    NumberControl{"--side-lobe-suppression", "0 (off) to 100", kViewGroup,
+                  [](wire::Set& s, double v) { s.set_side_lobe_suppression(v); }},
+    NumberControl{"--noise-rejection", "0 (off) to 100", kViewGroup,
+                  [](wire::Set& s, double v) { s.set_noise_rejection(v); }},
+    NumberControl{"--target-separation", "Sharpens the beam, 0 (off) to 100", kViewGroup,
+                  [](wire::Set& s, double v) { s.set_target_separation(v); }},
+    NumberControl{"--target-boost", "Makes small echoes stronger, 0 (off) to 100", kViewGroup,
+                  [](wire::Set& s, double v) { s.set_target_boost(v); }},
+    NumberControl{"--doppler-threshold", "What is slower is not coloured, m/s, 0.1 to 20",
+                  kViewGroup, [](wire::Set& s, double v) { s.set_doppler_threshold_mps(v); }},
+    NumberControl{
+        "--instrumented-range",
+        "Where the last cell ends, m: a sixteenth of the range scale to twice that; 0: at "
+        "the range scale",
+        kViewGroup, [](wire::Set& s, double v) { s.set_instrumented_range_m(v); }},
+    NumberControl{"--rotation", "Turns of the antenna a minute, 10 to 60", kRadarGroup,
+                  [](wire::Set& s, double v) { s.set_rotation_rpm(v); }},
+    NumberControl{"--bearing-alignment", "Added to every azimuth, degrees, -180 to 180",
+                  kRadarGroup, [](wire::Set& s, double v) { s.set_bearing_alignment_deg(v); }},
+    NumberControl{"--antenna-height", "Over the water, m, 1 to 100", kRadarGroup,
+                  [](wire::Set& s, double v) { s.set_antenna_height_m(v); }},
     NumberControl{"--tune", "Tuning by hand, 0 to 100; 50 is right", kRadarGroup,
                   [](wire::Set& s, double v) { s.set_tune(v); }},
     NumberControl{"--sea-state", "Douglas sea state, 0 (no clutter) to 6, need not be whole",
@@ -60,6 +83,18 @@ wire::PulseChoice pulse_named(const std::string& word) {
   if (word == "short") return wire::PULSE_SHORT;
   if (word == "medium") return wire::PULSE_MEDIUM;
   return word == "long" ? wire::PULSE_LONG : wire::PULSE_AUTO;
+}
+
+wire::DopplerMode doppler_named(const std::string& word) {
+  if (word == "both") return wire::DOPPLER_BOTH;
+  return word == "approaching" ? wire::DOPPLER_APPROACHING : wire::DOPPLER_OFF;
+}
+
+constexpr std::array kModes = {"custom", "harbour", "offshore", "buoy", "weather", "bird"};
+
+wire::PictureMode mode_named(const std::string& word) {
+  const auto found = std::find(kModes.begin(), kModes.end(), word);
+  return static_cast<wire::PictureMode>(found - kModes.begin());
 }
 
 struct Artefact {
@@ -97,6 +132,21 @@ std::span<const WordControl> word_controls() {
                   [](wire::Set& s, const std::string& w) {
                     s.set_decimation(w == "mean" ? wire::MEAN : wire::PEAK);
                   }},
+      WordControl{"--gain-auto", "The gain follows noise and clutter", kViewGroup, kSwitch,
+                  [](wire::Set& s, const std::string& w) { s.set_gain_auto(is_on(w)); }},
+      WordControl{"--side-lobe-auto", "Side lobe suppression by itself", kViewGroup, kSwitch,
+                  [](wire::Set& s, const std::string& w) { s.set_side_lobe_auto(is_on(w)); }},
+      WordControl{"--doppler",
+                  "Which echoes are coloured by their radial speed",
+                  kViewGroup,
+                  {"off", "both", "approaching"},
+                  [](wire::Set& s, const std::string& w) { s.set_doppler(doppler_named(w)); }},
+      WordControl{"--mode",
+                  "What the picture is set for; all but custom set gain, sea, rain and what cleans "
+                  "the picture by themselves",
+                  kViewGroup,
+                  {kModes.begin(), kModes.end()},
+                  [](wire::Set& s, const std::string& w) { s.set_mode(mode_named(w)); }},
       WordControl{"--transmit", "off is standby: no spokes come", kRadarGroup, kSwitch,
                   [](wire::Set& s, const std::string& w) { s.set_transmit(is_on(w)); }},
       WordControl{"--pulse",
@@ -108,6 +158,30 @@ std::span<const WordControl> word_controls() {
                   [](wire::Set& s, const std::string& w) { s.set_tune_auto(is_on(w)); }},
   };
   return kWords;
+}
+
+std::optional<std::string> add_blanked(const std::vector<std::string>& texts, wire::Set& set) {
+  if (texts.empty()) return std::nullopt;
+  set.mutable_blanked_sectors();
+  if (texts == std::vector<std::string>{"none"}) return std::nullopt;
+  for (const std::string& text : texts) {
+    const std::size_t dash = text.find('-', 1);
+    char* end_from = nullptr;
+    char* end_to = nullptr;
+    if (dash != std::string::npos) {
+      auto& sector = *set.mutable_blanked_sectors()->add_sectors();
+      sector.set_from_deg(std::strtod(text.c_str(), &end_from));
+      sector.set_to_deg(std::strtod(text.c_str() + dash + 1, &end_to));
+    }
+    if (dash == std::string::npos || end_from != text.c_str() + dash || *end_to != '\0' ||
+        dash + 1 == text.size()) {
+      return fmt::format(
+          "--blank: '{}' is no sector; expected FROM-TO in degrees from the bow, as "
+          "350-10, or none",
+          printable(text, 40));
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> add_rain(const RainOptions& options, wire::WorldChange& change) {

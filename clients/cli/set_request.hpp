@@ -46,6 +46,9 @@ struct RainOptions {
 // What is wrong with the options, if anything is.
 std::optional<std::string> add_rain(const RainOptions& options, wire::WorldChange& change);
 
+// "350-10", or "none" alone, which takes all away; what is wrong with them, if anything is.
+std::optional<std::string> add_blanked(const std::vector<std::string>& texts, wire::Set& set);
+
 // "side_lobes=off"; what is wrong with it, if anything is.
 std::optional<std::string> add_artefact(const std::string& text, wire::WorldChange& change);
 std::string artefact_names();  // "side_lobes, multiple_echoes, ..."

@@ -31,10 +31,12 @@ std::string own_ships(const wire::Status& status) {
     const wire::OwnShip& ship = radar.own_ship();
     if (!seen.insert(ship.name()).second) continue;
     out += with_degree_signs(fmt::format(
-        "{:<20} {:<27} {:>7} {:>6.1f} kn {:>9.1f}^  {} {:.1f} kn\n", printable(ship.name(), 20),
+        "{:<20} {:<27} {:>7} {:>6.1f} kn {:>9.1f}^  {}\n", printable(ship.name(), 20),
         position_text({ship.latitude_deg(), ship.longitude_deg()}),
         bearing_text(ship.heading_deg()), ship.speed_kn(), ship.rate_of_turn_deg_min(),
-        bearing_text(ship.ordered_course_deg()), ship.ordered_speed_kn()));
+        ship.driven() ? "driven from outside"
+                      : fmt::format("{} {:.1f} kn", bearing_text(ship.ordered_course_deg()),
+                                    ship.ordered_speed_kn())));
   }
   return out;
 }
@@ -102,6 +104,58 @@ std::string controls(const wire::Status& status) {
   return out;
 }
 
+// What of a view and a radar is otherwise than usual; the table above has no room for all.
+std::string special_controls(const wire::Settings& settings) {
+  std::string text;
+  const auto add = [&](bool shown, const std::string& part) {
+    if (shown) text += (text.empty() ? "" : ", ") + part;
+  };
+  static constexpr const char* kModes[] = {"custom", "harbour", "offshore",
+                                           "buoy",   "weather", "bird"};
+  const auto mode = static_cast<unsigned>(settings.mode());
+  add(mode != 0, fmt::format("mode {}", mode < 6 ? kModes[mode] : "?"));
+  add(settings.gain_auto(), "gain auto");
+  add(settings.side_lobe_auto(), "side lobes auto");
+  const auto add_level = [&](double level, const char* name) {
+    add(level > 0.0, fmt::format("{} {:.0f}", name, level));
+  };
+  add_level(settings.side_lobe_suppression(), "side lobes");
+  add_level(settings.noise_rejection(), "noise rejection");
+  add_level(settings.target_separation(), "target separation");
+  add_level(settings.target_boost(), "target boost");
+  add(settings.doppler() != wire::DOPPLER_OFF,
+      fmt::format("doppler {} from {:g} m/s",
+                  settings.doppler() == wire::DOPPLER_BOTH ? "both" : "approaching",
+                  settings.doppler_threshold_mps()));
+  add(settings.instrumented_range_m() > 0.0,
+      fmt::format("cells to {:.0f} m", settings.instrumented_range_m()));
+  add(settings.bearing_alignment_deg() != 0.0,
+      fmt::format("bearings {:+g}^", settings.bearing_alignment_deg()));
+  for (const auto& sector : settings.blanked_sectors().sectors()) {
+    add(true, fmt::format("blanked {:g}-{:g}^", sector.from_deg(), sector.to_deg()));
+  }
+  std::string locked;
+  for (const std::string& control : settings.locked()) locked += " " + printable(control, 40);
+  add(!locked.empty(), "locked:" + locked);
+  return text;
+}
+
+std::string special_controls(const wire::Status& status) {
+  std::string out;
+  const auto add = [&](const wire::Settings& settings) {
+    const std::string text = special_controls(settings);
+    if (!text.empty()) {
+      out += with_degree_signs(
+          fmt::format("{:<5} {:<4} {}\n", settings.radar(), settings.view(), text));
+    }
+  };
+  for (const auto& radar : status.radars()) {
+    add(radar.settings());
+    for (const auto& view : radar.views()) add(view);
+  }
+  return out;
+}
+
 std::string switched_off(const wire::World& world) {
   std::string names;
   const auto add = [&](bool on, const char* name) {
@@ -150,6 +204,24 @@ std::string clients(const wire::Status& status) {
   return out;
 }
 
+std::string outputs(const wire::Status& status) {
+  if (status.outputs().empty()) return "";
+  std::string out =
+      fmt::format("\n{:<18} {:<15} {:>5} {:>4} {:>10} {:>9} {:>8} {:>6} {:>8} {:>8} {}\n", "OUTPUT",
+                  "AT", "RADAR", "VIEW", "DATAGRAMS", "REPORTS", "MIB", "LOST", "COMMANDS",
+                  "REFUSED", "LAST DISPLAY");
+  for (const auto& output : status.outputs()) {
+    out += fmt::format("{:<18} {:<15} {:>5} {:>4} {:>10} {:>9} {:>8.1f} {:>6} {:>8} {:>8} {}\n",
+                       printable(output.name(), 18), printable(output.interface_address(), 15),
+                       output.radar(), output.view(), output.datagrams(), output.reports(),
+                       static_cast<double>(output.bytes()) / (1 << 20),
+                       output.spokes_lost() + output.datagrams_unsent(), output.commands(),
+                       output.commands_refused() + output.commands_dropped(),
+                       output.last_display().empty() ? "-" : printable(output.last_display(), 21));
+  }
+  return out;
+}
+
 std::string errors(const wire::Status& status) {
   if (status.errors().empty()) return "no errors\n";
   std::string out = fmt::format("{:>10}  {}\n", "ERRORS", "KIND");
@@ -165,8 +237,9 @@ std::string table(const wire::Status& status, const std::string& place) {
       "{}\n{}\n{}\n{}\n{}\n{}\n{}",
       printable(status.server()), place, printable(status.scenario()),
       hours_minutes_seconds(status.scenario_s()), hours_minutes_seconds(status.uptime_s()),
-      status.resident_mib(), own_ships(status), radars(status), controls(status), boards(status),
-      world(status), clients(status), errors(status));
+      status.resident_mib(), own_ships(status), radars(status),
+      controls(status) + special_controls(status), boards(status), world(status),
+      clients(status) + outputs(status), errors(status));
 }
 
 std::string json(const wire::Status& status) {

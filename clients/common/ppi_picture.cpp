@@ -79,19 +79,23 @@ class Painter {
 
   void video() {
     const PpiRaster raster = rasterise(scan_, frame_);
-    const auto colours = colours_of(options_.palette);
+    const std::array colours = {colours_of(options_.palette),
+                                colours_of(DopplerClass::approaching, options_.palette),
+                                colours_of(DopplerClass::receding, options_.palette)};
     for (std::size_t i = 0; i < image_.pixels.size(); ++i) {
       switch (raster.kind[i]) {
         case PixelKind::outside:
           break;
         case PixelKind::unswept:
-          image_.pixels[i] = colours[0];
+          image_.pixels[i] = colours[0][0];
           break;
         case PixelKind::missing:
           image_.pixels[i] = kMissing;
           break;
         case PixelKind::video:
-          image_.pixels[i] = colours[raster.level[i]];
+          image_.pixels[i] =
+              colours[raster.doppler.empty() ? 0 : static_cast<std::size_t>(raster.doppler[i])]
+                     [raster.level[i]];
           break;
       }
     }
@@ -185,6 +189,22 @@ std::array<Rgba, 256> colours_of(Palette palette) {
                                                   {200, {80, 226, 90}},
                                                   {255, {200, 255, 170}}}};
   return palette == Palette::amber ? ramp(kAmber) : ramp(kGreen);
+}
+
+std::array<Rgba, 256> colours_of(DopplerClass motion, Palette palette) {
+  static constexpr std::array<Stop, 4> kApproaching = {
+      {{0, kBackground}, {24, {40, 8, 8}}, {130, {196, 34, 30}}, {255, {255, 92, 84}}}};
+  static constexpr std::array<Stop, 4> kReceding = {
+      {{0, kBackground}, {24, {8, 12, 44}}, {130, {36, 84, 206}}, {255, {104, 164, 255}}}};
+  switch (motion) {
+    case DopplerClass::approaching:
+      return ramp(kApproaching);
+    case DopplerClass::receding:
+      return ramp(kReceding);
+    case DopplerClass::none:
+      break;
+  }
+  return colours_of(palette);
 }
 
 RgbaImage draw_ppi(const Scan& scan, const PpiOptions& options, const PpiLabels& labels) {

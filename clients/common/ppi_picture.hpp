@@ -41,6 +41,8 @@ PpiFrame frame_of(const PpiOptions& options);
 
 // The colour of each level; level 0 is the background.
 std::array<Rgba, 256> colours_of(Palette palette);
+// The same of echoes that come nearer (red) or go away (blue), in either palette.
+std::array<Rgba, 256> colours_of(DopplerClass motion, Palette palette);
 
 // Requires kMinPictureSize <= options.size <= kMaxPictureSize.  Pure.  Thread: any.
 RgbaImage draw_ppi(const Scan& scan, const PpiOptions& options, const PpiLabels& labels);

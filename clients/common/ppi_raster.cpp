@@ -101,6 +101,10 @@ class Rasteriser {
     raster_.size = frame.size;
     raster_.level.assign(pixels, 0);
     raster_.kind.assign(pixels, PixelKind::outside);
+    if (std::any_of(scan.spokes.begin(), scan.spokes.end(),
+                    [](const auto& spoke) { return spoke && !spoke->doppler.empty(); })) {
+      raster_.doppler.assign(pixels, DopplerClass::none);
+    }
     if (const Spoke* newest = scan.newest()) {
       metres_per_pixel_ = newest->header.range_scale.length().in_metres() / frame.radius;
     }
@@ -135,7 +139,7 @@ class Rasteriser {
     const Spoke& spoke = *scan_.spokes[who];
     const double cell = radius * metres_per_pixel_ / spoke.header.cell_size().in_metres();
     if (cell < static_cast<double>(spoke.cells.size())) {
-      raster_.level[pixel] = level(spoke.cells[static_cast<std::size_t>(cell)]);
+      show(spoke, static_cast<std::size_t>(cell), pixel);
     }
   }
 
@@ -156,8 +160,20 @@ class Rasteriser {
       if (x < 0 || y < 0 || x >= frame_.size || y >= frame_.size) continue;
       const std::size_t pixel = static_cast<std::size_t>(y) * frame_.size + x;
       raster_.kind[pixel] = PixelKind::video;
-      raster_.level[pixel] = std::max(raster_.level[pixel], level(spoke.cells[n]));
+      show(spoke, n, pixel);
     }
+  }
+
+  // The pixel shows that cell if it is the strongest so far; of equals one that is coloured.
+  void show(const Spoke& spoke, std::size_t cell, std::size_t pixel) {
+    const std::uint8_t strength = level(spoke.cells[cell]);
+    const DopplerClass motion = spoke.doppler.empty() ? DopplerClass::none : spoke.doppler[cell];
+    if (strength < raster_.level[pixel]) return;
+    if (!raster_.doppler.empty() &&
+        (strength > raster_.level[pixel] || motion != DopplerClass::none)) {
+      raster_.doppler[pixel] = motion;
+    }
+    raster_.level[pixel] = strength;
   }
 
   std::uint8_t level(std::uint8_t cell) const {

@@ -33,6 +33,7 @@ struct PpiRaster {
   int size = 0;
   std::vector<std::uint8_t> level;  // 0 .. 255 (4-bit cells times 17); 0 unless video
   std::vector<PixelKind> kind;
+  std::vector<DopplerClass> doppler;  // of the cell that gives the level; empty if no spoke has any
 };
 
 // A pixel shows the strongest of the cell under its centre and all cells whose centre lies in it.

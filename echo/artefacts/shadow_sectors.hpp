@@ -17,7 +17,7 @@ namespace skerry::echo {
 // Thread: prepare() the radar's; the rest any.
 class OwnShipGain {
  public:
-  static constexpr std::size_t kMostObstructions = 32, kMostBlanked = 32;
+  static constexpr std::size_t kMostObstructions = 32, kMostBlanked = echo::kMostBlanked;
 
   explicit OwnShipGain(const RadarModel& model);
 

@@ -19,13 +19,13 @@ namespace skerry::echo {
 // radars of the same correlation (speckle_for); any thread.  1 MB.
 class Speckle {
  public:
-  static constexpr std::uint32_t kLongestRow = 4096;
+  static constexpr std::uint32_t kLongestRow = 2 * ScanGeometry::kMaxCells;
 
   // Correlation lengths (1/e of the field's, not of the power's, autocorrelation) in spokes, 0
   // for none, and in cells: of the power exp(-2 (d / length)^2).  At most 96 of either.
   Speckle(double spokes, double cells, std::uint64_t seed);
 
-  // Values of one spoke, at least `count` (<= 4096) of them, nearest first, 64-byte aligned.
+  // Values of one spoke, at least `count` (<= kLongestRow) of them, nearest first, 64-byte aligned.
   // Those `from` on are what is used: the same of the next spoke are fetched ahead.
   std::span<const float> row(std::uint64_t key, std::uint32_t scan, std::uint32_t spoke,
                              std::uint32_t count, std::uint32_t from = 0) const;

@@ -46,6 +46,20 @@ SKERRY_KERNEL(interpolate,
                const float* __restrict share, float* __restrict out, std::size_t n),
               (in, at, share, out, n))
 
+SKERRY_KERNEL_BODY peak_of_body(const float* __restrict in, const std::uint32_t* __restrict at,
+                                const std::uint32_t* __restrict last, float* __restrict out,
+                                std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float a = in[at[i]], b = in[at[i] + 1], c = in[last[i]];
+    const float more = a > b ? a : b;
+    out[i] = more > c ? more : c;
+  }
+}
+SKERRY_KERNEL(peak_of,
+              (const float* __restrict in, const std::uint32_t* __restrict at,
+               const std::uint32_t* __restrict last, float* __restrict out, std::size_t n),
+              (in, at, last, out, n))
+
 }  // namespace
 
 void double_cells(std::span<const float> in, std::span<float> out) noexcept {
@@ -67,6 +81,11 @@ void halve_cells_by_peak(std::span<const float> in, std::span<float> out) noexce
 
 void halve_cells_by_mean(std::span<const float> in, std::span<float> out) noexcept {
   halve_mean(in.data(), out.data(), out.size());
+}
+
+void peak_cells(std::span<const float> in, std::span<const std::uint32_t> at,
+                std::span<const std::uint32_t> last, std::span<float> out) noexcept {
+  peak_of(in.data(), at.data(), last.data(), out.data(), out.size());
 }
 
 void interpolate_cells(std::span<const float> in, std::span<const std::uint32_t> at,

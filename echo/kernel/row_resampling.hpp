@@ -22,4 +22,10 @@ void halve_cells_by_mean(std::span<const float> in, std::span<float> out) noexce
 void interpolate_cells(std::span<const float> in, std::span<const std::uint32_t> at,
                        std::span<const float> share, std::span<float> out) noexcept;
 
+// Cells up to twice as long, whole cells or not: the largest of those that one holds any part of.
+// out[i] = max(in[at[i]], in[at[i] + 1], in[last[i]]).  Requires at[i] + 1 and last[i] <
+// in.size(), at.size() == last.size() == out.size().  Exact.
+void peak_cells(std::span<const float> in, std::span<const std::uint32_t> at,
+                std::span<const std::uint32_t> last, std::span<float> out) noexcept;
+
 }  // namespace skerry::echo

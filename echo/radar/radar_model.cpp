@@ -26,6 +26,12 @@ RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeS
   return with_cells_of(std::move(model), geometry.cell_size(scale).in_metres());
 }
 
+RadarModel with_rows_of(RadarModel model, std::uint32_t cells) {
+  model.geometry.cells = cells;
+  model.blind_cells = std::min(model.blind_cells, cells);
+  return model;
+}
+
 RadarModel with_cells_of(RadarModel model, double cell_m) {
   model.cell_m = cell_m;
   model.pulse_cells = 0.5 * kLightSpeed * model.pulse.length_s / cell_m;

@@ -12,7 +12,7 @@ namespace skerry::echo {
 struct RadarModel {
   RadarSet set;
   Pulse pulse;
-  ScanGeometry geometry;
+  ScanGeometry geometry;  // of its rows, which may be longer than the range scale
   RangeScale scale;
   SpokeClock clock{24.0, 4096};
   std::uint32_t radar = 0;  // which radar of the host: tells noise and fluctuation apart
@@ -30,6 +30,9 @@ struct RadarModel {
 RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeScale scale,
                        const SpokeClock& clock, std::uint32_t radar,
                        PulseChoice choice = PulseChoice::automatic);
+
+// The model with rows of so many cells of the same length, beyond the range scale or not so far.
+RadarModel with_rows_of(RadarModel model, std::uint32_t cells);
 
 // The model in cells of another length, whatever its range scale.
 RadarModel with_cells_of(RadarModel model, double cell_m);

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "echo/radar/radar_set.hpp"
-#include "protocol/video/range_scale.hpp"
+#include "echo/scene/own_rig.hpp"
+#include "protocol/video/scan_geometry.hpp"
 
 namespace skerry::echo {
 
@@ -15,10 +17,11 @@ struct RadarControls {
   bool transmit = true;
   PulseChoice pulse = PulseChoice::automatic;
   bool tune_auto = true;
-  double tune = 50.0;                  // 0 to 100 by hand; 50 is right on the frequency
-  double rotation_rpm = 0.0;           // 10 to 60; 0: as the set turns
-  double bearing_alignment_deg = 0.0;  // -180 to 180: how far the picture is turned clockwise
-  double antenna_height_m = 0.0;       // 1 to 100; 0: the set's
+  double tune = 50.0;                       // 0 to 100 by hand; 50 is right on the frequency
+  double rotation_rpm = 0.0;                // 10 to 60; 0: as the set turns
+  double bearing_alignment_deg = 0.0;       // -180 to 180: how far the picture is turned clockwise
+  double antenna_height_m = 0.0;            // 1 to 100; 0: the set's
+  std::vector<BlankedSector> blanked = {};  // where the transmitter is off; at most kMostBlanked
   friend bool operator==(const RadarControls&, const RadarControls&) = default;
 };
 
@@ -53,9 +56,24 @@ struct ViewControls {
   DopplerMode doppler = DopplerMode::off;
   double doppler_threshold_mps = 2.0;  // 0.1 to 20: what is slower is not coloured
   PictureMode mode = PictureMode::custom;
-  double instrumented_range_m = 0.0;  // where the last cell ends; 0: at the range scale
+  // Where the last cell ends; 0: at the range scale.  See reach_of.
+  double instrumented_range_m = 0.0;
   friend bool operator==(const ViewControls&, const ViewControls&) = default;
 };
+
+// What holds where a picture mode or an automatic control decides: `mode` is custom then, and side
+// lobe suppression a number.  What is custom and manual stays as it is.  The range scale, the
+// instrumented range, decimation and Doppler colours are no mode's affair.
+ViewControls effective_controls(const ViewControls& controls);
+
+// Where the last cell of a view ends: at the range scale, or at its instrumented range as far as
+// that lies within a sixteenth of the range scale and twice it; the nearest of the two where not.
+Length reach_of(const ViewControls& controls);
+
+// How many cells a radar's rows need, of its own length, for a view of `controls` on a radar on
+// `scale`: geometry.cells, or more by quarters of that, up to twice as many.
+std::uint32_t row_cells_for(const ScanGeometry& geometry, RangeScale scale,
+                            const ViewControls& controls);
 
 // What is wrong with the controls: the name of the first one outside its range, the range and what
 // it is; nothing where all is well.

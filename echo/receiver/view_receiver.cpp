@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/power_stages.hpp"
 #include "echo/kernel/video_stages.hpp"
 
 namespace skerry::echo {
@@ -18,38 +19,57 @@ constexpr std::size_t kColumns = 512;
 constexpr float kBlind = -1e6f;   // steps
 constexpr double kTrimDb = 12.0;  // of automatic STC by the sea control, at 0 and 100
 
-RowResampler resampler_of(const RadarModel& model, const ViewControls& controls) {
-  return {model.geometry.cells, model.scale, controls.range_scale, controls.decimation};
+// Exact where neither has an instrumented range.
+double cell_ratio(const RadarModel& model, const ViewControls& controls) {
+  if (controls.instrumented_range_m > 0.0)
+    return reach_of(controls).in_metres() / model.scale.length().in_metres();
+  return controls.range_scale.in_nautical_miles() / model.scale.in_nautical_miles();
 }
 
 }  // namespace
 
 ViewReceiver::ViewReceiver(const RadarModel& model, const ViewControls& controls)
     : model_(model),
+      row_cells_(model.geometry.cells),
       controls_(controls),
-      resampler_(resampler_of(model, controls)),
+      in_force_(effective_controls(controls)),
+      resampler_(resampler()),
       steps_per_db_(256.0 / model.set.video_range_db),
       scale_{static_cast<float>(steps_per_db_ * kDecibelsPerOctave), 255.0f},
       offsets_(model.geometry.cells) {
   set_up();
 }
 
+RowResampler ViewReceiver::resampler() const {
+  return {row_cells_, model_.geometry.cells, cell_ratio(model_, controls_), controls_.decimation};
+}
+
+void ViewReceiver::set_row_cells(std::uint32_t cells) {
+  if (cells == row_cells_) return;
+  row_cells_ = cells;
+  resampler_ = resampler();
+  lay_offsets();
+}
+
 void ViewReceiver::set_controls(const ViewControls& controls) {
   if (controls == controls_) return;
-  const bool same_cells =
-      controls.range_scale == controls_.range_scale && controls.decimation == controls_.decimation;
+  const bool same_cells = cell_ratio(model_, controls) == cell_ratio(model_, controls_) &&
+                          controls.decimation == controls_.decimation;
   controls_ = controls;
+  in_force_ = effective_controls(controls);
   if (!same_cells) {
-    resampler_ = resampler_of(model_, controls);
+    resampler_ = resampler();
+    powers_.forget();
     memory_.forget();
     auto_sea_.reset();
+    auto_gain_.reset();
   }
   set_up();
 }
 
 void ViewReceiver::set_up() {
   const ScanGeometry& geometry = model_.geometry;
-  cell_m_ = geometry.cell_size(controls_.range_scale).in_metres();
+  cell_m_ = reach_of(controls_).in_metres() / geometry.cells;
   blind_cells_ = std::min(
       geometry.cells,
       static_cast<std::uint32_t>(std::ceil(model_.blind_cells * model_.cell_m / cell_m_ - 1e-9)));
@@ -57,13 +77,20 @@ void ViewReceiver::set_up() {
       receiver_noise_for(samples_in_cell(cell_m_, model_.pulse.bandwidth_hz), controls_.decimation);
   const double look_back = std::clamp(kDifferentiatorLength / cell_m_, 2.0, geometry.cells / 2.0);
   rain_octaves_ = static_cast<unsigned>(exact_log2(look_back) + 0.5);
-  rain_weight_ = static_cast<unsigned>(controls_.rain * 2.56 + 0.5);
-  stretch_cells_ = static_cast<unsigned>(std::ceil(controls_.echo_stretch * 0.03));
+  rain_weight_ = static_cast<unsigned>(in_force_.rain * 2.56 + 0.5);
+  stretch_cells_ = static_cast<unsigned>(std::ceil(in_force_.echo_stretch * 0.03));
+  powers_.set_up(power_stages(model_.set, geometry.spokes_per_turn, in_force_), geometry.cells,
+                 geometry.spokes_per_turn);
   memory_.set_up(azimuth_stages(model_.set.beam_width_deg, geometry.spokes_per_turn,
-                                controls_.interference_rejection, controls_.integration,
-                                controls_.stretch_bearing ? stretch_cells_ : 0),
+                                in_force_.interference_rejection, in_force_.integration,
+                                in_force_.stretch_bearing ? stretch_cells_ : 0),
                  geometry.cells, noise_->mean_power());
-  if (!controls_.sea_auto) {
+  if (!in_force_.gain_auto) {
+    auto_gain_.reset();
+  } else if (!auto_gain_) {
+    auto_gain_.emplace();
+  }
+  if (!in_force_.sea_auto && !in_force_.gain_auto) {
     auto_sea_.reset();
   } else if (!auto_sea_) {
     auto_sea_.emplace(geometry.spokes_per_turn, geometry.cells, cell_m_, blind_cells_,
@@ -76,22 +103,36 @@ void ViewReceiver::set_up() {
 // By the law of the sea control, or by what the automatic one has learnt of the sector ahead.
 void ViewReceiver::lay_offsets() {
   const std::uint32_t cells = model_.geometry.cells;
-  const double constant = -steps_per_db_ * threshold_db(controls_.gain) -
-                          static_cast<double>(scale_.per_octave) * noise_->scale_octaves();
+  const double threshold = auto_gain_ ? auto_gain_->threshold_db() : threshold_db(in_force_.gain);
+  const double constant =
+      -steps_per_db_ * threshold - static_cast<double>(scale_.per_octave) * noise_->scale_octaves();
   const auto in_turn = static_cast<std::uint32_t>(next_ % model_.geometry.spokes_per_turn);
-  if (auto_sea_ && auto_sea_->knows(auto_sea_->sector_of(in_turn))) {
+  if (in_force_.sea_auto && auto_sea_->knows(auto_sea_->sector_of(in_turn))) {
     std::vector<double> bins(auto_sea_->bins());
-    auto_sea_->attenuation(auto_sea_->sector_of(in_turn), kTrimDb * (controls_.sea - 50.0) / 50.0,
+    auto_sea_->attenuation(auto_sea_->sector_of(in_turn), kTrimDb * (in_force_.sea - 50.0) / 50.0,
                            kMaxStcDb, bins);
     lay_learnt(constant, bins);
   } else {
     for (std::uint32_t i = 0; i < cells; ++i) {
       offsets_[i] =
-          static_cast<float>(constant - steps_per_db_ * stc_db(controls_.sea, (i + 0.5) * cell_m_));
+          static_cast<float>(constant - steps_per_db_ * stc_db(in_force_.sea, (i + 0.5) * cell_m_));
     }
   }
   std::fill_n(offsets_.begin(), blind_cells_, kBlind);
   std::fill(offsets_.begin() + resampler_.reach(), offsets_.end(), kBlind);
+  lay_gates();
+}
+
+// Where noise of so many decibels over its mean reads, with the STC there.
+void ViewReceiver::lay_gates() {
+  gates_.clear();
+  if (in_force_.noise_rejection <= 0.0) return;
+  const double least =
+      ratio_from_decibels(kMostNoiseDb * in_force_.noise_rejection / 100.0) * noise_->mean_power();
+  const auto steps = static_cast<float>(static_cast<double>(scale_.per_octave) * exact_log2(least));
+  gates_.resize(offsets_.size());
+  for (std::size_t i = 0; i < gates_.size(); ++i)
+    gates_[i] = static_cast<std::uint8_t>(std::clamp(steps + offsets_[i], 0.0f, scale_.top));
 }
 
 // Straight lines between the middles of bins.
@@ -127,11 +168,11 @@ NoiseRow ViewReceiver::noise_of(std::uint64_t seed, std::uint64_t spoke) const {
 
 // The radar's row itself, or its view in a row of this thread's own.
 std::span<const float> ViewReceiver::row_of(const Piece& piece, std::size_t k) const {
-  const std::size_t cells = model_.geometry.cells;
-  const std::span<const float> row = piece.rows.subspan(k * piece.pitch, cells);
-  if (resampler_.keeps()) return row;
+  if (piece.in_view_cells) return piece.rows.subspan(k * piece.pitch, model_.geometry.cells);
+  const std::span<const float> row = piece.rows.subspan(k * piece.pitch, row_cells_);
+  if (resampler_.keeps()) return row.first(model_.geometry.cells);
   thread_local std::vector<float> seen;
-  seen.resize(cells);
+  seen.resize(model_.geometry.cells);
   resampler_.resample(row, seen);
   return seen;
 }
@@ -142,17 +183,23 @@ std::span<std::uint8_t> ViewReceiver::video_of(const Piece& piece, std::size_t k
 
 void ViewReceiver::finish(std::span<std::uint8_t> video) const {
   thread_local std::vector<std::uint8_t> scratch;
+  if (!gates_.empty()) {
+    for (std::size_t s = 0; s < video.size(); s += gates_.size())
+      gate_video(video.subspan(s, gates_.size()), gates_);
+  }
   differentiate_video(video, model_.geometry.cells, rain_octaves_, rain_weight_, scratch);
   stretch_video(video, model_.geometry.cells, stretch_cells_, scratch);
 }
 
 void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::uint64_t first,
                            std::uint32_t count, std::uint64_t seed, const ParallelFor& parallel,
-                           std::span<std::uint8_t> video) {
+                           std::span<std::uint8_t> video, std::uint32_t ahead) {
   const std::uint32_t turn = model_.geometry.spokes_per_turn;
   if (first != next_) {
+    powers_.forget();
     memory_.forget();
     if (auto_sea_) auto_sea_->drop_sector();
+    if (auto_gain_) auto_gain_->drop_turn();
     laid_sector_ = AutoSea::kBearings;
   }
   next_ = first;
@@ -175,17 +222,50 @@ void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::
                       step,
                       seed,
                       video.subspan(std::size_t{done} * model_.geometry.cells,
-                                    std::size_t{step} * model_.geometry.cells)};
+                                    std::size_t{step} * model_.geometry.cells),
+                      count - done - step + ahead};
     receive_piece(piece, parallel);
     next_ += step;
     if (ends) auto_sea_->finish_sector(sector);
+    if (ends && auto_gain_ && sector + 1 == AutoSea::kBearings) auto_gain_->finish_turn();
     done += step;
   }
 }
 
-void ViewReceiver::receive_piece(const Piece& piece, const ParallelFor& parallel) {
+void ViewReceiver::see_rows(Piece& piece, std::uint32_t count, const ParallelFor& parallel) {
+  const std::size_t cells = model_.geometry.cells, pitch = cells + 16;
+  if (!piece.in_view_cells && !resampler_.keeps()) {
+    seen_.resize(count * pitch);
+    const std::span<float> all = seen_;
+    parallel(count, [&](std::size_t k) {
+      resampler_.resample(piece.rows.subspan(k * piece.pitch, row_cells_),
+                          all.subspan(k * pitch, cells));
+    });
+    piece.rows = all;
+    piece.pitch = pitch;
+  }
+  piece.in_view_cells = true;
+}
+
+void ViewReceiver::condition_rows(Piece& piece, const ParallelFor& parallel) {
+  const std::size_t cells = model_.geometry.cells, pitch = cells + 16;
+  const std::uint32_t rows = piece.count + std::min(piece.ahead, rows_ahead());
+  see_rows(piece, rows, parallel);
+  conditioned_.resize(piece.count * pitch);
+  parallel((cells + kColumns - 1) / kColumns, [&](std::size_t part) {
+    const std::size_t begin = part * kColumns;
+    powers_.condition(piece.first, piece.count, {piece.rows, piece.pitch, rows}, begin,
+                      std::min(kColumns, cells - begin), conditioned_, pitch);
+  });
+  powers_.end_spokes(piece.count);
+  piece.rows = conditioned_;
+  piece.pitch = pitch;
+}
+
+void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
   const std::size_t cells = model_.geometry.cells;
-  if (auto_sea_) learn_sea(piece, parallel);
+  if (powers_.any()) condition_rows(piece, parallel);
+  if (auto_sea_) learn_levels(piece, parallel);
   if (!memory_.detects()) {
     parallel((piece.count + kTogether - 1) / kTogether, [&](std::size_t part) {
       const std::size_t begin = part * kTogether;
@@ -199,29 +279,18 @@ void ViewReceiver::receive_piece(const Piece& piece, const ParallelFor& parallel
   } else {
     std::array<NoiseRow, kMaxPiece> noise;
     for (std::size_t k = 0; k < piece.count; ++k) noise[k] = noise_of(piece.seed, piece.first + k);
-    std::span<const float> rows = piece.rows;
-    std::size_t pitch = piece.pitch;
-    if (!resampler_.keeps()) {
-      pitch = cells + 16;
-      seen_.resize(piece.count * pitch);
-      const std::span<float> all = seen_;
-      parallel(piece.count, [&](std::size_t k) {
-        resampler_.resample(piece.rows.subspan(k * piece.pitch, cells),
-                            all.subspan(k * pitch, cells));
-      });
-      rows = all;
-    }
+    see_rows(piece, piece.count, parallel);
     parallel((cells + kColumns - 1) / kColumns, [&](std::size_t part) {
       const std::size_t begin = part * kColumns, size = std::min(kColumns, cells - begin);
       for (std::uint32_t k = 0; k < piece.count; ++k) {
-        memory_.receive(piece.first + k, k, begin, rows.subspan(k * pitch + begin, size),
-                        noise_->gain(), from_cell(noise[k], begin),
-                        std::span(offsets_).subspan(begin, size), scale_,
-                        video_of(piece, k).subspan(begin, size));
+        memory_.receive(piece.first + k, k, begin,
+                        piece.rows.subspan(k * piece.pitch + begin, size), noise_->gain(),
+                        from_cell(noise[k], begin), std::span(offsets_).subspan(begin, size),
+                        scale_, video_of(piece, k).subspan(begin, size));
       }
     });
     memory_.end_spokes(piece.count);
-    if (rain_weight_ > 0 || stretch_cells_ > 0) {
+    if (rain_weight_ > 0 || stretch_cells_ > 0 || !gates_.empty()) {
       parallel((piece.count + kTogether - 1) / kTogether, [&](std::size_t part) {
         const std::size_t begin = part * kTogether * cells;
         finish(piece.video.subspan(begin, std::min(kTogether * cells, piece.video.size() - begin)));
@@ -237,8 +306,21 @@ void ViewReceiver::receive_piece(const Piece& piece, const ParallelFor& parallel
   if (model_.geometry.bits == 4) halve_bits(piece.video);
 }
 
+void ViewReceiver::colour(std::span<const float> rows, std::span<const float> closing,
+                          std::size_t pitch, std::uint32_t count,
+                          std::span<const std::uint8_t> video,
+                          std::span<DopplerClass> colours) const {
+  const std::size_t cells = model_.geometry.cells;
+  const ColourRule rule{in_force_.doppler, in_force_.doppler_threshold_mps, stretch_cells_};
+  for (std::uint32_t k = 0; k < count; ++k) {
+    lay_colours(resampler_, rule, rows.subspan(k * pitch, row_cells_),
+                closing.subspan(k * pitch, row_cells_), video.subspan(k * cells, cells),
+                colours.subspan(k * cells, cells));
+  }
+}
+
 // The noise it sees is the video's own.
-void ViewReceiver::learn_sea(const Piece& piece, const ParallelFor& parallel) {
+void ViewReceiver::learn_levels(const Piece& piece, const ParallelFor& parallel) {
   std::array<std::uint32_t, kMaxPiece> sampled{};
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < piece.count; ++k) {
@@ -254,6 +336,19 @@ void ViewReceiver::learn_sea(const Piece& piece, const ParallelFor& parallel) {
                std::span(sums).subspan(s * bins, bins));
   });
   for (std::size_t s = 0; s < count; ++s) auto_sea_->add(std::span(sums).subspan(s * bins, bins));
+  if (!auto_gain_) return;
+  const double threshold =
+      auto_gain_->threshold_db() + kDecibelsPerOctave * noise_->scale_octaves();
+  const std::size_t end = resampler_.reach() / kLevelCells;
+  for (std::size_t b = blind_cells_ / kLevelCells + 1; b < end; ++b) {
+    const double stc_db =
+        -static_cast<double>(offsets_[b * kLevelCells + kLevelCells / 2]) / steps_per_db_ -
+        threshold;
+    for (std::size_t s = 0; s < count; ++s) {
+      const double octaves = sums[s * bins + b] / (256.0 * kLevelCells) - noise_->mean_octaves();
+      auto_gain_->add(octaves * kDecibelsPerOctave - stc_db);
+    }
+  }
 }
 
 }  // namespace skerry::echo

@@ -1,6 +1,8 @@
 // What the own ship does to her own radar.
 #pragma once
 
+#include <cstddef>
+
 namespace skerry::echo {
 
 // A mast, funnel or crane beside the antenna, as high as it and round: it shadows what is behind it
@@ -12,6 +14,9 @@ struct Obstruction {
   double reflectivity = 0.3;   // share of the voltage it throws elsewhere, 0 to 1
   friend bool operator==(const Obstruction&, const Obstruction&) = default;
 };
+
+// So many blanked sectors count.
+inline constexpr std::size_t kMostBlanked = 32;
 
 // A sector in which the transmitter is off, clockwise from the bow, from one side to the other.
 struct BlankedSector {

@@ -54,6 +54,8 @@ struct Scene {
   std::vector<Emitter> emitters = {};  // other radars, never the own one
   std::vector<Obstruction> obstructions = {};
   std::vector<BlankedSector> blanked = {};
+  // How far the picture is turned clockwise: spoke 0 then looks so far to port of the bow.
+  double bearing_alignment_deg = 0.0;
   AntennaMotion motion = {};
   OwnHull own_hull = {};
   Artefacts artefacts = {};

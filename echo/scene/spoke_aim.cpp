@@ -11,7 +11,9 @@ SpokeAim aim_of(const Scene& scene, const SpokeClock& clock, std::uint64_t spoke
   aim.scan = static_cast<std::uint32_t>(spoke / turn);
   aim.index = static_cast<std::uint32_t>(spoke % turn);
   aim.dt = in_seconds(clock.time_of(spoke) - scene.time);
-  aim.relative_units = RelativeBearing::of_spoke(aim.index, turn).units();
+  aim.shown_units = RelativeBearing::of_spoke(aim.index, turn).units();
+  aim.relative_units =
+      aim.shown_units - RelativeBearing::from(degrees(scene.bearing_alignment_deg)).units();
   const Angle heading = degrees(scene.heading_deg + scene.turn_rate_deg_s * aim.dt);
   aim.true_units = aim.relative_units + TrueBearing::from(heading).units();
   aim.plane_units = aim.true_units + TrueBearing::from(degrees(scene.true_north_deg)).units();

@@ -148,7 +148,7 @@ void EchoSplat::lay_bodies() {
     const std::uint32_t lobes = side_lobes_ && stands_out ? lobes_units_ : null_units_;
     bodies_.push_back({begin, end, about + static_cast<std::uint32_t>((left + right) / 2),
                        std::min(half + lobes, 0x80000000u), half + null_units_, power, cell,
-                       std::min(cell_end, model_.geometry.cells)});
+                       std::min(cell_end, model_.geometry.cells), number});
   }
 }
 
@@ -190,19 +190,33 @@ void EchoSplat::add_body(const Body& body, std::uint32_t axis_units, std::span<f
     row[c] += in_phase[c] * in_phase[c] + quadrature[c] * quadrature[c];
 }
 
-void EchoSplat::add(const SpokeAim& aim, std::span<float> power) const {
-  for (const Body& body : bodies_) {
-    const std::uint32_t off = units_apart(aim.plane_units, body.middle);
-    if (off > body.reach) continue;
-    if (off < body.main_reach && body.end - body.begin > 1) {
-      add_body(body, aim.plane_units, power);
-      continue;
-    }
-    const float g = voltage(off);
-    if (off >= body.main_reach && !(g * g * body.power > kLeastLobe)) continue;
-    for (std::uint32_t i = body.begin; i < body.end; ++i) add_power(points_[i], g * g, power);
+bool EchoSplat::add_one(const Body& body, const SpokeAim& aim, std::span<float> power) const {
+  const std::uint32_t off = units_apart(aim.plane_units, body.middle);
+  if (off > body.reach) return false;
+  if (off < body.main_reach && body.end - body.begin > 1) {
+    add_body(body, aim.plane_units, power);
+    return true;
   }
+  const float g = voltage(off);
+  if (off >= body.main_reach && !(g * g * body.power > kLeastLobe)) return false;
+  for (std::uint32_t i = body.begin; i < body.end; ++i) add_power(points_[i], g * g, power);
+  return true;
+}
+
+void EchoSplat::add(const SpokeAim& aim, std::span<float> power) const {
+  for (const Body& body : bodies_) add_one(body, aim, power);
   far_.add(aim, power);
+}
+
+void EchoSplat::each_body(const SpokeAim& aim, std::size_t cells, const VisitBody& visit) const {
+  thread_local std::vector<float> alone;
+  if (alone.size() < cells) alone.resize(cells);
+  const std::span row(alone.data(), cells);
+  for (const Body& body : bodies_) {
+    const auto filled = row.subspan(body.cell, body.cell_end - body.cell);
+    std::fill(filled.begin(), filled.end(), 0.0f);
+    if (add_one(body, aim, row)) visit(body.number, body.cell, filled);
+  }
 }
 
 }  // namespace skerry::echo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,11 @@ class EchoSplat {
   // Adds to power[i] what cell i of that spoke gets.  Requires as many cells as the model's.
   // Thread: any, after prepare().
   void add(const SpokeAim& aim, std::span<float> power) const;
+  // Each body by itself: its number, the first cell it may fill, and what those get.  For rows of
+  // `cells` cells.  Thread: any, after prepare().
+  using VisitBody =
+      std::function<void(std::uint32_t body, std::uint32_t first, std::span<const float> cells)>;
+  void each_body(const SpokeAim& aim, std::size_t cells, const VisitBody& visit) const;
 
  private:
   struct Point {
@@ -58,6 +64,7 @@ class EchoSplat {
     std::uint32_t main_reach;      // and those that see any in the main lobe
     float power;                   // of all its points
     std::uint32_t cell, cell_end;  // cells it may fill
+    std::uint32_t number;          // PointEcho::body
   };
 
   void prepare(const std::vector<PointEcho>& points, const SpokeAim& first, const SpokeAim& last,
@@ -66,6 +73,8 @@ class EchoSplat {
   void lay_bodies();
   bool lay(const PointEcho& echo, Point& point) const;
   float voltage(std::uint32_t off_units) const;
+  // False where the spoke does not see it.
+  bool add_one(const Body& body, const SpokeAim& aim, std::span<float> power) const;
   void add_body(const Body& body, std::uint32_t axis_units, std::span<float> power) const;
   static void add_power(const Point& point, float factor, std::span<float> power);
 

@@ -22,7 +22,7 @@ SectorView::SectorView(const SpokeAim& first, const SpokeAim& last, std::uint32_
     : dt_(0.5 * (first.dt + last.dt)),
       own_ship_((first.own_ship + last.own_ship) * 0.5),
       scan_(first.scan),
-      relative_units_(first.relative_units),
+      shown_units_(first.shown_units),
       plane_units_(first.plane_units) {
   const auto turned = static_cast<std::int32_t>(last.plane_units - first.plane_units);
   middle_units_ = first.plane_units + static_cast<std::uint32_t>(turned / 2);

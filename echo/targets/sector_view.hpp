@@ -52,8 +52,8 @@ class SectorView {
   // around this sector: one number for all spokes that see a target on one turn, also across the
   // bow, where the scan's number changes.
   std::uint32_t pass(std::uint32_t plane_units) const {
-    const std::uint64_t spoke = (std::uint64_t{scan_} << 32) + relative_units_;
-    const std::uint32_t target = plane_units - plane_units_ + relative_units_;
+    const std::uint64_t spoke = (std::uint64_t{scan_} << 32) + shown_units_;
+    const std::uint32_t target = plane_units - plane_units_ + shown_units_;
     return static_cast<std::uint32_t>((spoke - target + (std::uint64_t{1} << 31)) >> 32);
   }
 
@@ -63,7 +63,7 @@ class SectorView {
   std::uint32_t middle_units_;
   SinCos middle_, half_;
   bool wide_;
-  std::uint32_t scan_, relative_units_, plane_units_;
+  std::uint32_t scan_, shown_units_, plane_units_;
 };
 
 }  // namespace skerry::echo

@@ -2,8 +2,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-
 namespace skerry::cat240 {
 namespace {
 
@@ -12,11 +10,11 @@ inline std::uint32_t eight_bits(std::uint8_t cell, bool from_four) {
   return from_four ? (cell & 0x0Fu) * 0x11u : cell;
 }
 
-void append_wide(std::uint8_t* out, std::span<const std::uint8_t> cells, bool from_four,
-                 std::size_t octets) {
-  for (const std::uint8_t cell : cells) {
-    std::fill_n(out, octets, static_cast<std::uint8_t>(eight_bits(cell, from_four)));
-    out += octets;
+template <std::size_t Octets>
+void append_wide(std::uint8_t* out, std::span<const std::uint8_t> cells, bool from_four) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto octet = static_cast<std::uint8_t>(eight_bits(cells[i], from_four));
+    for (std::size_t k = 0; k < Octets; ++k) out[Octets * i + k] = octet;
   }
 }
 
@@ -58,8 +56,12 @@ void append_cells(Bytes& out, std::span<const std::uint8_t> cells, std::uint32_t
       return append_narrow<2>(octets, cells, from_four);
     case 4:
       return append_narrow<4>(octets, cells, from_four);
+    case 8:
+      return append_wide<1>(octets, cells, from_four);
+    case 16:
+      return append_wide<2>(octets, cells, from_four);
     default:
-      return append_wide(octets, cells, from_four, bits / 8);
+      return append_wide<4>(octets, cells, from_four);
   }
 }
 

@@ -24,7 +24,7 @@ CellShares::CellShares(std::uint32_t from, std::uint32_t to)
 }
 
 SpokeResampler::SpokeResampler(std::uint32_t turn_spokes, std::uint32_t cells)
-    : turn_spokes_(turn_spokes), cells_(cells), held_(cells) {}
+    : turn_spokes_(turn_spokes), cells_(cells) {}
 
 std::uint32_t SpokeResampler::target_of(std::uint32_t index) const {
   return share_of(index, last_.geometry.spokes_per_turn, turn_spokes_);
@@ -37,37 +37,64 @@ bool SpokeResampler::goes_on(const SpokeHeader& next) const {
          next.index == (last_.index + 1) % last_.geometry.spokes_per_turn;
 }
 
+// Held in the source's cells: the strongest of several spokes are found 32 cells at a time, and
+// cells are put together once for each spoke that is given.
 void SpokeResampler::take_in(const Spoke& spoke) {
   const bool moves = !spoke.doppler.empty();
   if (!holding_) {
-    std::fill(held_.begin(), held_.end(), std::uint8_t{0});
-    held_doppler_.clear();
-  }
-  if (moves && held_doppler_.empty()) held_doppler_.assign(cells_, DopplerClass::none);
-  holding_ = true;
-  if (shares_.keeps() && !moves) {
-    for (std::uint32_t c = 0; c < cells_; ++c) held_[c] = std::max(held_[c], spoke.cells[c]);
+    held_.assign(spoke.cells.begin(), spoke.cells.end());
+    held_doppler_.assign(spoke.doppler.begin(), spoke.doppler.end());
+    holding_ = true;
     return;
   }
-  for (std::uint32_t c = 0; c < cells_; ++c) {
-    std::uint8_t strongest = held_[c];
-    for (std::uint32_t j = shares_.begin(c); j < shares_.end(c); ++j) {
-      if (moves && (spoke.cells[j] > strongest || (spoke.cells[j] == strongest && strongest > 0 &&
-                                                   held_doppler_[c] == DopplerClass::none))) {
-        held_doppler_[c] = spoke.doppler[j];
-      }
-      strongest = std::max(strongest, spoke.cells[j]);
+  if (moves && held_doppler_.empty()) held_doppler_.assign(held_.size(), DopplerClass::none);
+  for (std::size_t j = 0; moves && j < held_.size(); ++j) {
+    const bool as_strong = spoke.cells[j] == held_[j] && held_doppler_[j] == DopplerClass::none;
+    if (spoke.cells[j] > held_[j] || as_strong) held_doppler_[j] = spoke.doppler[j];
+  }
+  const std::uint8_t* const from = spoke.cells.data();
+  std::uint8_t* const to = held_.data();
+  const std::size_t count = held_.size();
+  for (std::size_t j = 0; j < count; ++j) to[j] = std::max(to[j], from[j]);
+}
+
+void SpokeResampler::put_cells_together() {
+  given_doppler_.clear();
+  if (shares_.keeps()) {
+    given_.assign(held_.begin(), held_.end());
+    given_doppler_.assign(held_doppler_.begin(), held_doppler_.end());
+    return;
+  }
+  given_.resize(cells_);
+  const std::uint8_t* const from = held_.data();
+  if (shares_.at_most_two()) {  // without a branch: shares of one and two take turns
+    for (std::uint32_t c = 0; c < cells_; ++c) {
+      given_[c] = std::max(from[shares_.begin(c)], from[shares_.end(c) - 1]);
     }
-    held_[c] = strongest;
+  } else {
+    for (std::uint32_t c = 0; c < cells_; ++c) {
+      given_[c] = *std::max_element(from + shares_.begin(c), from + shares_.end(c));
+    }
+  }
+  if (held_doppler_.empty()) return;
+  given_doppler_.resize(cells_);
+  for (std::uint32_t c = 0; c < cells_; ++c) {
+    std::uint32_t shown = shares_.begin(c);
+    for (std::uint32_t j = shown + 1; j < shares_.end(c); ++j) {
+      const bool as_strong = held_[j] == held_[shown] && held_doppler_[shown] == DopplerClass::none;
+      if (held_[j] > held_[shown] || as_strong) shown = j;
+    }
+    given_doppler_[c] = held_doppler_[shown];
   }
 }
 
 void SpokeResampler::give(std::uint32_t index, const Sink& sink) {
+  if (holding_) put_cells_together();
   SpokeHeader header = last_;
   header.index = index;
   header.geometry.spokes_per_turn = turn_spokes_;
   header.geometry.cells = cells_;
-  sink({header, held_, held_doppler_});
+  sink({header, given_, given_doppler_});
   holding_ = false;
 }
 

@@ -26,6 +26,8 @@ class CellShares {
   std::uint32_t begin(std::uint32_t c) const { return bounds_[c]; }
   std::uint32_t end(std::uint32_t c) const { return gathers_ ? bounds_[c + 1] : bounds_[c] + 1; }
   bool keeps() const { return from_ == to_; }
+  // Whether no cell of the target shows more than two of the source.
+  bool at_most_two() const { return from_ <= 2 * to_; }
 
  private:
   std::uint32_t from_ = 0, to_ = 0;
@@ -64,14 +66,17 @@ class SpokeResampler {
   std::uint32_t target_of(std::uint32_t index) const;
   bool goes_on(const SpokeHeader& next) const;
   void take_in(const Spoke& spoke);
+  void put_cells_together();
   void give(std::uint32_t index, const Sink& sink);
 
   std::uint32_t turn_spokes_, cells_;
   CellShares shares_;
-  SpokeHeader last_;      // of the source
-  bool holding_ = false;  // held_ has video that was not given
-  std::vector<std::uint8_t> held_;
+  SpokeHeader last_;                // of the source
+  bool holding_ = false;            // held_ has video that was not given
+  std::vector<std::uint8_t> held_;  // the source's cells
   std::vector<DopplerClass> held_doppler_;
+  std::vector<std::uint8_t> given_;  // the target's
+  std::vector<DopplerClass> given_doppler_;
 };
 
 }  // namespace skerry

@@ -1,4 +1,5 @@
-// Big-endian integers: appending them to bytes, and reading them with every bound checked.
+// Integers of either byte order: appending them to bytes, and reading them with every bound
+// checked.
 #pragma once
 
 #include <concepts>
@@ -17,6 +18,13 @@ constexpr void append_big_endian(Bytes& out, std::uint64_t value, int octets) {
   }
 }
 
+// The same, the least significant first.
+constexpr void append_little_endian(Bytes& out, std::uint64_t value, int octets) {
+  for (int shift = 0; shift < 8 * octets; shift += 8) {
+    out.push_back(static_cast<std::uint8_t>(value >> shift));
+  }
+}
+
 // A position in bytes from outside.  Reading beyond the end gives zeros and sets truncated(), so
 // that a decoder may read several fields and ask once; an allocation or a loop asks first.
 class ByteReader {
@@ -28,6 +36,16 @@ class ByteReader {
   constexpr T big_endian(std::size_t octets = sizeof(T)) {
     std::uint64_t value = 0;
     for (const std::uint8_t byte : take(octets)) value = value << 8 | byte;
+    return static_cast<T>(value);
+  }
+  template <std::unsigned_integral T>
+  constexpr T little_endian(std::size_t octets = sizeof(T)) {
+    std::uint64_t value = 0;
+    int shift = 0;
+    for (const std::uint8_t byte : take(octets)) {
+      value |= std::uint64_t{byte} << shift;
+      shift += 8;
+    }
     return static_cast<T>(value);
   }
   constexpr std::uint8_t octet() { return big_endian<std::uint8_t>(); }

@@ -13,9 +13,11 @@ namespace {
 // Radar and view numbers fit the 16 bits that datagrams give them.
 constexpr std::uint32_t kMaxNumber = std::numeric_limits<std::uint16_t>::max();
 
-// Relative difference allowed between the stated cell size and the range scale's; far above the
+// Relative difference allowed between the stated cell size and what it should be; far above the
 // rounding of any sender's arithmetic, far below the difference between two scales.
 constexpr double kCellSizeTolerance = 1e-6;
+// Of the range scale: where the last cell may end.
+constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;
 
 Failure<WireError> out_of_range(std::string_view field, double value, std::string_view expected) {
   return Failure{WireError{WireErrorKind::out_of_range, 0,
@@ -38,6 +40,37 @@ std::vector<std::uint8_t> unpacked(std::string_view bytes, std::size_t count) {
     cells[i] = i % 2 == 0 ? pair & 0x0F : pair >> 4;
   }
   return cells;
+}
+
+void pack(const std::vector<DopplerClass>& classes, std::string& bytes) {
+  bytes.assign((classes.size() + 3) / 4, '\0');
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    bytes[i / 4] = static_cast<char>(bytes[i / 4] | static_cast<int>(classes[i]) << 2 * (i % 4));
+  }
+}
+
+// Of a message whose geometry is valid.  Empty is no failure: the view asks for none.
+Result<std::vector<DopplerClass>, WireError> doppler_of(const wire::Spoke& message) {
+  const std::string& bytes = message.doppler();
+  std::vector<DopplerClass> classes;
+  if (bytes.empty()) return classes;
+  const std::size_t expected = (message.cell_count() + 3) / 4;
+  if (bytes.size() != expected) {
+    return Failure{WireError{
+        bytes.size() < expected ? WireErrorKind::truncated : WireErrorKind::oversized, bytes.size(),
+        fmt::format("spoke: {} bytes of doppler, expected {} or none", bytes.size(), expected)}};
+  }
+  classes.resize(message.cell_count());
+  for (std::size_t i = 0; i < 4 * bytes.size(); ++i) {
+    const int value = static_cast<std::uint8_t>(bytes[i / 4]) >> 2 * (i % 4) & 3;
+    if (value > 2 || (value != 0 && i >= classes.size())) {
+      return Failure{WireError{WireErrorKind::malformed, i / 4,
+                               fmt::format("spoke: doppler of cell {} is {}, expected {}", i, value,
+                                           i < classes.size() ? "0 .. 2" : "0, there is none")}};
+    }
+    if (i < classes.size()) classes[i] = static_cast<DopplerClass>(value);
+  }
+  return classes;
 }
 
 }  // namespace
@@ -66,6 +99,11 @@ void to_message(const Spoke& spoke, wire::Spoke& message) {
   } else {
     bytes.assign(spoke.cells.begin(), spoke.cells.end());
   }
+  if (!spoke.doppler.empty()) {
+    pack(spoke.doppler, *message.mutable_doppler());
+  } else {
+    message.clear_doppler();
+  }
 }
 
 Result<Spoke, WireError> from_message(const wire::Spoke& message) {
@@ -89,10 +127,18 @@ Result<Spoke, WireError> from_message(const wire::Spoke& message) {
   }
   const auto scale = RangeScale::from_index(message.range_scale());
   if (!scale) return out_of_range("range_scale", message.range_scale(), "0 .. 11");
+  // Of the range scale.  Written so that a NaN fails.
   const double cell_size = header.geometry.cell_size(*scale).in_metres();
-  // Written so that a NaN fails.
-  if (!(std::abs(message.cell_size_m() - cell_size) <= kCellSizeTolerance * cell_size)) {
-    return out_of_range("cell_size_m", message.cell_size_m(), fmt::format("{}", cell_size));
+  const double share = message.cell_size_m() / cell_size;
+  if (!(share >= kShortestReach * (1.0 - kCellSizeTolerance) &&
+        share <= kLongestReach * (1.0 + kCellSizeTolerance))) {
+    return out_of_range(
+        "cell_size_m", message.cell_size_m(),
+        fmt::format("{} .. {}, or {} without an instrumented range", kShortestReach * cell_size,
+                    kLongestReach * cell_size, cell_size));
+  }
+  if (std::abs(share - 1.0) > kCellSizeTolerance) {
+    header.instrumented_range = metres(message.cell_size_m()) * header.geometry.cells;
   }
   const double latitude = message.latitude_deg();
   const double longitude = message.longitude_deg();
@@ -128,6 +174,10 @@ Result<Spoke, WireError> from_message(const wire::Spoke& message) {
   } else {
     spoke.cells.assign(bytes.begin(), bytes.end());
   }
+
+  auto doppler = doppler_of(message);
+  if (!doppler) return Failure{doppler.error()};
+  spoke.doppler = *std::move(doppler);
 
   header.radar = message.radar();
   header.view = message.view();

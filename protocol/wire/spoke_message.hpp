@@ -14,12 +14,13 @@ namespace skerry {
 void to_message(const Spoke& spoke, wire::Spoke& message);
 
 // Checks every field.  What comes back has a valid geometry, index < spokes_per_turn, exactly
-// geometry.cells cells (0..15 with 4 bits), a known range scale whose cell size is the one stated,
-// and a finite position on the Earth.  Longitude 180 becomes -180.
-// Error: out_of_range for a value, truncated or oversized for cells of the wrong length, malformed
-// for a half-used last byte that is not zero.  The text names the field; offset is 0, except in
-// cells, where it is the byte within them.
-// Thread: any.
+// geometry.cells cells (0..15 with 4 bits), Doppler classes of all of them or of none, a known
+// range scale, an instrumented range from a sixteenth of that to twice it (to the rounding of a
+// double; none where the cell size is the range scale's), and a finite position on the Earth.
+// Longitude 180 becomes -180. Error: out_of_range for a value, truncated or oversized for cells or
+// classes of the wrong length, malformed for a class that is none and for the unused rest of a last
+// byte that is not zero.  The text names the field; offset is 0, except in cells, where it is the
+// byte within them. Thread: any.
 Result<Spoke, WireError> from_message(const wire::Spoke& message);
 
 }  // namespace skerry

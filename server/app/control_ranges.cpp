@@ -5,6 +5,7 @@
 #include <google/protobuf/unknown_field_set.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,8 +26,9 @@ struct Range {
   std::string_view unit;
 };
 
-// Each number of Set, WorldChange and RainChange; the ranges of the world are those of
-// scenario.proto.  Held by ControlRanges.EveryNumberHasARange.
+// Each number of Set, BlankedSectors, WorldChange and RainChange; the ranges of the world are those
+// of scenario.proto, and an instrumented range goes to twice the longest range scale.  Held by
+// ControlRanges.EveryNumberHasARange.
 constexpr Range kRanges[] = {
     {"course_deg", "course", 0.0, 360.0, " deg"},
     {"speed_kn", "speed", -10.0, 60.0, " kn"},
@@ -38,6 +40,17 @@ constexpr Range kRanges[] = {
     {"echo_stretch", "echo stretch", 0.0, 100.0, ""},
     {"integration", "integration", 0.0, 100.0, ""},
     {"tune", "tune", 0.0, 100.0, ""},
+    {"side_lobe_suppression", "side lobe suppression", 0.0, 100.0, ""},
+    {"noise_rejection", "noise rejection", 0.0, 100.0, ""},
+    {"target_separation", "target separation", 0.0, 100.0, ""},
+    {"target_boost", "target boost", 0.0, 100.0, ""},
+    {"doppler_threshold_mps", "doppler threshold", 0.1, 20.0, " m/s"},
+    {"instrumented_range_m", "instrumented range", 0.0, 355'584.0, " m"},
+    {"rotation_rpm", "rotation", 10.0, 60.0, " turns/min"},
+    {"bearing_alignment_deg", "bearing alignment", -180.0, 180.0, " deg"},
+    {"antenna_height_m", "antenna height", 1.0, 100.0, " m"},
+    {"from_deg", "blanked sector from", 0.0, 360.0, " deg"},
+    {"to_deg", "blanked sector to", 0.0, 360.0, " deg"},
     {"sea_state", "sea state", 0.0, 6.0, ""},
     {"wind_from_deg", "wind from", 0.0, 360.0, " deg"},
     {"swell_height_m", "swell height", 0.0, 15.0, " m"},
@@ -119,7 +132,45 @@ std::optional<wire::Reply> refusal_of_message(const Message& message) {
   return std::nullopt;
 }
 
+// What says where a Set goes and how, and changes nothing by itself.
+constexpr std::array<std::string_view, 6> kNotControls = {"radar", "view",   "token",
+                                                          "lock",  "unlock", "instructor"};
+
+std::optional<wire::Reply> refusal_of_locks(const wire::Set& set) {
+  if (set.lock().empty() && set.unlock().empty()) return std::nullopt;
+  if (!set.instructor()) {
+    return refusal(wire::Reply::REFUSED, "lock: only the instructor locks and unlocks controls");
+  }
+  for (const auto* names : {&set.lock(), &set.unlock()}) {
+    for (const std::string& name : *names) {
+      if (is_control(name)) continue;
+      return refusal(wire::Reply::UNKNOWN,
+                     fmt::format("lock: there is no control \"{}\"; allowed: {}",
+                                 name.substr(0, 40), fmt::join(control_names(), ", ")));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<std::string> control_names() {
+  std::vector<std::string> names;
+  const google::protobuf::Descriptor& set = *wire::Set::descriptor();
+  for (int i = 0; i < set.field_count(); ++i) {
+    const std::string& name = set.field(i)->name();
+    if (std::find(kNotControls.begin(), kNotControls.end(), name) == kNotControls.end()) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+bool is_control(const std::string& name) {
+  const FieldDescriptor* const field = wire::Set::descriptor()->FindFieldByName(name);
+  return field != nullptr &&
+         std::find(kNotControls.begin(), kNotControls.end(), name) == kNotControls.end();
+}
 
 wire::Reply refusal(wire::Reply::Code code, std::string text) {
   wire::Reply reply;
@@ -128,6 +179,14 @@ wire::Reply refusal(wire::Reply::Code code, std::string text) {
   return reply;
 }
 
-std::optional<wire::Reply> refusal_of(const wire::Set& set) { return refusal_of_message(set); }
+std::optional<wire::Reply> refusal_of(const wire::Set& set) {
+  if (auto wrong = refusal_of_message(set)) return wrong;
+  if (set.blanked_sectors().sectors_size() > kMaxSectorsSet) {
+    return refusal(wire::Reply::OUT_OF_RANGE,
+                   fmt::format("blanked sectors: {} of them; allowed: at most {}",
+                               set.blanked_sectors().sectors_size(), kMaxSectorsSet));
+  }
+  return refusal_of_locks(set);
+}
 
 }  // namespace skerry::server

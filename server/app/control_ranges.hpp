@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "protocol/wire/radar.pb.h"
 
@@ -9,8 +11,16 @@ namespace skerry::server {
 
 // The reply that refuses the first thing wrong with it: UNKNOWN for a field this server does not
 // know (of `set` or anything in it), OUT_OF_RANGE with the allowed range for a value outside its
-// own.  Nothing if all is well; what depends on the state of the radars is not looked at.
+// own, REFUSED for locks that are not the instructor's.  Nothing if all is well; what depends on
+// the state of the radars is not looked at.
 std::optional<wire::Reply> refusal_of(const wire::Set& set);
+
+// As radar.proto has it.
+inline constexpr int kMaxSectorsSet = 4;
+
+// The fields of Set that change something, each of which may be locked.
+std::vector<std::string> control_names();
+bool is_control(const std::string& name);
 
 wire::Reply refusal(wire::Reply::Code code, std::string text);
 

@@ -10,6 +10,7 @@
 #include "server/app/charts.hpp"
 #include "server/app/coast_rules.hpp"
 #include "server/app/options.hpp"
+#include "server/app/radar_config.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
@@ -40,6 +41,10 @@ void greet(const Options& options, const NetServer& net, const RadarServer& rada
     std::fprintf(stderr, "  board's records  udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
                  d.radar);
   }
+  for (const DisplayOutputConfig& d : options.net.displays) {
+    std::fprintf(stderr, "  %-16s at %s (radar %u)\n", d.identity.family.c_str(),
+                 d.interface_address.c_str(), d.sources.front().radar);
+  }
   std::fprintf(stderr, "  stop with Ctrl-C\n");
   if (options.print_ports) {
     std::printf("tcp %u http %u\n", net.tcp_port(), net.http_port());
@@ -53,6 +58,7 @@ int run(const Options& options) {
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {
     coast_rules(scenario);
+    initial_locks(scenario);
     std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
     return 0;
   }

@@ -1,11 +1,13 @@
 #include "server/app/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <stdexcept>
 
 #include "server/app/config.pb.h"
+#include "server/app/outputs.hpp"
 #include "server/app/version.hpp"
 #include "server/config/yaml_message.hpp"
 
@@ -20,6 +22,10 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1, not 0
   skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
   skerryd --sweeps 127.0.0.1:7413           sweeps of radar 0's interface board
+  skerryd --output navico_4g                radar 0 as a Navico 4G, for displays on this host
+  skerryd --output navico_halo:radar=1,interface_address=192.0.2.7,dual_range=true
+  skerryd --output cat240:port=8601,spokes=720,cells=512,bits=4,compressed=true
+  skerryd --output nmea0183:port=10110 --input nmea0183:port=10111
   skerryd --config server.yaml              everything from a file; the command line wins
 
 Every stream goes to loopback until told otherwise.  Then look at http://127.0.0.1:7480/ or run
@@ -34,6 +40,15 @@ UdpDestination destination_of(const app::Destination& d) {
   out.multicast_ttl = static_cast<int>(d.multicast_ttl());
   out.interface_address = d.interface_address();
   return out;
+}
+
+void apply_signalk(const app::Signalk& file, SignalkConfig& signalk) {
+  if (file.has_serve()) signalk.serve = file.serve();
+  signalk.dialect = static_cast<signalk::Dialect>(file.dialect());
+  if (file.has_advertise()) signalk.advertise = file.advertise();
+  for (const app::Signalk::Ship& ship : file.further_ships()) {
+    signalk.further_ships.push_back({ship.radar(), static_cast<std::uint16_t>(ship.port())});
+  }
 }
 
 void apply_file(const app::ServerConfig& file, Options& options) {
@@ -57,6 +72,19 @@ void apply_file(const app::ServerConfig& file, Options& options) {
   if (file.has_web_root()) net.web_root = file.web_root();
   if (file.has_max_connections()) net.max_connections = file.max_connections();
   if (file.has_workers()) options.workers = file.workers();
+  if (file.has_signalk()) apply_signalk(file.signalk(), net.signalk);
+}
+
+// Streams that are asked for stand in place of the usual one of their kind.
+void apply_outputs(const app::ServerConfig& file, bool keep_udp, bool keep_cat240, NetConfig& net) {
+  const auto any = [&](app::Output::Kind kind) {
+    return std::any_of(file.outputs().begin(), file.outputs().end(),
+                       [&](const app::Output& output) { return output.kind() == kind; });
+  };
+  if (!keep_udp && any(app::Output::native)) net.udp.clear();
+  if (!keep_cat240 && any(app::Output::cat240)) net.cat240.clear();
+  add_outputs(file, net);
+  add_inputs(file, net);
 }
 
 }  // namespace
@@ -99,10 +127,10 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   cli.footer(kExamples);
   cli.set_version_flag("--version", std::string(kServerName));
   std::string config, bind, web_root, token, scenario, elevation, log_level = "info";
-  std::vector<std::string> udp, cat240, sweeps, charts;
+  std::vector<std::string> udp, cat240, sweeps, charts, outputs, inputs;
   std::uint16_t tcp_port = 0, http_port = 0;
   std::size_t workers = 0;
-  bool no_udp = false, no_cat240 = false, print_ports = false, check = false;
+  bool no_udp = false, no_cat240 = false, no_signalk = false, print_ports = false, check = false;
   cli.add_option("--config", config, "configuration file (YAML)");
   cli.add_option("--scenario", scenario, "scenario file (YAML); the built-in Bergen without");
   cli.add_option("--chart", charts,
@@ -117,6 +145,12 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   cli.add_option("--cat240", cat240, "CAT240 to [RADAR@]ADDRESS:PORT (127.0.0.1:8600)");
   cli.add_option("--sweeps", sweeps,
                  "records of a radar's interface board to [RADAR@]ADDRESS:PORT (none)");
+  cli.add_option("--output", outputs,
+                 "KIND:key=value,...: native, cat240, navico_br24, navico_3g, navico_4g,\n"
+                 "navico_halo20, navico_halo, garmin_xhd, raymarine_quantum, nmea0183 or\n"
+                 "iec61162_450, with the keys of `outputs` in a configuration file");
+  cli.add_option("--input", inputs, "KIND:key=value,...: nmea0183, to move own ship from outside");
+  cli.add_flag("--no-signalk", no_signalk, "no Signal K on the HTTP port");
   cli.add_flag("--no-udp", no_udp, "no native datagrams");
   cli.add_flag("--no-cat240", no_cat240, "no CAT240");
   cli.add_option("--control-token", token,
@@ -140,8 +174,8 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
 
   Options options;
   options.net.udp = {{.radar = 0, .address = "127.0.0.1", .port = 7411}};
+  app::ServerConfig file;
   if (!config.empty()) {
-    app::ServerConfig file;
     load_yaml_file(config, file);
     apply_file(file, options);
   }
@@ -157,6 +191,13 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   for (const std::string& text : cat240) options.net.cat240.push_back(parse_destination(text));
   if (!sweeps.empty()) options.net.sweeps.clear();
   for (const std::string& text : sweeps) options.net.sweeps.push_back(parse_destination(text));
+  if (!outputs.empty()) file.clear_outputs();
+  for (const std::string& text : outputs) *file.add_outputs() = parse_output(text);
+  if (!inputs.empty()) file.clear_inputs();
+  for (const std::string& text : inputs) *file.add_inputs() = parse_input(text);
+  apply_outputs(file, file.udp_size() > 0 || !udp.empty(),
+                file.cat240_size() > 0 || !cat240.empty(), options.net);
+  if (no_signalk) options.net.signalk.serve = false;
   if (!token.empty()) options.net.control_token = token;
   if (!web_root.empty()) options.net.web_root = web_root;
   if (help->count() > 0) options.workers = workers;

@@ -1,5 +1,10 @@
 #include "server/app/radar_config.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "server/app/control_ranges.hpp"
 #include "server/world/radar_sets.hpp"
 
 namespace skerry::server {
@@ -39,6 +44,16 @@ RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std:
   config.controls.stretch_bearing = radar.stretch_bearing();
   config.controls.decimation =
       radar.decimation() == scenario::Radar::mean ? echo::Decimation::mean : echo::Decimation::peak;
+  config.controls.gain_auto = radar.gain_auto();
+  config.controls.side_lobe_suppression = radar.side_lobe_suppression();
+  config.controls.side_lobe_auto = radar.side_lobe_auto();
+  config.controls.noise_rejection = radar.noise_rejection();
+  config.controls.target_separation = radar.target_separation();
+  config.controls.target_boost = radar.target_boost();
+  config.controls.doppler = static_cast<echo::DopplerMode>(radar.doppler());
+  config.controls.doppler_threshold_mps = radar.doppler_threshold_mps();
+  config.controls.mode = static_cast<echo::PictureMode>(radar.mode());
+  config.radar_controls.bearing_alignment_deg = radar.bearing_alignment_deg();
   config.radar_controls.transmit = radar.transmit();
   config.radar_controls.pulse = choice_of(radar.pulse());
   config.radar_controls.tune_auto = radar.tune_auto();
@@ -48,10 +63,26 @@ RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std:
         {said.bearing_deg(), said.width_m(), said.distance_m(), said.reflectivity()});
   }
   for (const scenario::BlankedSector& said : radar.blanked_sectors()) {
-    config.blanked.push_back({said.from_deg(), said.to_deg()});
+    config.radar_controls.blanked.push_back({said.from_deg(), said.to_deg()});
   }
   config.seed = seed;
   return config;
+}
+
+std::vector<std::vector<std::string>> initial_locks(const scenario::Scenario& scenario) {
+  std::vector<std::vector<std::string>> locks;
+  for (const scenario::OwnShip& ship : scenario.own_ships()) {
+    for (const scenario::Radar& radar : ship.radars()) {
+      locks.emplace_back(radar.locked().begin(), radar.locked().end());
+      for (const std::string& name : radar.locked()) {
+        if (is_control(name)) continue;
+        throw std::runtime_error(fmt::format("{}: locked: there is no control \"{}\"; allowed: {}",
+                                             radar.name(), name.substr(0, 40),
+                                             fmt::join(control_names(), ", ")));
+      }
+    }
+  }
+  return locks;
 }
 
 }  // namespace skerry::server

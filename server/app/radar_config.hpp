@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "server/radar/radar_unit.hpp"
 #include "server/world/scenario.pb.h"
@@ -11,5 +13,9 @@ namespace skerry::server {
 
 RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std::size_t own_ship,
                          std::uint64_t seed);
+
+// The controls that are locked from the start, of each radar.
+// Error: std::runtime_error naming the key and what is no control.
+std::vector<std::vector<std::string>> initial_locks(const scenario::Scenario& scenario);
 
 }  // namespace skerry::server

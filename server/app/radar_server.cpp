@@ -1,19 +1,23 @@
 #include "server/app/radar_server.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
+#include <cmath>
+#include <stdexcept>
 
 #include "server/app/coast_rules.hpp"
-#include "server/app/control_ranges.hpp"
 #include "server/app/radar_config.hpp"
+#include "server/app/traffic_list.hpp"
 #include "server/app/version.hpp"
 #include "server/app/world_change.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/radar/turn_echoes.hpp"
 #include "server/world/board_registers.hpp"
+#include "server/world/dead_reckoning.hpp"
+#include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/world.hpp"
 
@@ -25,33 +29,6 @@ std::size_t count_radars(const scenario::Scenario& scenario) {
   for (const auto& ship : scenario.own_ships())
     count += static_cast<std::size_t>(ship.radars_size());
   return count;
-}
-
-echo::PulseChoice choice_of(wire::PulseChoice pulse) {
-  switch (pulse) {
-    case wire::PULSE_SHORT:
-      return echo::PulseChoice::short_pulse;
-    case wire::PULSE_MEDIUM:
-      return echo::PulseChoice::medium_pulse;
-    case wire::PULSE_LONG:
-      return echo::PulseChoice::long_pulse;
-    default:
-      return echo::PulseChoice::automatic;
-  }
-}
-
-wire::PulseChoice message_of(echo::PulseChoice pulse) {
-  switch (pulse) {
-    case echo::PulseChoice::short_pulse:
-      return wire::PULSE_SHORT;
-    case echo::PulseChoice::medium_pulse:
-      return wire::PULSE_MEDIUM;
-    case echo::PulseChoice::long_pulse:
-      return wire::PULSE_LONG;
-    case echo::PulseChoice::automatic:
-      break;
-  }
-  return wire::PULSE_AUTO;
 }
 
 }  // namespace
@@ -86,6 +63,9 @@ RadarServer::RadarServer(const scenario::Scenario& scenario,
       ++index;
     }
   }
+  std::vector<RadarUnit*> units;
+  for (const auto& radar : radars_) units.push_back(&radar->unit);
+  desk_ = std::make_unique<ControlDesk>(timeline_, std::move(units), initial_locks(scenario));
   mount_boards(scenario);
 }
 
@@ -139,6 +119,7 @@ void RadarServer::start() {
   for (auto& radar : radars_) radar->unit.warm_up();
   const Epoch epoch{std::chrono::steady_clock::now(),
                     std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
+  epoch_.set(epoch);
   coast_->start();
   for (auto& radar : radars_) radar->unit.start(epoch);
   for (auto& board : boards_) board->start(epoch.steady, epoch.utc);
@@ -181,9 +162,9 @@ VideoChannelPtr RadarServer::find_channel(std::uint32_t radar, std::uint32_t vie
 }
 
 std::optional<std::uint32_t> RadarServer::open_view(
-    std::uint32_t radar, std::uint32_t like, bool /*follows*/,
+    std::uint32_t radar, std::uint32_t like, bool follows,
     const std::function<void(VideoChannel&)>& prepare) {
-  const RadarViewPtr opened = radars_.at(radar)->unit.views().open(like, prepare);
+  const RadarViewPtr opened = radars_.at(radar)->unit.views().open(like, follows, prepare);
   return opened ? std::optional(opened->number) : std::nullopt;
 }
 
@@ -191,105 +172,17 @@ void RadarServer::close_view(std::uint32_t radar, std::uint32_t view) {
   radars_.at(radar)->unit.views().close(view);
 }
 
-std::optional<wire::Reply> RadarServer::refusal_by_state(const wire::Set& set) const {
-  if (set.radar() >= radars_.size() || !radars_[set.radar()]->unit.views().find(set.view())) {
-    return refusal(
-        wire::Reply::UNKNOWN,
-        fmt::format("no view {} of radar {}; there are radars 0 to {}, each with view 0 and those "
-                    "that consoles have opened",
-                    set.view(), set.radar(), radars_.size() - 1));
-  }
-  const RangeScale on_air = radars_[set.radar()]->unit.range_on_air();
-  if (set.view() != 0 && set.has_range_nm() && set.range_nm() > on_air.in_nautical_miles()) {
-    return refusal(wire::Reply::OUT_OF_RANGE,
-                   fmt::format("range: {} NM is more than the radar's own range scale; allowed in "
-                               "view {}: up to {} NM",
-                               set.range_nm(), set.view(), on_air.in_nautical_miles()));
-  }
-  return std::nullopt;
-}
-
-wire::Reply RadarServer::apply(const wire::Set& set, const std::string& /*origin*/) {
-  if (const auto wrong = refusal_of(set)) return *wrong;
-  const std::lock_guard lock(apply_mutex_);
-  if (const auto wrong = refusal_by_state(set)) return *wrong;
-  if (set.has_world()) {
-    Environment environment = *timeline_.environment();
-    const ScenarioTime now = timeline_.latest()->time;
-    if (const auto wrong = change_environment(set.world(), now, environment)) return *wrong;
-    timeline_.set_environment(std::move(environment));
-    world_version_.fetch_add(1);
-  }
-  RadarUnit& unit = radars_[set.radar()]->unit;
-  if (set.has_course_deg() || set.has_speed_kn()) {
-    timeline_.order(unit.config().own_ship,
-                    set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt,
-                    set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt);
-  }
-  apply_to_radar(set, unit);
-  return {};
-}
-
-void RadarServer::apply_to_radar(const wire::Set& set, RadarUnit& unit) {
-  const RadarViewPtr view = unit.views().find(set.view());
-  if (!view) return;  // closed since it was looked for
-  echo::ViewControls controls = *view->controls.get();
-  const echo::ViewControls controls_before = controls;
-  if (set.has_range_nm()) controls.range_scale = *RangeScale::find(set.range_nm());
-  if (set.has_gain()) controls.gain = set.gain();
-  if (set.has_sea()) controls.sea = set.sea();
-  if (set.has_rain()) controls.rain = set.rain();
-  if (set.has_sea_auto()) controls.sea_auto = set.sea_auto();
-  if (set.has_interference_rejection())
-    controls.interference_rejection = set.interference_rejection();
-  if (set.has_echo_stretch()) controls.echo_stretch = set.echo_stretch();
-  if (set.has_integration()) controls.integration = set.integration();
-  if (set.has_stretch_bearing()) controls.stretch_bearing = set.stretch_bearing();
-  if (set.has_decimation()) {
-    controls.decimation =
-        set.decimation() == wire::MEAN ? echo::Decimation::mean : echo::Decimation::peak;
-  }
-  echo::RadarControls radar = unit.radar_controls();
-  const echo::RadarControls radar_before = radar;
-  if (set.has_transmit()) radar.transmit = set.transmit();
-  if (set.has_pulse()) radar.pulse = choice_of(set.pulse());
-  if (set.has_tune_auto()) radar.tune_auto = set.tune_auto();
-  if (set.has_tune()) radar.tune = set.tune();
-  if (controls == controls_before && radar == radar_before) return;
-  view->controls.set(controls);
-  unit.set_radar_controls(radar);
-  settings_version_.fetch_add(1);
+wire::Reply RadarServer::apply(const wire::Set& set, const std::string& origin) {
+  return desk_->apply(set, origin);
 }
 
 wire::Settings RadarServer::settings(std::uint32_t radar, std::uint32_t view) const {
-  const RadarUnit& unit = radars_.at(radar)->unit;
-  RadarViewPtr found = unit.views().find(view);
-  if (!found) found = unit.views().get()->front();
-  const echo::ViewControls controls = *found->controls.get();
-  const echo::RadarControls radar_controls = unit.radar_controls();
-  const echo::Pulse& pulse = unit.pulse_on_air();
-  const double on_air = unit.range_on_air().in_nautical_miles();
-  wire::Settings settings;
-  settings.set_radar(radar);
-  settings.set_view(view);
-  settings.set_range_nm(std::min(controls.range_scale.in_nautical_miles(), on_air));
-  settings.set_gain(controls.gain);
-  settings.set_sea(controls.sea);
-  settings.set_rain(controls.rain);
-  settings.set_sea_auto(controls.sea_auto);
-  settings.set_interference_rejection(controls.interference_rejection);
-  settings.set_echo_stretch(controls.echo_stretch);
-  settings.set_integration(controls.integration);
-  settings.set_standby(!radar_controls.transmit);
-  settings.set_pulse(message_of(radar_controls.pulse));
-  settings.set_tune_auto(radar_controls.tune_auto);
-  settings.set_tune(radar_controls.tune);
-  settings.set_pulse_length_us(pulse.length_s * 1e6);
-  settings.set_prf_hz(pulse.prf_hz);
-  settings.set_radar_range_nm(on_air);
-  settings.set_stretch_bearing(controls.stretch_bearing);
-  settings.set_decimation(controls.decimation == echo::Decimation::mean ? wire::MEAN : wire::PEAK);
-  return settings;
+  return desk_->settings(radar, view);
+}
+
+std::uint64_t RadarServer::settings_version() const {
+  desk_->flush_log();
+  return desk_->settings_version();
 }
 
 wire::World RadarServer::world() const {
@@ -298,18 +191,69 @@ wire::World RadarServer::world() const {
 
 wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
   const Mount& mount = *radars_.at(radar);
-  const ShipState ship = timeline_.latest()->own_ships[mount.unit.config().own_ship];
+  const Instant now = instant();
+  const ShipState& ship = now.state->own_ships[mount.unit.config().own_ship];
+  const ShipPlace place = position_at(ship, now.time - now.state->time);
+  const double speed_kn = ship.speed_mps / knots_in_mps(1.0);
   wire::OwnShip out;
   out.set_radar(radar);
   out.set_name(mount.own_ship);
-  out.set_latitude_deg(ship.position.latitude_deg);
-  out.set_longitude_deg(ship.position.longitude_deg);
-  out.set_heading_deg(ship.heading_deg);
-  out.set_speed_kn(ship.speed_mps / knots_in_mps(1.0));
+  out.set_latitude_deg(place.position.latitude_deg);
+  out.set_longitude_deg(place.position.longitude_deg);
+  out.set_heading_deg(place.heading_deg);
+  out.set_speed_kn(speed_kn);
+  out.set_course_over_ground_deg(
+      wrapped_course(place.course_over_ground_deg + (speed_kn < 0.0 ? 180.0 : 0.0)));
+  out.set_speed_over_ground_kn(std::abs(speed_kn));
+  out.set_utc_ns(static_cast<std::uint64_t>(now.utc.time_since_epoch().count()));
+  out.set_length_m(ship.length_m);
+  out.set_beam_m(ship.beam_m);
+  out.set_mmsi(ship.mmsi);
+  out.set_driven(ship.driven);
   out.set_rate_of_turn_deg_min(ship.rate_of_turn_deg_s * 60.0);
   out.set_ordered_course_deg(ship.ordered_course_deg);
   out.set_ordered_speed_kn(ship.ordered_speed_mps / knots_in_mps(1.0));
   return out;
+}
+
+RadarServer::Instant RadarServer::instant() const {
+  Instant now;
+  const std::shared_ptr<const Epoch> epoch = epoch_.get();
+  if (!epoch) {
+    now.state = timeline_.latest();
+    now.time = now.state->time;
+    now.utc = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+    return now;
+  }
+  now.time = ScenarioTime(std::chrono::steady_clock::now() - epoch->steady);
+  now.utc = epoch->utc + now.time.time_since_epoch();
+  now.state = timeline_.at(now.time);
+  return now;
+}
+
+std::vector<TrafficItem> RadarServer::traffic() const {
+  const Instant now = instant();
+  std::vector<TrafficItem> items = traffic_of(*now.state, now.time);
+  for (const auto& mount : radars_) {
+    const RadarConfig& config = mount->unit.config();
+    items[config.own_ship].radars.push_back(config.radar);
+  }
+  return items;
+}
+
+std::optional<std::string> RadarServer::drive(std::uint32_t radar, const OwnShipFix& fix) {
+  if (radar >= radars_.size()) {
+    return fmt::format("no radar {}; there are radars 0 to {}", radar, radars_.size() - 1);
+  }
+  const Mount& mount = *radars_[radar];
+  try {
+    if (timeline_.drive(mount.unit.config().own_ship, fix, instant().time)) {
+      spdlog::info("own ship {}: driven from outside from now on", mount.own_ship);
+    }
+  } catch (const std::invalid_argument& wrong) {
+    return wrong.what();
+  }
+  return std::nullopt;
 }
 
 wire::Status RadarServer::status() const {

@@ -1,7 +1,6 @@
 // RadarServer: one scenario with all its own ships and radars, running.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "echo/chart/chart_source.hpp"
+#include "server/app/control_desk.hpp"
 #include "server/board/board_unit.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"
@@ -44,29 +44,37 @@ class RadarServer : public RadarHost {
   void close_view(std::uint32_t radar, std::uint32_t view) override;
   BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
+  std::vector<TrafficItem> traffic() const override;
+  std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
   wire::Status status() const override;
   wire::World world() const override;
-  std::uint64_t settings_version() const override { return settings_version_.load(); }
-  std::uint64_t world_version() const override { return world_version_.load(); }
+  // Also has the log told of changes that were held back: net-0 asks ten times a second.
+  std::uint64_t settings_version() const override;
+  std::uint64_t world_version() const override { return desk_->world_version(); }
 
  private:
   struct Mount;  // a radar on her ship
-  std::optional<wire::Reply> refusal_by_state(const wire::Set& set) const;
-  void apply_to_radar(const wire::Set& set, RadarUnit& unit);
+  // Now, and the world's tick that holds it; before start() its first.
+  struct Instant {
+    ScenarioTime time{};
+    UtcTime utc{};
+    WorldStatePtr state;
+  };
+  Instant instant() const;
   void mount_boards(const scenario::Scenario& scenario);
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
   bool is_shipmate(std::uint32_t radar, std::uint32_t of) const;
   std::string scenario_name_;
-  Timeline timeline_;
+  mutable Timeline timeline_;  // to look at a tick is to make it
+  Latest<Epoch> epoch_;        // none before start()
   std::unique_ptr<CoastService> coast_;
   Airwaves airwaves_;
   std::vector<std::unique_ptr<Mount>> radars_;
   std::vector<std::shared_ptr<BoardUnit>> boards_;  // one of each radar
-  std::atomic<std::uint64_t> settings_version_{1}, world_version_{1};
-  std::mutex apply_mutex_;  // one Set at a time, so that two do not lose each other's values
+  std::unique_ptr<ControlDesk> desk_;
   const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocol/quantity/geo_point.hpp"
 
@@ -11,7 +12,7 @@ namespace skerry::server {
 
 enum class TrafficKind : std::uint8_t { ship, boat, aid_to_navigation, other };
 
-// A ship or mark as it really is: no tracker's errors.
+// A ship or mark as it really is: no tracker's errors.  Own ships are among them.
 struct TrafficItem {
   std::uint32_t number = 0;  // of the scenario, stable for as long as the server runs, from 1
   TrafficKind kind = TrafficKind::ship;
@@ -24,15 +25,19 @@ struct TrafficItem {
   double rate_of_turn_deg_min = 0.0;    // starboard positive
   double length_m = 0.0;
   double beam_m = 0.0;
+  // One of the server's own ships: the radars aboard her, by which she can leave out herself.
+  std::vector<std::uint32_t> radars = {};
+  std::uint8_t ship_type = 0;  // as AIS message 5 has it, of ships and boats; 0: not said
+  std::uint8_t aid_type = 0;   // as AIS message 21 has it, of aids; 0: not said
 };
 
 // What is not given stays as it was.
 struct OwnShipFix {
-  std::optional<GeoPoint> position;
-  std::optional<double> heading_deg;             // true, [0, 360)
-  std::optional<double> course_over_ground_deg;  // true, [0, 360)
-  std::optional<double> speed_mps;               // over ground, >= 0
-  std::optional<double> rate_of_turn_deg_min;    // starboard positive
+  std::optional<GeoPoint> position = {};
+  std::optional<double> heading_deg = {};             // true, [0, 360)
+  std::optional<double> course_over_ground_deg = {};  // true, [0, 360)
+  std::optional<double> speed_mps = {};               // over ground, 0 .. 100
+  std::optional<double> rate_of_turn_deg_min = {};    // starboard positive, up to 1200
 };
 
 }  // namespace skerry::server

@@ -18,12 +18,19 @@
 
 namespace skerry::server {
 
+// When the antenna passed a sector, and what of it completed each of the encoded "spokes".
+struct SectorTimes {
+  ScenarioTime first{}, last{};
+  std::vector<ScenarioTime> completed;
+};
+
 // A sector in one wire format.
 struct EncodedSector {
   std::uint64_t first_sequence = 0;
   std::uint32_t scan = 0;                 // of the first spoke
   std::uint32_t begin = 0;                // of the first spoke in `bytes`
   std::vector<std::uint32_t> spoke_ends;  // spoke k is bytes [ends[k-1], ends[k])
+  SectorTimes times = {};                 // of emulated radars alone
   Bytes bytes;
   std::uint32_t spoke_count() const { return static_cast<std::uint32_t>(spoke_ends.size()); }
 };

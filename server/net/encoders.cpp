@@ -1,8 +1,10 @@
 #include "server/net/encoders.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
+#include "protocol/video/spoke_resampler.hpp"
 #include "protocol/wire/frame.hpp"
 
 namespace skerry::server {
@@ -34,6 +36,64 @@ SectorEncoder native_encoder() {
       append_spoke_frame(encoded->bytes, *spoke);
       end_spoke(*encoded);
     }
+    return encoded;
+  };
+}
+
+namespace {
+
+// A cell of `from` bits as one of `to`: the highest bits of more, fewer so that the strongest stay
+// so.
+std::uint8_t cell_of(std::uint8_t cell, std::uint32_t from, std::uint32_t to) {
+  if (from == to) return cell;
+  return static_cast<std::uint8_t>(from > to ? cell >> 4 : (cell & 15) * 17);
+}
+
+class NativeStream {
+ public:
+  explicit NativeStream(const NativeShape& shape) : shape_(shape) {}
+
+  void add(const Spoke& spoke, EncodedSector& out) {
+    const ScanGeometry& source = spoke.header.geometry;
+    if (!resampler_ || source_ != source) {
+      source_ = source;
+      resampler_.emplace(shape_.turn_spokes != 0 ? shape_.turn_spokes : source.spokes_per_turn,
+                         shape_.cells != 0 ? shape_.cells : source.cells);
+    }
+    resampler_->add(spoke, [&](const ResampledSpoke& made) { give(made, out); });
+  }
+  std::uint64_t next() const { return sequence_; }
+
+ private:
+  void give(const ResampledSpoke& made, EncodedSector& out) {
+    const std::uint32_t bits = made.header.geometry.bits;
+    spoke_.header = made.header;
+    spoke_.header.geometry.bits = shape_.bits != 0 ? shape_.bits : bits;
+    spoke_.header.sequence = sequence_++;
+    spoke_.cells.resize(made.cells.size());
+    for (std::size_t c = 0; c < made.cells.size(); ++c) {
+      spoke_.cells[c] = cell_of(made.cells[c], bits, spoke_.header.geometry.bits);
+    }
+    spoke_.doppler.assign(made.doppler.begin(), made.doppler.end());
+    append_spoke_frame(out.bytes, spoke_);
+    end_spoke(out);
+  }
+
+  NativeShape shape_;
+  ScanGeometry source_;
+  std::optional<SpokeResampler> resampler_;
+  std::uint64_t sequence_ = 0;
+  Spoke spoke_;
+};
+
+}  // namespace
+
+SectorEncoder native_encoder(const NativeShape& shape) {
+  if (shape == NativeShape{}) return native_encoder();
+  return [stream = NativeStream(shape)](const Sector& sector) mutable -> EncodedSectorPtr {
+    const auto encoded = begin_sector(sector);
+    encoded->first_sequence = stream.next();
+    for (const SpokePtr& spoke : sector.spokes) stream.add(*spoke, *encoded);
     return encoded;
   };
 }

@@ -5,6 +5,7 @@
 
 #include "protocol/asterix/cat240_stream.hpp"
 #include "server/core/video_channel.hpp"
+#include "server/net/output_config.hpp"
 
 namespace skerry::server {
 
@@ -16,6 +17,8 @@ inline const std::string kNativeFormat = "native";
 inline const std::string kCat240Format = "cat240";
 
 SectorEncoder native_encoder();
+// The same in another shape.  Spokes are numbered from 0 without a gap.
+SectorEncoder native_encoder(const NativeShape& shape);
 
 // Spokes as datagrams of that shape, whole ones: where several records go into one, a spoke may
 // have none.  Its state is the encoder's own: one per channel.

@@ -4,12 +4,16 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "server/net/access_policy.hpp"
 #include "server/net/native_session.hpp"
+#include "server/net/signalk_delta_session.hpp"
+#include "server/net/signalk_rest.hpp"
+#include "server/net/signalk_spoke_session.hpp"
 #include "server/net/tcp_peer.hpp"
 #include "server/net/ws_transport.hpp"
 
@@ -17,14 +21,26 @@ namespace skerry::server {
 namespace {
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::uint64_t kMaxBodyBytes = 4 * 1024;  // nothing served wants a body
+constexpr std::uint64_t kMaxBodyBytes = 4 * 1024;  // of changes by Signal K
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kFarewellTime{2};  // for the client to close after the last answer
 
+std::optional<std::string_view> header_of(const http::request<http::string_body>& request,
+                                          http::field field) {
+  const auto found = request.find(field);
+  if (found == request.end()) return std::nullopt;
+  return std::string_view(found->value().data(), found->value().size());
+}
+
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:
-  HttpSession(NetContext& context, const WebFiles& files, TcpSocket socket, ConnectionSlotPtr slot)
-      : context_(context), files_(files), stream_(std::move(socket)), slot_(std::move(slot)) {}
+  HttpSession(NetContext& context, const WebFiles& files, SignalkSite* site, TcpSocket socket,
+              ConnectionSlotPtr slot)
+      : context_(context),
+        files_(files),
+        site_(site),
+        stream_(std::move(socket)),
+        slot_(std::move(slot)) {}
 
   void start() {
     slot_->owner = weak_from_this();
@@ -47,13 +63,17 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   void answer_unreadable(error_code error);
   std::optional<WebAnswer> refusal(const Request& request) const;
   WebAnswer answer(const Request& request) const;
-  void upgrade(Request request);
+  WebAnswer answer_signalk(const Request& request, std::string path);
+  void upgrade(Request request, std::function<void()> accepted);
+  // False if no WebSocket is there.
+  bool upgrade_signalk(Request& request, std::string_view path);
   void send(const WebAnswer& answer, bool with_body, bool keep_alive);
   void on_sent(error_code error, bool keep_alive);
   void discard();
 
   NetContext& context_;
   const WebFiles& files_;
+  SignalkSite* site_;
   TcpStream stream_;
   ConnectionSlotPtr slot_;
   beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
@@ -83,11 +103,20 @@ void HttpSession::on_read(error_code error) {
                                                     text.substr(0, text.find('\n'))));
     return send(*refused, request.method() != http::verb::head, false);
   }
-  if (clean_path({request.target().data(), request.target().size()}) == "/ws" &&
-      websocket::is_upgrade(request)) {
-    return upgrade(std::move(request));
+  std::string path = clean_path({request.target().data(), request.target().size()});
+  const bool upgrades = websocket::is_upgrade(request);
+  if (path == "/ws" && upgrades) {
+    return upgrade(std::move(request), [self = shared_from_this()] {
+      NativeSession::begin(self->context_, make_ws_transport(std::move(self->ws_)),
+                           std::move(self->slot_));
+    });
   }
-  send(answer(request), request.method() != http::verb::head, request.keep_alive());
+  const bool with_body = request.method() != http::verb::head;
+  if (site_ != nullptr && is_signalk_path(path)) {
+    if (upgrades && upgrade_signalk(request, path)) return;
+    return send(answer_signalk(request, std::move(path)), with_body, request.keep_alive());
+  }
+  send(answer(request), with_body, request.keep_alive());
 }
 
 void HttpSession::answer_unreadable(error_code error) {
@@ -109,12 +138,7 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
     return web_error(503, fmt::format("503: all {} connections of this server are in use",
                                       context_.connections.limit()));
   }
-  const auto header = [&request](http::field field) -> std::optional<std::string_view> {
-    const auto found = request.find(field);
-    if (found == request.end()) return std::nullopt;
-    return std::string_view(found->value().data(), found->value().size());
-  };
-  const auto host = header(http::field::host);
+  const auto host = header_of(request, http::field::host);
   if (!host || request.count(http::field::host) != 1) {
     return web_error(400, "400: a request needs one Host header");
   }
@@ -123,9 +147,11 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
   const HostPolicy policy{.allowed_hosts = context_.config.allowed_hosts,
                           .any_ip_literal = !error && !is_loopback(bound)};
   if (auto text = host_refusal(*host, policy)) return web_error(403, "403: " + *text);
-  if (!websocket::is_upgrade(request)) return std::nullopt;
+  // What only reads may be asked for by any page; the browser keeps the answer from it.
+  const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
+  if (reads && !websocket::is_upgrade(request)) return std::nullopt;
   if (request.count(http::field::origin) > 1) return web_error(400, "400: more than one Origin");
-  if (auto text = origin_refusal(header(http::field::origin), *host)) {
+  if (auto text = origin_refusal(header_of(request, http::field::origin), *host)) {
     return web_error(403, "403: " + *text);
   }
   return std::nullopt;
@@ -150,7 +176,53 @@ WebAnswer HttpSession::answer(const Request& request) const {
   return json;
 }
 
-void HttpSession::upgrade(Request request) {
+WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
+  const NetConfig& config = context_.config;
+  const TcpPeer peer = peer_of(stream_.socket());
+  const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
+  const auto method = request.method_string();
+  error_code error;
+  const auto local = stream_.socket().local_endpoint(error);
+  SignalkRequest asked{.method = {method.data(), method.size()},
+                       .path = std::move(path),
+                       .body = request.body(),
+                       .authority = std::string(*header_of(request, http::field::host)),
+                       .address = error ? config.bind : local.address().to_string(),
+                       .origin = "Signal K display " + peer.text,
+                       .has_token = !control_refusal(false, token, config.control_token)};
+  if (const auto refusal = control_refusal(peer.is_loopback, token, config.control_token)) {
+    asked.refusal =
+        config.control_token.empty()
+            ? *refusal
+            : "control from another host needs 'Authorization: Bearer' and the control token";
+  }
+  WebAnswer answer = signalk_answer(*site_, config.signalk, config.control_token, asked);
+  const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
+  if (answer.status >= 400 && !reads) {
+    context_.errors.add("signalk change refused", peer.text + ": " + answer.body);
+  }
+  return answer;
+}
+
+bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
+  const auto wanted = signalk_stream(*site_, path);
+  if (!wanted) return false;
+  const SignalkDeltaSession::Client client{
+      .query = std::string(request.target().data(), request.target().size()),
+      .token = std::string(token_of(header_of(request, http::field::authorization).value_or("")))};
+  upgrade(std::move(request), [self = shared_from_this(), wanted, client] {
+    if (wanted->spokes != nullptr) {
+      SignalkSpokeSession::begin(self->context_, *self->site_, wanted->spokes->number,
+                                 std::move(self->ws_), std::move(self->slot_));
+    } else {
+      SignalkDeltaSession::begin(self->context_, *self->site_, std::move(self->ws_),
+                                 std::move(self->slot_), client);
+    }
+  });
+  return true;
+}
+
+void HttpSession::upgrade(Request request, std::function<void()> accepted) {
   stream_.expires_never();  // the WebSocket has its own time limits
   ws_ = std::make_unique<WsStream>(std::move(stream_));
   ws_->set_option(
@@ -158,14 +230,11 @@ void HttpSession::upgrade(Request request) {
   ws_->set_option(websocket::stream_base::decorator(
       [](websocket::response_type& response) { response.set(http::field::server, "skerryd"); }));
   upgrade_request_ = std::move(request);
-  ws_->async_accept(upgrade_request_, [self = shared_from_this()](error_code error) {
-    if (error) {
-      self->context_.errors.add("websocket handshake", error.message());
-      return;
-    }
-    NativeSession::begin(self->context_, make_ws_transport(std::move(self->ws_)),
-                         std::move(self->slot_));
-  });
+  ws_->async_accept(upgrade_request_,
+                    [self = shared_from_this(), accepted = std::move(accepted)](error_code error) {
+                      if (!error) return accepted();
+                      self->context_.errors.add("websocket handshake", error.message());
+                    });
 }
 
 void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive) {
@@ -207,9 +276,9 @@ void HttpSession::discard() {
 
 }  // namespace
 
-void begin_http_session(NetContext& context, const WebFiles& files, TcpSocket socket,
-                        ConnectionSlotPtr slot) {
-  std::make_shared<HttpSession>(context, files, std::move(socket), std::move(slot))->start();
+void begin_http_session(NetContext& context, const WebFiles& files, SignalkSite* site,
+                        TcpSocket socket, ConnectionSlotPtr slot) {
+  std::make_shared<HttpSession>(context, files, site, std::move(socket), std::move(slot))->start();
 }
 
 }  // namespace skerry::server

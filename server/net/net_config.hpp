@@ -9,20 +9,11 @@
 #include <vector>
 
 #include "protocol/asterix/cat240.hpp"
+#include "server/net/navigation_config.hpp"
+#include "server/net/output_config.hpp"
+#include "server/net/signalk_config.hpp"
 
 namespace skerry::server {
-
-// A receiver of datagrams: one radar's default view, or the records of its interface board, goes
-// there for as long as the server runs.
-struct UdpDestination {
-  std::uint32_t radar = 0;
-  std::string address = "127.0.0.1";  // IPv4 or IPv6 literal, unicast or multicast
-  std::uint16_t port = 0;             // 1 .. 65535
-  std::size_t max_datagram = 0;       // bytes; 0: 65507 on loopback, 1472 elsewhere
-  int multicast_ttl = 0;              // 0 .. 255; 0: this host, 1: this network
-  // Multicast: address of the interface to send from, empty: the system's choice.  IPv4 only.
-  std::string interface_address = {};
-};
 
 struct NetConfig {
   std::string bind = "127.0.0.1";   // address for TCP and HTTP
@@ -31,7 +22,11 @@ struct NetConfig {
   std::vector<UdpDestination> udp;  // native datagrams
   std::vector<UdpDestination> cat240 = {{.radar = 0, .address = "127.0.0.1", .port = 8600}};
   std::vector<UdpDestination> sweeps;  // records of interface boards, one in a body
-  Cat240Source cat240_source;          // of radar 0; radar n has sic + n, modulo 256
+  std::vector<StreamOutputConfig> streams;
+  std::vector<DisplayOutputConfig> displays;
+  std::vector<NavigationOutputConfig> navigation_outputs;
+  std::vector<NavigationInputConfig> navigation_inputs;
+  Cat240Source cat240_source;  // of radar 0; radar n has sic + n, modulo 256
 
   // What a Set message from elsewhere than this host must carry; empty: none is accepted from
   // there.
@@ -39,6 +34,7 @@ struct NetConfig {
   // Names, without port, by which browsers may address this server, besides localhost and, when
   // `bind` is no loopback address, any IP literal.
   std::vector<std::string> allowed_hosts;
+  SignalkConfig signalk;
   std::string web_root;  // directory with the web console; empty: the one built in
 
   std::size_t max_connections = 256;  // TCP, HTTP and WebSocket together

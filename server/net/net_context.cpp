@@ -160,6 +160,7 @@ SharedBytes NetContext::world_frame() const {
 wire::Status NetContext::status() const {
   wire::Status status = host.status();
   clients.append_to(status);
+  outputs.append_to(status);
   for (const auto& [kind, times] : errors.counts()) (*status.mutable_errors())[kind] += times;
   status.set_resident_mib(resident_mib());
   return status;

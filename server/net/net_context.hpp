@@ -16,6 +16,7 @@
 #include "server/net/client_registry.hpp"
 #include "server/net/connection_table.hpp"
 #include "server/net/net_config.hpp"
+#include "server/net/output_registry.hpp"
 #include "server/net/spoke_feed.hpp"
 
 namespace skerry::server {
@@ -33,6 +34,7 @@ class NetContext {
   const NetConfig config;
   ErrorCounts errors;      // any thread
   ClientRegistry clients;  // any thread
+  OutputRegistry outputs;  // any thread
   ConnectionTable connections;
 
   // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the

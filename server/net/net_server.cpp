@@ -3,18 +3,25 @@
 #include <google/protobuf/stubs/logging.h>
 #include <pthread.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "server/net/display_desk.hpp"
 #include "server/net/encoders.hpp"
 #include "server/net/http_session.hpp"
 #include "server/net/listener.hpp"
 #include "server/net/native_session.hpp"
+#include "server/net/navigation_desk.hpp"
+#include "server/net/signalk_service.hpp"
+#include "server/net/stream_outputs.hpp"
 #include "server/net/tcp_peer.hpp"
 #include "server/net/tcp_transport.hpp"
 #include "server/net/udp_sender.hpp"
@@ -24,6 +31,11 @@ namespace {
 
 constexpr std::chrono::milliseconds kSettingsPeriod{100};
 constexpr int kOwnShipPeriods = 10;  // own ship once a second
+constexpr int kNiceness = -5;
+
+const UdpStream kNative{.cut = UdpStream::Cut::native, .format = kNativeFormat};
+const UdpStream kCat240{.cut = UdpStream::Cut::cat240, .format = kCat240Format};
+const UdpStream kSweeps{.cut = UdpStream::Cut::records, .format = kRecordsFormat};
 
 void add_formats(RadarHost& host, Cat240Source source) {
   for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
@@ -56,38 +68,57 @@ class NetServer::Impl {
                .port = context_.config.http_port,
                .option = "--http-port"},
               [this](TcpSocket socket, ConnectionSlotPtr slot) {
-                begin_http_session(context_, files_, std::move(socket), std::move(slot));
+                begin_http_session(context_, files_, signalk_->first(), std::move(socket),
+                                   std::move(slot));
               }),
         tick_(context_.io) {
     // Text fields that are not UTF-8 make parsing fail; protobuf would also write every such
     // message of a stranger to the log.
     google::protobuf::SetLogHandler(nullptr);
     add_formats(host, context_.config.cat240_source);
-    for (const UdpDestination& to : context_.config.udp) add_sender(to, kNativeFormat);
-    for (const UdpDestination& to : context_.config.cat240) add_sender(to, kCat240Format);
-    for (const UdpDestination& to : context_.config.sweeps) add_sender(to, kRecordsFormat);
+    for (const UdpDestination& to : context_.config.udp) add_sender(to, kNative);
+    for (const UdpDestination& to : context_.config.cat240) add_sender(to, kCat240);
+    for (const UdpDestination& to : context_.config.sweeps) add_sender(to, kSweeps);
+    for (std::size_t i = 0; i < context_.config.streams.size(); ++i) {
+      const StreamOutputConfig& stream = context_.config.streams[i];
+      add_sender(stream.to, open_stream(context_, stream, i));
+    }
+    displays_.emplace(context_);
+    navigation_.emplace(context_);
+    signalk_.emplace(context_, files_);
   }
 
   void start() {
     tcp_.start();
     http_.start();
+    signalk_->start();
     tick();
+    asio::post(context_.io, [this] {
+      if (closing_) return;
+      displays_->start();
+      navigation_->start();
+    });
     thread_ = std::thread([this] {
       pthread_setname_np(pthread_self(), "net-0");
       run();
     });
+    signalk_->advertise(http_port());
   }
 
   void stop() {
     if (stopped_) return;
     stopped_ = true;
+    signalk_->end_advertising();
     asio::post(context_.io, [this] {
       closing_ = true;
       tcp_.close();
       http_.close();
+      signalk_->close();
       tick_.cancel();
       context_.connections.close_all();
       for (const auto& sender : senders_) sender->close();
+      displays_->close();
+      navigation_->close();
     });
     work_.reset();
     if (thread_.joinable()) {
@@ -97,8 +128,8 @@ class NetServer::Impl {
     }
   }
 
-  void add_sender(const UdpDestination& to, const std::string& format) {
-    auto sender = std::make_shared<UdpSender>(context_, to, format);
+  void add_sender(const UdpDestination& to, const UdpStream& stream) {
+    auto sender = std::make_shared<UdpSender>(context_, to, stream);
     asio::post(context_.io, [this, sender] {
       if (closing_) return;
       sender->start();
@@ -119,9 +150,13 @@ class NetServer::Impl {
   wire::Status status() const { return context_.status(); }
   std::uint16_t tcp_port() const { return tcp_.port(); }
   std::uint16_t http_port() const { return http_.port(); }
+  std::vector<std::uint16_t> signalk_ports() const { return signalk_->further_ports(); }
 
  private:
   void run() {
+    // Displays are sent their datagrams at the antenna's pace: before other programs where the
+    // system lets it, and after the radars' threads.
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
     try {
       context_.io.run();
     } catch (const std::exception& error) {
@@ -135,6 +170,7 @@ class NetServer::Impl {
     tick_.async_wait([this](error_code error) {
       if (error || closing_) return;
       context_.tell_settings();
+      signalk_->tick(std::chrono::steady_clock::now());
       context_.end_views(std::chrono::steady_clock::now());
       if (++ticks_ % kOwnShipPeriods == 0) {
         context_.tell_own_ships();
@@ -152,6 +188,9 @@ class NetServer::Impl {
   Timer tick_;
   int ticks_ = 0;
   std::vector<std::shared_ptr<UdpSender>> senders_;
+  std::optional<DisplayDesk> displays_;
+  std::optional<NavigationDesk> navigation_;
+  std::optional<SignalkService> signalk_;
   std::thread thread_;
   bool closing_ = false;  // net-0
   bool stopped_ = false;  // the owner's thread
@@ -169,14 +208,15 @@ void NetServer::stop() { impl_->stop(); }
 wire::Status NetServer::status() const { return impl_->status(); }
 std::uint16_t NetServer::tcp_port() const { return impl_->tcp_port(); }
 std::uint16_t NetServer::http_port() const { return impl_->http_port(); }
+std::vector<std::uint16_t> NetServer::signalk_ports() const { return impl_->signalk_ports(); }
 void NetServer::add_udp_destination(const UdpDestination& destination) {
-  impl_->add_sender(destination, kNativeFormat);
+  impl_->add_sender(destination, kNative);
 }
 void NetServer::add_cat240_destination(const UdpDestination& destination) {
-  impl_->add_sender(destination, kCat240Format);
+  impl_->add_sender(destination, kCat240);
 }
 void NetServer::add_sweeps_destination(const UdpDestination& destination) {
-  impl_->add_sender(destination, kRecordsFormat);
+  impl_->add_sender(destination, kSweeps);
 }
 
 }  // namespace skerry::server

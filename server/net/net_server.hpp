@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "server/core/radar_host.hpp"
 #include "server/net/net_config.hpp"
@@ -33,6 +34,8 @@ class NetServer {
 
   std::uint16_t tcp_port() const;
   std::uint16_t http_port() const;
+  // HTTP ports of NetConfig::signalk.further_ships, in their order.
+  std::vector<std::uint16_t> signalk_ports() const;
 
   // Sends there from now on, for as long as the server runs.  Thread: any, until stop().
   // Error: std::runtime_error as the constructor.

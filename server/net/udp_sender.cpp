@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "protocol/wire/frame.hpp"
-#include "server/net/encoders.hpp"
 #include "server/net/tcp_peer.hpp"
 
 namespace skerry::server {
@@ -19,19 +18,19 @@ namespace {
 constexpr int kSendBuffer = 1024 * 1024;
 constexpr std::size_t kCat240BlockHeader = 3;  // category, length in two bytes
 
-[[noreturn]] void fail(const UdpDestination& to, const std::string& format,
+[[noreturn]] void fail(const UdpDestination& to, const UdpStream& stream,
                        const std::string& reason) {
-  throw std::runtime_error(fmt::format("{} datagrams of radar {} to {} port {}: {}", format,
+  throw std::runtime_error(fmt::format("{} datagrams of radar {} to {} port {}: {}", stream.name(),
                                        to.radar, to.address, to.port, reason));
 }
 
-void check_destination(const UdpDestination& to, const std::string& format) {
-  if (to.port == 0) fail(to, format, "the port must be 1 to 65535");
+void check_destination(const UdpDestination& to, const UdpStream& stream) {
+  if (to.port == 0) fail(to, stream, "the port must be 1 to 65535");
   if (to.multicast_ttl < 0 || to.multicast_ttl > 255) {
-    fail(to, format, fmt::format("multicast TTL {} is not 0 to 255", to.multicast_ttl));
+    fail(to, stream, fmt::format("multicast TTL {} is not 0 to 255", to.multicast_ttl));
   }
   if (to.max_datagram != 0 && (to.max_datagram < kMinDatagram || to.max_datagram > kMaxDatagram)) {
-    fail(to, format,
+    fail(to, stream,
          fmt::format("a largest datagram of {} bytes is not 0 or {} to {}", to.max_datagram,
                      kMinDatagram, kMaxDatagram));
   }
@@ -39,28 +38,40 @@ void check_destination(const UdpDestination& to, const std::string& format) {
 
 }  // namespace
 
-UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const std::string& format)
+std::string UdpStream::name() const {
+  switch (cut) {
+    case Cut::native:
+      return "udp";
+    case Cut::records:
+      return "sweeps";
+    case Cut::cat240:
+      break;
+  }
+  return "cat240";
+}
+
+UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const UdpStream& stream)
     : context_(context),
       to_(to),
-      format_(format),
+      stream_(stream),
       max_datagram_(to.max_datagram),
       socket_(context.io) {
-  check_destination(to, format);
-  if (context.host.find_channel(to.radar, 0) == nullptr) {
-    fail(to, format,
+  check_destination(to, stream);
+  if (context.host.find_channel(to.radar, stream.view) == nullptr) {
+    fail(to, stream,
          fmt::format("there is no such radar; there are {}, counted from 0",
                      context.host.radar_count()));
   }
-  if (format == kRecordsFormat && context.host.find_board(to.radar) == nullptr) {
-    fail(to, format, "that radar has no interface board");
+  if (stream.cut == UdpStream::Cut::records && context.host.find_board(to.radar) == nullptr) {
+    fail(to, stream, "that radar has no interface board");
   }
   error_code error;
   const auto address = asio::ip::make_address(to.address, error);
-  if (error) fail(to, format, "the address must be an IPv4 or IPv6 literal");
+  if (error) fail(to, stream, "the address must be an IPv4 or IPv6 literal");
   endpoint_ = {address, to.port};
   if (max_datagram_ == 0) max_datagram_ = is_loopback(address) ? kMaxDatagram : kDefaultDatagram;
   const auto check = [&](const char* what) {
-    if (error) fail(to, format, fmt::format("{}: {}", what, error.message()));
+    if (error) fail(to, stream, fmt::format("{}: {}", what, error.message()));
   };
   socket_.open(endpoint_.protocol(), error);
   check("cannot open a socket");
@@ -76,16 +87,15 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const std::s
       check("cannot send from that interface");
     }
   }
-  const std::string transport = format == kNativeFormat    ? "udp"
-                                : format == kRecordsFormat ? "sweeps"
-                                                           : "cat240";
-  client_ = context.clients.add(transport, fmt::format("{}:{}", to.address, to.port));
+  client_ = context.clients.add(stream.name(), fmt::format("{}:{}", to.address, to.port));
   client_->radar.store(to.radar, std::memory_order_relaxed);
+  client_->view.store(stream.view, std::memory_order_relaxed);
 }
 
 void UdpSender::start() {
-  feed_ = format_ == kRecordsFormat ? context_.find_board_feed(to_.radar, format_)
-                                    : context_.find_feed(to_.radar, 0, format_);
+  feed_ = stream_.cut == UdpStream::Cut::records
+              ? context_.find_board_feed(to_.radar, stream_.format)
+              : context_.find_feed(to_.radar, stream_.view, stream_.format);
   cursor_ = feed_->add(*this);
 }
 
@@ -99,15 +109,19 @@ void UdpSender::close() {
 void UdpSender::on_sector() {
   while (const EncodedSectorPtr sector = feed_->ring().take(cursor_)) {
     datagrams_.clear();
-    if (format_ == kNativeFormat) {
-      cut_native(*sector);
-      send(fragments_, sector->spoke_count());
-    } else if (format_ == kRecordsFormat) {
-      cut_records(*sector);
-      send(fragments_, sector->spoke_count());
-    } else {
-      cut_cat240(*sector);
-      send(sector->bytes, sector->spoke_count());
+    switch (stream_.cut) {
+      case UdpStream::Cut::native:
+        cut_native(*sector);
+        send(fragments_, sector->spoke_count());
+        break;
+      case UdpStream::Cut::records:
+        cut_records(*sector);
+        send(fragments_, sector->spoke_count());
+        break;
+      case UdpStream::Cut::cat240:
+        cut_cat240(*sector);
+        send(sector->bytes, sector->spoke_count());
+        break;
     }
   }
   client_->spokes_lost.store(cursor_.spokes_lost + dropped_, std::memory_order_relaxed);
@@ -137,8 +151,9 @@ void UdpSender::cut_records(const EncodedSector& sector) {
 
 void UdpSender::cut(std::uint64_t sequence, std::span<const std::uint8_t> body, std::uint32_t spoke,
                     DatagramKind kind) {
-  const DatagramSpoke name{
-      .radar = static_cast<std::uint16_t>(to_.radar), .view = 0, .sequence = sequence};
+  const DatagramSpoke name{.radar = static_cast<std::uint16_t>(to_.radar),
+                           .view = static_cast<std::uint16_t>(stream_.view),
+                           .sequence = sequence};
   for_each_datagram(
       name, body, max_datagram_, scratch_,
       [&](std::span<const std::uint8_t> datagram) {

@@ -21,16 +21,23 @@ struct OutgoingDatagram {
   std::uint32_t spoke = 0;  // to which of the sector's spokes it belongs
 };
 
+// What a sender sends, and how it is cut into datagrams.
+struct UdpStream {
+  enum class Cut { native, records, cat240 };  // cat240: one data block to a datagram
+  Cut cut = Cut::native;
+  std::string format;        // of the view's or board's rings
+  std::uint32_t view = 0;    // not of records
+  std::string name() const;  // "udp", "sweeps", "cat240": of a transport, for the status
+};
+
 // Sends as soon as sectors are published and never waits: what the socket does not take at once is
 // dropped, and its spokes count as lost.
 // Thread: constructed anywhere, then net-0.
 class UdpSender final : public FeedReader {
  public:
-  // `format` is kNativeFormat or kRecordsFormat (datagram.hpp) or kCat240Format (one data block per
-  // datagram).
-  // Error: std::runtime_error naming destination and reason: no such radar, no literal address, a
-  // port, TTL or datagram size out of range, no such interface.
-  UdpSender(NetContext& context, const UdpDestination& to, const std::string& format);
+  // Error: std::runtime_error naming destination and reason: no such radar or view, no literal
+  // address, a port, TTL or datagram size out of range, no such interface.
+  UdpSender(NetContext& context, const UdpDestination& to, const UdpStream& stream);
 
   void start();  // net-0: from now on it sends
   void close();
@@ -47,7 +54,7 @@ class UdpSender final : public FeedReader {
 
   NetContext& context_;
   UdpDestination to_;
-  std::string format_;
+  UdpStream stream_;
   std::size_t max_datagram_;
   UdpSocket socket_;
   asio::ip::udp::endpoint endpoint_;

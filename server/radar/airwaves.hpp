@@ -20,7 +20,9 @@ struct Emission {
   friend bool operator==(const Emission& a, const Emission& b) {
     return a.own_ship == b.own_ship && a.transmits == b.transmits &&
            a.emitter.pulse_s == b.emitter.pulse_s && a.emitter.prf_hz == b.emitter.prf_hz &&
-           a.emitter.identity == b.emitter.identity;
+           a.emitter.identity == b.emitter.identity && a.emitter.rpm == b.emitter.rpm &&
+           a.emitter.bearing_deg == b.emitter.bearing_deg &&
+           a.emitter.height_m == b.emitter.height_m;
   }
 };
 using EmissionsPtr = std::shared_ptr<const std::vector<Emission>>;

@@ -20,10 +20,25 @@ namespace {
 constexpr int kNiceness = -10;
 void go_before_others() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness); }
 
+constexpr Length kFarthestCoast = nautical_miles(RangeScale::kNauticalMiles.back());
+
+// What a view shows of a radar on `range`: view 0 is the radar's own, others show at most as far.
+echo::ViewControls shown_by(const RadarView& view, RangeScale range) {
+  echo::ViewControls controls = view.controls_in_force();
+  if (view.number == 0 || range.index() < controls.range_scale.index())
+    controls.range_scale = range;
+  return controls;
+}
+
+double rpm_of(const echo::RadarSet& set, const echo::RadarControls& controls) {
+  return controls.rotation_rpm > 0.0 ? controls.rotation_rpm : set.rpm;
+}
+
 // Half a second of sectors.
 std::size_t ring_sectors(const RadarConfig& config) {
-  const double sectors =
-      config.geometry.spokes_per_turn * config.set.rpm / 60.0 / RadarUnit::kSectorSpokes;
+  const double sectors = config.geometry.spokes_per_turn *
+                         rpm_of(config.set, config.radar_controls) / 60.0 /
+                         RadarUnit::kSectorSpokes;
   return static_cast<std::size_t>(std::max(8.0, std::ceil(0.5 * sectors)));
 }
 
@@ -50,14 +65,13 @@ RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService
       coast_keeper_(coast, config.radar),
       airwaves_(airwaves),
       workers_(workers, go_before_others),
-      clock_(config.set.rpm, config.geometry.spokes_per_turn),
+      clock_(rpm_of(config.set, config.radar_controls), config.geometry.spokes_per_turn),
       renderer_(config.set, config.geometry, clock_, config.radar, config.controls.range_scale,
                 config.radar_controls,
                 [this](std::size_t count, const std::function<void(std::size_t)>& body) {
                   workers_.run(count, body);
                 }),
-      scenes_({config.own_ship, config.radar, config.set.band(), config.seed, config.obstructions,
-               config.blanked},
+      scenes_({config.own_ship, config.radar, config.set.band(), config.seed, config.obstructions},
               airwaves),
       views_(config.controls, ring_sectors(config)),
       radar_controls_(config.radar_controls) {
@@ -68,12 +82,21 @@ RadarUnit::RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService
 // sectors late.
 void RadarUnit::warm_up() {
   shown_scale_ = views_.get()->front()->controls.get()->range_scale;
-  renderer_.set_radar(shown_scale_, *radar_controls_.get());
+  renderer_.set_radar(shown_scale_, *radar_controls_.get(), clock_);
   look_after_views();
   // The radar's own builder stays fresh: not all radars are on the air yet.
   SceneBuilder scenes = scenes_;
+  scenes.set_rig(radar_controls().blanked, radar_controls().bearing_alignment_deg);
   renderer_.render(*scenes.build(timeline_.at(ScenarioTime{}), coast_keeper_.latest()), 0,
                    kSectorSpokes);
+}
+
+echo::RadarSet RadarUnit::set_on_air() const {
+  echo::RadarSet set = config_.set;
+  const echo::RadarControls controls = radar_controls();
+  set.rpm = rpm_of(set, controls);
+  if (controls.antenna_height_m > 0.0) set.antenna_height_m = controls.antenna_height_m;
+  return set;
 }
 
 void RadarUnit::start(const Epoch& epoch) {
@@ -90,8 +113,13 @@ void RadarUnit::stop() {
 }
 
 echo::RadarResolution RadarUnit::resolution(RangeScale range) const {
-  return {range.length().in_metres(), config_.geometry.cell_size(range).in_metres(),
-          360.0 / config_.geometry.spokes_per_turn};
+  std::uint32_t cells = config_.geometry.cells;
+  for (const RadarViewPtr& view : *views_.get()) {
+    cells = std::max(cells, echo::row_cells_for(config_.geometry, range, shown_by(*view, range)));
+  }
+  const Length reach = range.length() * (double{1} * cells / config_.geometry.cells);
+  return {std::min(reach.in_metres(), kFarthestCoast.in_metres()),
+          config_.geometry.cell_size(range).in_metres(), 360.0 / config_.geometry.spokes_per_turn};
 }
 
 CoastWish RadarUnit::wish(const ShipState& own_ship, const echo::ViewControls& controls) const {
@@ -104,8 +132,11 @@ void RadarUnit::tell_airwaves(const echo::RadarControls& controls, RangeScale ra
   emission.transmits = controls.transmit;
   echo::EmitterState state;
   state.identity = identity_of(config_.seed, Fixture::emitter, config_.radar);
-  emission.emitter = echo::emitter_of(config_.set, config_.set.pulse_for(range, controls.pulse),
-                                      state, kTransmitterSpread);
+  // When the beam stood over the bow, at the rate it turns with.
+  state.antenna_start = bow_passed_;
+  const echo::RadarSet set = set_on_air();
+  emission.emitter =
+      echo::emitter_of(set, set.pulse_for(range, controls.pulse), state, kTransmitterSpread);
   airwaves_.set(config_.radar, emission);
 }
 
@@ -119,11 +150,7 @@ void RadarUnit::look_after_views() {
     rendered_ = std::move(views);
   }
   for (const RadarViewPtr& view : *rendered_) {
-    echo::ViewControls controls = *view->controls.get();
-    if (view->number == 0 || shown_scale_.index() < controls.range_scale.index()) {
-      controls.range_scale = shown_scale_;
-    }
-    renderer_.set_view(view->number, controls);
+    renderer_.set_view(view->number, shown_by(*view, shown_scale_));
   }
 }
 
@@ -147,8 +174,9 @@ bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch, std::vector
   tell_airwaves(radar_controls, shown_scale_);
   if (!radar_controls.transmit) return true;
 
-  renderer_.set_radar(shown_scale_, radar_controls);
+  renderer_.set_radar(shown_scale_, radar_controls, clock_);
   look_after_views();
+  scenes_.set_rig(radar_controls.blanked, radar_controls.bearing_alignment_deg);
   renderer_.render(*scenes_.build(state, coast), first, kSectorSpokes);
   cut_spokes(first, epoch, *state, out);
   return true;
@@ -197,11 +225,24 @@ void RadarUnit::cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldS
       header.view = part.view->number;
       header.sequence = part.view->sequence++;
       header.range_scale = renderer_.range_of(header.view);
+      header.instrumented_range = renderer_.instrumented_range_of(header.view);
       const auto video = renderer_.video(header.view).subspan(std::size_t{k} * cells, cells);
-      part.sector.spokes.push_back(
-          std::make_shared<Spoke>(Spoke{header, {video.begin(), video.end()}}));
+      auto spoke = std::make_shared<Spoke>(Spoke{header, {video.begin(), video.end()}});
+      if (const auto doppler = renderer_.doppler(header.view); !doppler.empty()) {
+        const auto own_cells = doppler.subspan(std::size_t{k} * cells, cells);
+        spoke->doppler.assign(own_cells.begin(), own_cells.end());
+      }
+      part.sector.spokes.push_back(std::move(spoke));
     }
   }
+}
+
+void RadarUnit::turn_as_asked(std::uint64_t first) {
+  const echo::SpokeClock before = clock_;
+  clock_.change_rate(first, rpm_of(config_.set, radar_controls()));
+  if (clock_ == before) return;
+  const std::uint32_t turn = config_.geometry.spokes_per_turn;
+  bow_passed_ = clock_.time_of(first - first % turn);
 }
 
 void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
@@ -210,11 +251,12 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
   std::vector<ViewSector> sectors;
   Sleeper sleeper;
   double mean_ns = 0.0;
-  const Duration sector_length = clock_.time_of(kSectorSpokes) - clock_.time_of(0);
   const auto end_of = [&](std::uint64_t first) {
     return epoch.steady + clock_.time_of(first + kSectorSpokes).time_since_epoch();
   };
-  for (std::uint64_t first = 0; sleeper.until(end_of(first), stop); first += kSectorSpokes) {
+  for (std::uint64_t first = 0;; first += kSectorSpokes) {
+    turn_as_asked(first);
+    if (!sleeper.until(end_of(first), stop)) return;
     const auto begun = std::chrono::steady_clock::now();
     if (begun > end_of(first) + kGiveUp) {
       sectors_skipped_.fetch_add(1, std::memory_order_relaxed);
@@ -232,7 +274,7 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
     if (late.count() > lateness_max_ns_.load(std::memory_order_relaxed)) {
       lateness_max_ns_.store(late.count(), std::memory_order_relaxed);
     }
-    if (late > sector_length) {
+    if (late > clock_.time_of(first + kSectorSpokes) - clock_.time_of(first)) {
       spokes_late_.fetch_add(kSectorSpokes, std::memory_order_relaxed);
     }
     spokes_.fetch_add(kSectorSpokes, std::memory_order_relaxed);

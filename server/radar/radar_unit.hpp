@@ -28,7 +28,6 @@ struct RadarConfig {
   echo::ViewControls controls;         // of view 0, at the start
   echo::RadarControls radar_controls;  // at the start
   std::vector<echo::Obstruction> obstructions = {};
-  std::vector<echo::BlankedSector> blanked = {};
   std::uint64_t seed = 0;
 };
 
@@ -51,6 +50,9 @@ struct RadarCounters {
 // Turns the antenna by absolute deadlines: the sector of spokes n .. n+15 is made when the antenna
 // has passed it and is published at once.  A radar that falls behind by kGiveUp leaves sectors out
 // and counts them; it never hurries and never drifts.
+//
+// Rotation rate, antenna height, alignment and blanked sectors may change at any time, and act from
+// a sector's begin on.  Spokes are counted on, whatever the rate.
 //
 // All views show what is on the air: view 0's range scale is the radar's, others show at most as
 // far.  In standby the antenna's clock goes on, and nothing is made nor sent.
@@ -77,6 +79,8 @@ class RadarUnit {
   const RadarViewList& views() const { return views_; }
   echo::RadarControls radar_controls() const { return *radar_controls_.get(); }
   void set_radar_controls(const echo::RadarControls& controls) { radar_controls_.set(controls); }
+  // The set as its controls have it: rotation and antenna height.
+  echo::RadarSet set_on_air() const;
   // Of the controls at hand.
   RangeScale range_on_air() const { return views_.get()->front()->controls.get()->range_scale; }
   const echo::Pulse& pulse_on_air() const {
@@ -84,7 +88,8 @@ class RadarUnit {
   }
   RadarCounters counters() const;
 
-  // What the unit asks of the coast for those controls at that place.
+  // What the unit asks of the coast for those controls of view 0 at that place: as far as its rows
+  // reach, at most the longest range scale.
   CoastWish wish(const ShipState& own_ship, const echo::ViewControls& controls) const;
 
  private:
@@ -100,6 +105,8 @@ class RadarUnit {
                   std::vector<ViewSector>& out);
   // Brings the renderer's views in line with those that there are.
   void look_after_views();
+  // The antenna's rate from spoke `first` on.
+  void turn_as_asked(std::uint64_t first);
   void tell_airwaves(const echo::RadarControls& controls, RangeScale range);
 
   RadarConfig config_;
@@ -108,6 +115,7 @@ class RadarUnit {
   Airwaves& airwaves_;
   WorkerPool workers_;
   echo::SpokeClock clock_;
+  ScenarioTime bow_passed_{};  // by the beam, at the rate of now
   ViewRenderers renderer_;
   SceneBuilder scenes_;
   RadarViewList views_;

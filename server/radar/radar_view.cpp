@@ -4,6 +4,23 @@
 
 namespace skerry::server {
 
+echo::ViewControls RadarView::controls_in_force() const {
+  echo::ViewControls own = *controls.get();
+  if (!followed) return own;
+  const double instrumented_range_m = own.instrumented_range_m;
+  own = *followed->controls.get();
+  own.instrumented_range_m = instrumented_range_m;
+  return own;
+}
+
+void RadarView::set_controls(const echo::ViewControls& wanted) {
+  controls.set(wanted);
+  if (!followed) return;
+  echo::ViewControls theirs = wanted;
+  theirs.instrumented_range_m = followed->controls.get()->instrumented_range_m;
+  if (!(theirs == *followed->controls.get())) followed->controls.set(theirs);
+}
+
 RadarViewList::RadarViewList(const echo::ViewControls& controls, std::size_t ring_sectors)
     : ring_sectors_(ring_sectors),
       views_(RadarViews{std::make_shared<RadarView>(0, controls, ring_sectors)}) {}
@@ -15,7 +32,7 @@ RadarViewPtr RadarViewList::find(std::uint32_t number) const {
   return found == views->end() ? nullptr : *found;
 }
 
-RadarViewPtr RadarViewList::open(std::uint32_t like,
+RadarViewPtr RadarViewList::open(std::uint32_t like, bool follows,
                                  const std::function<void(VideoChannel&)>& prepare) {
   const std::lock_guard lock(mutex_);
   RadarViews views = *get();
@@ -23,8 +40,15 @@ RadarViewPtr RadarViewList::open(std::uint32_t like,
   do {
     last_number_ = last_number_ == kLastNumber ? 1 : last_number_ + 1;
   } while (find(last_number_) != nullptr);
-  views.push_back(
-      std::make_shared<RadarView>(last_number_, *find(like)->controls.get(), ring_sectors_));
+  const RadarViewPtr example = find(like);
+  echo::ViewControls controls = example->controls_in_force();
+  if (follows) {
+    controls.instrumented_range_m = 0.0;
+    const RadarViewPtr followed = example->follows() ? example->followed : example;
+    views.push_back(std::make_shared<RadarView>(last_number_, controls, ring_sectors_, followed));
+  } else {
+    views.push_back(std::make_shared<RadarView>(last_number_, controls, ring_sectors_));
+  }
   prepare(views.back()->channel);
   RadarViewPtr opened = views.back();
   views_.set(std::move(views));

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "echo/receiver/controls.hpp"
@@ -13,15 +14,30 @@
 
 namespace skerry::server {
 
+// A view that follows another is hidden: it is there for an output, and has at all times the
+// controls of the view it follows, except for its instrumented range.
+// Thread: any, but for `sequence`.
 struct RadarView {
+  // `of`: the view that it follows, or null; not one that follows another itself.
   RadarView(std::uint32_t view_number, const echo::ViewControls& view_controls,
-            std::size_t ring_sectors)
-      : number(view_number), channel(ring_sectors), controls(view_controls) {}
+            std::size_t ring_sectors, std::shared_ptr<RadarView> of = nullptr)
+      : number(view_number),
+        followed(std::move(of)),
+        channel(ring_sectors),
+        controls(view_controls) {}
+
+  bool follows() const { return followed != nullptr; }
+  // What holds for this view.
+  echo::ViewControls controls_in_force() const;
+  // What is changed by it in a view that follows is changed in the one followed, but for the
+  // instrumented range, which each has for itself.
+  void set_controls(const echo::ViewControls& wanted);
 
   const std::uint32_t number;
+  const std::shared_ptr<RadarView> followed;
   VideoChannel channel;
-  Latest<echo::ViewControls> controls;
-  std::uint64_t sequence = 0;  // of the next spoke; the radar's thread
+  Latest<echo::ViewControls> controls;  // its own; see controls_in_force()
+  std::uint64_t sequence = 0;           // of the next spoke; the radar's thread
 };
 using RadarViewPtr = std::shared_ptr<RadarView>;
 using RadarViews = std::vector<RadarViewPtr>;
@@ -40,9 +56,12 @@ class RadarViewList {
   std::shared_ptr<const RadarViews> get() const { return views_.get(); }
   RadarViewPtr find(std::uint32_t number) const;
 
-  // A view with the controls of another; `prepare` adds its formats before any video comes.
+  // A view with the controls of another, which has its own from then on or follows that one;
+  // `prepare` adds its formats before any video comes.  One that follows a view that follows,
+  // follows the same as that; it ends the range at the range scale until it is told otherwise.
   // nullptr if there are kMaxViews; requires a view of that number.
-  RadarViewPtr open(std::uint32_t like, const std::function<void(VideoChannel&)>& prepare);
+  RadarViewPtr open(std::uint32_t like, bool follows,
+                    const std::function<void(VideoChannel&)>& prepare);
   // No effect on number 0 and on one that is not there.
   void close(std::uint32_t number);
 

@@ -47,7 +47,8 @@ void SceneBuilder::lay_own_ship(const WorldState& state, const echo::LocalPlane&
   scene.turn_rate_deg_s = own.rate_of_turn_deg_s;
   scene.own_hull = {own.length_m, own.beam_m};
   scene.obstructions = role_.obstructions;
-  scene.blanked = role_.blanked;
+  scene.blanked = blanked_;
+  scene.bearing_alignment_deg = bearing_alignment_deg_;
   const scenario::ShipMotion& motion =
       state.scenario->own_ships(static_cast<int>(role_.own_ship)).motion();
   const double part = std::min(state.environment->sea.state / kRoughestSea, 1.0);
@@ -131,6 +132,14 @@ void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emiss
     emitter.bearing_deg = static_cast<double>(emitter.identity % 360u);
     add(emitter, ship);
   }
+}
+
+void SceneBuilder::set_rig(const std::vector<echo::BlankedSector>& blanked,
+                           double bearing_alignment_deg) {
+  if (blanked == blanked_ && bearing_alignment_deg == bearing_alignment_deg_) return;
+  blanked_ = blanked;
+  bearing_alignment_deg_ = bearing_alignment_deg;
+  scene_ = nullptr;
 }
 
 echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSightPtr& coast) {

@@ -21,7 +21,6 @@ struct SceneRole {
   echo::Band band = echo::Band::x;
   std::uint64_t seed = 0;
   std::vector<echo::Obstruction> obstructions = {};
-  std::vector<echo::BlankedSector> blanked = {};
 };
 
 // Lays a WorldState into the plane of a coast picture, as seen from one own ship.  What is out of
@@ -34,7 +33,10 @@ class SceneBuilder {
   SceneBuilder(SceneRole role, const Airwaves& airwaves)
       : role_(std::move(role)), airwaves_(airwaves) {}
 
-  // The same scene is returned while neither state, coast nor what others have on the air has
+  // What of the rig can be changed under way; none and 0 at first.
+  void set_rig(const std::vector<echo::BlankedSector>& blanked, double bearing_alignment_deg);
+
+  // The same scene is returned while neither state, coast, rig nor what others have on the air has
   // changed.  Where the coast's index no longer serves (the coast thread is behind), it is made
   // here.  Requires a non-null state and coast, and state->own_ships.size() > own_ship.
   echo::ScenePtr build(const WorldStatePtr& state, const CoastInSightPtr& coast);
@@ -55,6 +57,8 @@ class SceneBuilder {
 
   SceneRole role_;
   const Airwaves& airwaves_;
+  std::vector<echo::BlankedSector> blanked_;
+  double bearing_alignment_deg_ = 0.0;
   WorldStatePtr state_;
   CoastInSightPtr coast_;
   EmissionsPtr emissions_;

@@ -25,8 +25,7 @@ RangeScale scale_for(double reach_m) {
 }
 
 SceneRole role_of(const RadarConfig& config) {
-  return {config.own_ship, config.radar,        config.set.band(),
-          config.seed,     config.obstructions, config.blanked};
+  return {config.own_ship, config.radar, config.set.band(), config.seed, config.obstructions};
 }
 
 }  // namespace
@@ -97,8 +96,10 @@ std::span<const float> TurnEchoes::row(std::uint64_t n, ScenarioTime when) {
 
 void TurnEchoes::make(Block& block, std::uint64_t n, ScenarioTime when) {
   if (!(pulse() == grid_.pulse)) lay_grid();
+  if (returns_ && returns_->model().set.antenna_height_m != radar_.set_on_air().antenna_height_m)
+    returns_.reset();
   if (!returns_) {
-    echo::RadarSet set = radar_.config().set;
+    echo::RadarSet set = radar_.set_on_air();
     set.rpm = wish_.rpm;
     set.pulses = {grid_.pulse};
     returns_.emplace(echo::with_cells_of(echo::radar_model(set, {grid_.rows_per_turn, kCells, 8},
@@ -124,6 +125,8 @@ void TurnEchoes::make(Block& block, std::uint64_t n, ScenarioTime when) {
 }
 
 echo::ScenePtr TurnEchoes::scene_at(ScenarioTime when) {
+  // A board counts azimuths itself: the picture's alignment is none of its affair.
+  scenes_.set_rig(radar_.radar_controls().blanked, 0.0);
   const WorldStatePtr state = timeline_.at(when);
   const ShipState& own_ship = state->own_ships[radar_.config().own_ship];
   keeper_.look_after({own_ship.position,

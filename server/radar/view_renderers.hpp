@@ -21,11 +21,14 @@ class ViewRenderers {
                 const echo::SpokeClock& clock, std::uint32_t radar, RangeScale range,
                 const echo::RadarControls& controls, echo::ParallelFor parallel);
 
-  // What is on the air.
-  void set_radar(RangeScale range, const echo::RadarControls& controls);
+  // What is on the air, and how the antenna turns.  Another clock or antenna height makes the
+  // returns anew, and no receiver forgets anything.
+  void set_radar(RangeScale range, const echo::RadarControls& controls,
+                 const echo::SpokeClock& clock);
 
   // `view` is any number of the caller's; a new one is added.  Controls of at most the radar's
-  // range scale.
+  // range scale.  Rows reach as far as the view that wants most of them (row_cells_for); others
+  // then show the same cells, but for the height of land that the end of the rows cuts.
   void set_view(std::uint32_t view, const echo::ViewControls& controls);
   // Keeps only the views for which `is_there` is true.
   template <typename IsThere>
@@ -39,14 +42,24 @@ class ViewRenderers {
 
   // Of a view that is there.
   RangeScale range_of(std::uint32_t view) const;
+  // Where its last cell ends; 0 if that is at the range scale.
+  Length instrumented_range_of(std::uint32_t view) const;
   std::span<const std::uint8_t> video(std::uint32_t view) const { return views_.at(view).video; }
+  // One class per cell of video(), or empty where the view wants none.
+  std::span<const DopplerClass> doppler(std::uint32_t view) const {
+    return views_.at(view).doppler;
+  }
 
  private:
   struct View {
     echo::ViewReceiver receiver;
     std::vector<std::uint8_t> video;
+    std::vector<DopplerClass> doppler = {};
   };
   echo::RadarModel model() const;
+  echo::SpokeReturns made_returns() const;
+  // Makes the returns anew if the model is another, or the views want rows of another length.
+  void fit_returns();
 
   echo::RadarSet set_;
   ScanGeometry geometry_;
@@ -55,6 +68,8 @@ class ViewRenderers {
   echo::ParallelFor parallel_;
   RangeScale range_;
   echo::RadarControls controls_;
+  std::uint32_t row_cells_;
+  bool returns_fit_ = true;  // they are of the model
   echo::SpokeReturns returns_;
   std::map<std::uint32_t, View> views_;
 };

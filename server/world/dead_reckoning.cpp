@@ -6,15 +6,11 @@
 #include "server/world/rhumb_step.hpp"
 
 namespace skerry::server {
-namespace {
 
-// Chord over arc of a turn: sin(x) / x, x half the turn.
 double chord_of_arc(double turn_deg) {
   const double x = turn_deg * (std::numbers::pi / 360.0);
   return std::fabs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
 }
-
-}  // namespace
 
 ShipPlace position_at(const ShipState& ship, Duration dt) {
   const double dt_s = in_seconds(dt);

@@ -38,6 +38,7 @@ OwnShip::OwnShip(const scenario::OwnShip& ship, Duration tick)
   state_.beam_m = ship.beam_m();
   state_.height_m = ship.height_m();
   state_.wake = ship.wake();
+  state_.mmsi = ship.mmsi();
   begin_tick();
 }
 
@@ -49,8 +50,30 @@ void OwnShip::step() {
   state_.position = place.position;
   state_.heading_deg = place.heading_deg;
   state_.course_over_ground_deg = place.course_over_ground_deg;
+  now_ += tick_;
+  if (driven_) {
+    if (!driven_->is_over(now_)) return driven_->steer(now_, tick_, state_);
+    return end_drive();
+  }
   speed_mps_ = end_speed_mps_;
   rate_deg_s_ = end_rate_deg_s_;
+  begin_tick();
+}
+
+bool OwnShip::drive(const OwnShipFix& fix, Duration now) {
+  const bool begins = !driven_;
+  if (begins) driven_.emplace(state_, now_);
+  driven_->take(fix, now);
+  state_.driven = true;
+  return begins;
+}
+
+void OwnShip::end_drive() {
+  driven_.reset();
+  state_.driven = false;
+  ordered_course_deg_ = state_.course_over_ground_deg = state_.heading_deg;
+  ordered_speed_mps_ = speed_mps_ = state_.speed_mps;
+  rate_deg_s_ = std::clamp(state_.rate_of_turn_deg_s, -max_rate_deg_s_, max_rate_deg_s_);
   begin_tick();
 }
 

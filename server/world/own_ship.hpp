@@ -1,7 +1,10 @@
 // OwnShip: an own ship's motion, tick by tick.
 #pragma once
 
+#include <optional>
+
 #include "protocol/quantity/time.hpp"
+#include "server/world/driven_motion.hpp"
 #include "server/world/scenario.pb.h"
 #include "server/world/world_state.hpp"
 
@@ -16,8 +19,8 @@ namespace skerry::server {
 // by what the ship cannot help: up to r T_r.
 //
 // A ship without way turns as well: bow thrusters.  Heading and course over ground are one: there
-// is no set nor drift yet.  Over a pole the ship goes straight on, and her ordered course is
-// reversed with her heading.
+// is no set nor drift yet, unless she is driven.  Over a pole the ship goes straight on, and her
+// ordered course is reversed with her heading.
 //
 // The commanded rate is held over a tick; within that, speed and rate of turn are integrated
 // exactly: state() gives their means over the coming tick, and the ship moves by position_at() of
@@ -26,6 +29,9 @@ namespace skerry::server {
 // Error: a turn of 120 deg at 24 kn ends 0.14 m from the same turn in ticks of 1 ms, for the
 // commanded rate is held over a tick; on a steady course see rhumb_step.hpp.
 // Held by OwnShip.TurnsAsInFineTicks and OwnShip.ApproachesTheOrderedSpeedExponentially.
+//
+// While fixes of an outside simulator come, they drive her instead (driven_motion.hpp).  After the
+// last she goes on by herself, on the heading and at the speed she had.
 //
 // Nothing is ever NaN: a time constant of 0 is an immediate response.  Thread: one at a time.
 class OwnShip {
@@ -36,6 +42,10 @@ class OwnShip {
   // Take effect with the tick after the present one.  `course_deg` is any finite number of degrees.
   void order_course(double course_deg);
   void order_speed(double speed_mps) { ordered_speed_mps_ = speed_mps; }
+
+  // Her state at `now`, since scenario time 0; takes effect with the next tick.  Requires finite
+  // values within their ranges.  True if she was not driven until now.
+  bool drive(const OwnShipFix& fix, Duration now);
 
   // The present tick: motion means from its begin to its end, orders as they took effect.
   ShipState state() const { return state_; }
@@ -51,6 +61,7 @@ class OwnShip {
     double mean_kept;  // of the difference on the average of the tick
   };
   void begin_tick();
+  void end_drive();
 
   Duration tick_;
   Lag speed_lag_, turn_lag_;
@@ -60,6 +71,8 @@ class OwnShip {
   double speed_mps_, rate_deg_s_ = 0.0;  // at the begin of the tick
   double end_speed_mps_, end_rate_deg_s_ = 0.0;
   ShipState state_;
+  Duration now_{};  // begin of the present tick
+  std::optional<DrivenMotion> driven_;
 };
 
 }  // namespace skerry::server

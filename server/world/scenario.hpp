@@ -33,6 +33,7 @@ inline constexpr int kMaxCoastPlaces = 1000;
 //   of the same ship;
 // - no ship is broader than long;
 // - a target has only keys of its kind; a reflector stands still;
+// - no two MMSI are the same; what has none gets one (ais_identities.hpp);
 // - a racon's code is 1 to 4 letters, it is on for at most its period and on one band or both;
 // - a cable is 1 m to 20 km long;
 // - a target with waypoints has a speed, no course, and legs of 1 m to 5000 NM.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "protocol/quantity/length.hpp"
+#include "server/world/ais_identities.hpp"
 #include "server/world/board_registers.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/scenario.hpp"
@@ -46,6 +47,8 @@ class ScenarioChecker {
       check_hull(scenario.own_ships(i), path);
       check_radars(*scenario.mutable_own_ships(i), path, radars);
     }
+    check_mmsi(scenario);
+    fill_in_mmsi(scenario);
     check_count(static_cast<int>(radars.size()), kMaxRadars, "own_ships", "radars");
     if (radars.empty()) {
       throw source_.error("own_ships", "no own ship has a radar; give one \"radars: [{}]\"");
@@ -152,28 +155,50 @@ class ScenarioChecker {
     check_count(sarts, kMaxSarts, "targets", "entries with a SART");
   }
 
+  void refuse_for(const scenario::Target& target, const std::string& path, const char* key,
+                  const char* allowed) const {
+    if (!source_.has(path + "." + key)) return;
+    throw source_.error(path + "." + key, fmt::format("given for kind {}; allowed: {}",
+                                                      name_of(target.kind()), allowed));
+  }
+
   void check_keys_of_kind(const scenario::Target& target, const std::string& path) const {
     const bool ship = target.kind() == scenario::Target::ship;
     static constexpr std::array kOfShips = {"length_m", "beam_m", "wake", "cross_section_m2",
                                             "radar"};
     static constexpr std::array kOfOthers = {"x_band_m2", "s_band_m2", "fluctuation"};
-    const auto refuse = [&](const char* key) {
-      if (!source_.has(path + "." + key)) return;
-      throw source_.error(
-          path + "." + key,
-          fmt::format("given for kind {}; allowed: {}", name_of(target.kind()),
-                      ship ? "for buoys, craft, markers and reflectors" : "for ships"));
-    };
     if (ship) {
-      for (const char* key : kOfOthers) refuse(key);
+      for (const char* key : kOfOthers) {
+        refuse_for(target, path, key, "for buoys, craft, markers and reflectors");
+      }
     } else {
-      for (const char* key : kOfShips) refuse(key);
+      for (const char* key : kOfShips) refuse_for(target, path, key, "for ships");
     }
+    refuse_for(target, path, is_aid(target.kind()) ? "ship_type" : "aid_type",
+               is_aid(target.kind()) ? "for ships and craft" : "for buoys and markers");
     if (target.kind() == scenario::Target::reflector && target.speed_kn() > 0.0) {
       throw source_.error(
           path + ".speed_kn",
           fmt::format("{} kn for a reflector; allowed: 0, it stands still", target.speed_kn()));
     }
+  }
+
+  void check_mmsi(const scenario::Scenario& scenario) const {
+    std::map<std::uint32_t, std::string> paths;
+    const auto check = [&](const auto& bearers, const char* list) {
+      for (int i = 0; i < bearers.size(); ++i) {
+        if (!bearers[i].has_mmsi()) continue;
+        const std::string path = fmt::format("{}[{}].mmsi", list, i);
+        const auto [other, is_new] = paths.emplace(bearers[i].mmsi(), path);
+        if (is_new) continue;
+        throw source_.error(path, fmt::format("{} is that of {} too (line {}); numbers must differ",
+                                              bearers[i].mmsi(), other->second,
+                                              source_.place_of(other->second).line));
+      }
+    };
+    check(scenario.own_ships(), "own_ships");
+    check(scenario.targets(), "targets");
+    check(scenario.racons(), "racons");
   }
 
   void check_racons(const scenario::Scenario& scenario) const {

@@ -20,6 +20,7 @@ TargetTrack::TargetTrack(const scenario::Target& target) {
   start_.cross_section_m2 = target.cross_section_m2();
   start_.wake = target.wake();
   start_.sart = target.sart();
+  start_.mmsi = target.mmsi();
 
   GeoPoint from = start_.position;
   double way_m = 0.0;

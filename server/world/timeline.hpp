@@ -38,6 +38,9 @@ class Timeline {
   std::uint64_t order(std::size_t own_ship, std::optional<double> course_deg,
                       std::optional<double> speed_kn);
 
+  // Takes effect with the next tick not yet made; otherwise as World::drive().
+  bool drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
+
   // In force from the next tick not yet made on, whose number is returned.  Requires what
   // World::set_environment() does.  Whoever changes what environment() gives must keep others from
   // doing so meanwhile.

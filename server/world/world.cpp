@@ -92,6 +92,35 @@ void World::step() {
   ++tick_;
 }
 
+namespace {
+
+void require(const std::optional<double>& value, double least, double most, const char* name) {
+  if (!value || (*value >= least && *value <= most)) return;
+  throw std::invalid_argument(
+      fmt::format("{}: {} is out of range; allowed: {} to {}", name, *value, least, most));
+}
+
+}  // namespace
+
+bool World::drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now) {
+  if (own_ship >= own_ships_.size()) {
+    throw std::invalid_argument(
+        fmt::format("own ship {}: there are {}, counted from 0", own_ship, own_ships_.size()));
+  }
+  OwnShipFix whole = fix;
+  if (fix.position) {
+    require(fix.position->latitude_deg, -90.0, 90.0, "latitude");
+    require(fix.position->longitude_deg, -180.0, 180.0, "longitude");
+    whole.position->longitude_deg = wrapped_longitude(fix.position->longitude_deg);
+  }
+  require(fix.heading_deg, 0.0, 360.0, "heading");
+  require(fix.course_over_ground_deg, 0.0, 360.0, "course over ground");
+  require(fix.speed_mps, 0.0, kMaxDrivenSpeed_mps, "speed (m/s)");
+  require(fix.rate_of_turn_deg_min, -kMaxDrivenTurn_deg_min, kMaxDrivenTurn_deg_min,
+          "rate of turn (deg/min)");
+  return own_ships_[own_ship].drive(whole, now.time_since_epoch());
+}
+
 void World::order(std::size_t own_ship, std::optional<double> course_deg,
                   std::optional<double> speed_kn) {
   if (own_ship >= own_ships_.size()) {

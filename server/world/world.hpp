@@ -14,15 +14,17 @@
 
 namespace skerry::server {
 
-// Tick k is at scenario time k * kTick, and a pure function of the scenario, of the orders and
-// changes of the environment, and of the ticks at which they were given: two runs on one machine
-// agree bit for bit.
-// Thread: one at a time; Timeline shares it.
+// Tick k is at scenario time k * kTick, and a pure function of the scenario, of the orders,
+// fixes and changes of the environment, and of the ticks at which they were given: two runs on one
+// machine agree bit for bit. Thread: one at a time; Timeline shares it.
 class World {
  public:
   static constexpr Duration kTick = std::chrono::milliseconds(100);
   // What may be ordered, as in scenario.proto.
   static constexpr double kMinSpeedKn = -10.0, kMaxSpeedKn = 60.0;
+
+  // What a fix may say: beyond what any ship does, so that only nonsense is refused.
+  static constexpr double kMaxDrivenSpeed_mps = 100.0, kMaxDrivenTurn_deg_min = 1200.0;
 
   // Requires a scenario that load_scenario() would accept.
   explicit World(const scenario::Scenario& scenario);
@@ -39,6 +41,11 @@ class World {
   // finite or the speed not within kMinSpeedKn..kMaxSpeedKn.
   void order(std::size_t own_ship, std::optional<double> course_deg,
              std::optional<double> speed_kn);
+
+  // An own ship's state at `now` as an outside simulator has it; takes effect with the next tick.
+  // True if she was not driven until now.  Error: as order(), of values outside OwnShipFix's
+  // ranges.
+  bool drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
 
   // In force from the present tick on.  Requires values within the ranges of scenario.proto.
   EnvironmentPtr environment() const { return environment_; }

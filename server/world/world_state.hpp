@@ -30,7 +30,9 @@ struct ShipState {
   double height_m = 0.0;          // of the echoing hull and superstructure above the water
   double cross_section_m2 = 0.0;  // median at X band, bow aspect; 0: from her size
   bool wake = false;
-  bool sart = false;            // carries one that is on
+  bool driven = false;  // an own ship whose motion comes from outside
+  bool sart = false;    // carries one that is on
+  std::uint32_t mmsi = 0;
   std::size_t number = 0;       // in the scenario's list of own ships or targets
   RadarSetPtr radar = nullptr;  // of a target that has one on, else null
 };

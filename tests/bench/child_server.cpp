@@ -28,7 +28,7 @@ std::uint16_t read_tcp_port(int from_server) {
 
 }  // namespace
 
-ChildServer::ChildServer() {
+ChildServer::ChildServer(const std::vector<std::string>& arguments) {
   std::array<int, 2> pipe{};
   if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe to skerryd");
   pid_ = ::fork();
@@ -39,8 +39,14 @@ ChildServer::ChildServer() {
     ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
     ::close(pipe[0]);
     ::close(pipe[1]);
-    ::execl(SKERRYD_PROGRAM, SKERRYD_PROGRAM, "--tcp-port", "0", "--http-port", "0", "--no-udp",
-            "--no-cat240", "--print-ports", nullptr);
+    std::vector<std::string> all = {
+        SKERRYD_PROGRAM, "--tcp-port",   "0", "--http-port", "0", "--no-udp",
+        "--no-cat240",   "--print-ports"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    std::vector<char*> words;
+    for (std::string& word : all) words.push_back(word.data());
+    words.push_back(nullptr);
+    ::execv(SKERRYD_PROGRAM, words.data());
     ::_exit(127);
   }
   ::close(pipe[1]);

@@ -4,15 +4,17 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace skerry::bench {
 
-// Starts on construction, on the built-in scenario; is asked to stop, and waited for, on
-// destruction.
-// Error: std::runtime_error if it cannot be started or ends before it listens.
+// Starts on construction, on the built-in scenario unless `arguments` name another; is asked to
+// stop, and waited for, on destruction. Error: std::runtime_error if it cannot be started or ends
+// before it listens.
 class ChildServer {
  public:
-  ChildServer();
+  explicit ChildServer(const std::vector<std::string>& arguments = {});
   ~ChildServer();
   ChildServer(const ChildServer&) = delete;
   ChildServer& operator=(const ChildServer&) = delete;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -216,13 +217,17 @@ void a_further_view(const scenes::NamedScene& full) {
     echo::SpokeReturns returns(model, echo::serial_for);
     echo::ViewReceiver view(model, controls);
     Floor floor(full.geometry.cells);
+    const std::uint32_t row_cells =
+        echo::row_cells_for(full.geometry, full.controls.range_scale, controls);
+    returns = echo::SpokeReturns(echo::with_rows_of(model, row_cells), echo::serial_for);
+    view.set_row_cells(row_cells);
     std::vector<std::uint8_t> video(std::size_t{kSector} * full.geometry.cells);
     double view_s = 0.0, floor_s = 0.0;
     for (std::uint32_t first = 0; first < full.geometry.spokes_per_turn; first += kSector) {
-      const echo::PowerRows rows = returns.make(*full.scene, first, kSector);
+      const echo::PowerRows rows = returns.make(*full.scene, first, kSector + view.rows_ahead());
       const double begun = thread_seconds();
       view.receive(rows.cells, rows.pitch, first, kSector, full.scene->seed, echo::serial_for,
-                   video);
+                   video, view.rows_ahead());
       const double made = thread_seconds();
       for (std::uint32_t i = 0; i < kSector; ++i) floor.run();
       view_s += made - begun;
@@ -245,6 +250,53 @@ void a_further_view(const scenes::NamedScene& full) {
   stretch.echo_stretch = 50.0;
   measure("echo stretch", stretch);
   measure("all stages", full.controls);
+  const auto with = [&](const char* name, const std::function<void(echo::ViewControls&)>& change) {
+    echo::ViewControls controls = plain;
+    change(controls);
+    measure(name, controls);
+  };
+  with("automatic gain", [](auto& c) { c.gain_auto = true; });
+  with("side lobe suppression", [](auto& c) { c.side_lobe_suppression = 50.0; });
+  with("noise rejection", [](auto& c) { c.noise_rejection = 50.0; });
+  with("target separation", [](auto& c) { c.target_separation = 50.0; });
+  with("target boost", [](auto& c) { c.target_boost = 50.0; });
+  with("harbour mode", [](auto& c) { c.mode = echo::PictureMode::harbour; });
+  const double scale_m = plain.range_scale.length().in_metres();
+  with("0.9 times the range scale", [&](auto& c) { c.instrumented_range_m = 0.9 * scale_m; });
+  with("1.7 times the range scale", [&](auto& c) { c.instrumented_range_m = 1.7 * scale_m; });
+  with("twice the range scale", [&](auto& c) { c.instrumented_range_m = 2.0 * scale_m; });
+}
+
+// What making rows costs that somebody wants more of: longer ones, or with radial speeds.
+void more_of_the_rows(const scenes::NamedScene& full) {
+  fmt::print("\nRows of the full scene that show more\n");
+  heading();
+  const echo::SpokeClock clock(full.rpm, full.geometry.spokes_per_turn);
+  const auto measure = [&](const std::string& name, std::uint32_t row_cells, bool doppler) {
+    const echo::RadarModel model =
+        echo::radar_model(full.set, full.geometry, full.controls.range_scale, clock, 0);
+    echo::SpokeReturns returns(echo::with_rows_of(model, row_cells), echo::serial_for);
+    returns.set_doppler(doppler);
+    Floor floor(full.geometry.cells);
+    double rows_s = 0.0, floor_s = 0.0;
+    for (std::uint32_t first = 0; first < 2 * full.geometry.spokes_per_turn; first += kSector) {
+      const double begun = thread_seconds();
+      returns.make(*full.scene, first, kSector);
+      const double made = thread_seconds();
+      for (std::uint32_t i = 0; i < kSector; ++i) floor.run();
+      if (first < full.geometry.spokes_per_turn) continue;  // a turn to fill what is kept
+      rows_s += made - begun;
+      floor_s += thread_seconds() - made;
+    }
+    const double cells = double{1} * full.geometry.spokes_per_turn * full.geometry.cells;
+    fmt::print("{:<44}{:>9.2f}{:>9.2f}{:>8.2f}\n", name, 1e9 * rows_s / cells,
+               1e9 * floor_s / cells, rows_s / floor_s);
+  };
+  const std::uint32_t cells = full.geometry.cells;
+  measure("to the range scale", cells, false);
+  measure("with radial speeds", cells, true);
+  measure("to 1.5 times the range scale", cells * 3 / 2, false);
+  measure("to twice the range scale", cells * 2, false);
 }
 
 // Many radars of the full scene by turns, a sector each, so that none finds its state in a cache:
@@ -333,6 +385,7 @@ int run(int turns, bool full_alone) {
   echo::force_isa(echo::best_isa());
   contributors(*full, turns);
   a_further_view(*full);
+  more_of_the_rows(*full);
   growth_with_targets(turns);
   growth_with_coast(turns);
   size_of_the_chart(turns);

@@ -59,6 +59,10 @@ void write_client_frames(const Corpus& corpus) {
   set.mutable_set()->set_gain(55);
   set.mutable_set()->set_sea(20);
   set.mutable_set()->set_rain(0);
+  set.mutable_set()->set_doppler(wire::DOPPLER_BOTH);
+  set.mutable_set()->mutable_blanked_sectors()->add_sectors()->set_to_deg(20);
+  set.mutable_set()->set_instructor(true);
+  set.mutable_set()->add_lock("gain");
   status.set_request(3);
   status.mutable_get_status();
   corpus.write("subscribe", framed(subscribe));
@@ -94,6 +98,7 @@ void write_server_frames(const Corpus& corpus) {
   corpus.write("spoke_4_bit", framed(small_spoke(4)));
   corpus.write("spoke_8_bit", framed(small_spoke(8)));
   corpus.write("spoke_odd_cells", framed(small_spoke(4, 257)));
+  corpus.write("spoke_with_doppler", framed(far_doppler_spoke({360, 257, 8}, 5, 1.75)));
   Bytes two = framed(hello);
   append_spoke_frame(two, small_spoke(4));
   corpus.write("hello_then_spoke", two);

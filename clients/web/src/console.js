@@ -7,7 +7,7 @@ import { NAUTICAL_MILE_M } from './view_geometry.js';
 const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
-  // events: hello(hello), settings(settings), world(world), reply(reply, text, refused).
+  // events: hello(hello), settings(settings), ownShip(ownShip), world(world), reply(reply, text, refused).
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -41,7 +41,7 @@ export class RadarConsole {
       if (message.spoke) this.#takeSpoke(message.spoke, nowS);
       else if (message.hello) this.#takeHello(message.hello);
       else if (message.settings) this.#takeSettings(message.settings);
-      else if (message.ownShip && message.ownShip.radar === this.radar) this.ownShip = message.ownShip;
+      else if (message.ownShip) this.#takeOwnShip(message.ownShip);
       else if (message.world) { this.world = message.world; this.events.world(message.world); }
       else if (message.reply) this.#takeReply(message.reply);
     }
@@ -56,8 +56,14 @@ export class RadarConsole {
     this.scans.take(spoke);
     this.store.put(spoke, nowS, follows);
     // Not the message itself: its cells lie in the whole WebSocket message's memory.
-    this.spoke = { ...spoke, cells: null };
+    this.spoke = { ...spoke, cells: null, doppler: null };
     this.lastSpokeS = nowS;
+  }
+
+  #takeOwnShip(ownShip) {
+    if (ownShip.radar !== this.radar) return;
+    this.ownShip = ownShip;
+    this.events.ownShip(ownShip);
   }
 
   #goDark() {

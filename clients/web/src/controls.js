@@ -36,7 +36,7 @@ export function bindPicture(picture, changed) {
     document.documentElement.dataset.palette = picture.palette;
     $('palette').textContent = picture.palette === 'day' ? 'Night' : 'Day';
     document.querySelector(`input[name=orientation][value=${picture.headUp ? 'head' : 'north'}]`).checked = true;
-    $('mode').textContent = picture.headUp ? 'Head up' : 'North up';
+    $('orientation').textContent = picture.headUp ? 'Head up' : 'North up';
     showSlider($('afterglow'), picture.afterglow);
     $('afterglow-value').textContent = String(picture.afterglow);
     $('trails').value = String(picture.trailS);

@@ -1,8 +1,7 @@
 // Instructor: sea, air, rain and artefacts of the whole world, for all radars.
 import { $ } from './controls.js';
 import { bearing, fixed } from './format.js';
-import { bindSlider, bindSwitch, PendingRequests } from './receiver_controls.js';
-import { SharedSetting } from './shared_setting.js';
+import { bindNumber, bindSlider, bindSwitch, PendingRequests } from './receiver_controls.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
 
 const NUMBERS = ['windFromDeg', 'swellHeightM', 'swellPeriodS', 'swellFromDeg', 'waveHeightM', 'kFactor'];
@@ -30,22 +29,9 @@ export class Instructor {
     const send = (name) => (value) => this.pending.add(set({ world: { [name]: value } }), settings[name]);
     settings.seaState = bindSlider('seaState', send('seaState'), (value) => fixed(value, 1));
     settings.ducting = bindSlider('ducting', send('ducting'), (value) => fixed(value, 2));
-    for (const name of NUMBERS) settings[name] = this.#number(name, send(name));
+    for (const name of NUMBERS) settings[name] = bindNumber(name, send(name));
     for (const name of ARTEFACTS) settings[name] = bindSwitch(name, send(name));
     $('rain-add').addEventListener('submit', (event) => { event.preventDefault(); this.#addRain(); });
-  }
-
-  #number(name, send) {
-    const field = $(name);
-    // What is being typed is not overwritten.
-    const setting = new SharedSetting(send, (value) => {
-      if (document.activeElement !== field) field.value = String(Number(value.toFixed(2)));
-    });
-    field.addEventListener('change', () => {
-      if (field.validity.valid && field.value !== '') setting.change(field.valueAsNumber);
-      else if (setting.value() !== null) field.value = String(setting.value());
-    });
-    return setting;
   }
 
   #addRain() {

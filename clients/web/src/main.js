@@ -4,11 +4,12 @@ import { RadarConsole } from './console.js';
 import { $, bindKeys, bindPicture, PictureSettings } from './controls.js';
 import { rangeNm as formatRange } from './format.js';
 import { Instructor } from './instructor.js';
+import { Locks } from './locks.js';
 import { Markers } from './markers.js';
 import { REFUSED } from './messages.js';
 import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
-import { echoColours, PALETTES } from './palette.js';
+import { echoColourTable, PALETTES } from './palette.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
@@ -40,12 +41,14 @@ const radarChoice = choices.get('radar');
 let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection;
 const set = (values) => {
-  const request = connection.set(radar.radar, radar.view, values, token);
+  const ours = locks.isInstructor ? { ...values, instructor: true } : values;
+  const request = connection.set(radar.radar, radar.view, ours, token);
   if (request === null) notices.show('Not connected: the change was not sent');
   return request;
 };
 const receiver = new ReceiverControls(set);
 const instructor = new Instructor(set, () => radar.ownShip);
+const locks = new Locks(set);
 
 const radar = new RadarConsole(renderer.maxRows, {
   hello: (hello) => {
@@ -56,7 +59,8 @@ const radar = new RadarConsole(renderer.maxRows, {
     $('server').textContent = [hello.server, hello.scenario].filter(Boolean).join(' · ');
     subscribe();
   },
-  settings: (settings) => receiver.takeSettings(settings),
+  settings: (settings) => { receiver.takeSettings(settings); locks.take(settings); },
+  ownShip: (ownShip) => locks.takeOwnShip(ownShip),
   world: (world) => instructor.take(world),
   reply: (reply, text, refused) => {
     if (takeSubscription(reply)) return;
@@ -210,7 +214,7 @@ function showReadouts() {
 // The panel and the keys.
 function applyPicture() {
   radar.store.trailS = picture.trailS;
-  renderer.setEchoColours(echoColours(picture.echo));
+  renderer.setEchoColours(echoColourTable(picture.echo));
 }
 bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
 applyPicture();

@@ -14,6 +14,7 @@ const Spoke = message({
   8: ['bits', 'uint32'], 9: ['cellCount', 'uint32'], 10: ['cellSizeM', 'double'],
   11: ['heading', 'fixed32'], 12: ['latitudeDeg', 'double'], 13: ['longitudeDeg', 'double'],
   14: ['utcNs', 'fixed64'], 15: ['scenarioNs', 'fixed64'], 16: ['cells', 'bytes'],
+  17: ['doppler', 'bytes'],
 });
 const RadarInfo = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['ownShip', 'string'],
@@ -28,13 +29,20 @@ const Hello = message({
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
 });
+const Sector = message({ 1: ['fromDeg', 'double'], 2: ['toDeg', 'double'] });
+const BlankedSectors = message({ 1: ['sectors', [Sector]] });
 const Settings = message({
   1: ['radar', 'uint32'], 2: ['view', 'uint32'], 3: ['rangeNm', 'double'],
   4: ['gain', 'double'], 5: ['sea', 'double'], 6: ['rain', 'double'], 7: ['seaAuto', 'bool'],
   8: ['interferenceRejection', 'double'], 9: ['echoStretch', 'double'], 10: ['integration', 'double'],
   11: ['standby', 'bool'], 12: ['pulse', 'uint32'], 13: ['tuneAuto', 'bool'], 14: ['tune', 'double'],
   15: ['pulseLengthUs', 'double'], 16: ['prfHz', 'double'], 17: ['radarRangeNm', 'double'],
-  18: ['stretchBearing', 'bool'], 19: ['decimation', 'uint32'],
+  18: ['stretchBearing', 'bool'], 19: ['decimation', 'uint32'], 20: ['gainAuto', 'bool'],
+  21: ['sideLobeSuppression', 'double'], 22: ['sideLobeAuto', 'bool'], 23: ['noiseRejection', 'double'],
+  24: ['targetSeparation', 'double'], 25: ['targetBoost', 'double'], 26: ['doppler', 'uint32'],
+  27: ['dopplerThresholdMps', 'double'], 28: ['mode', 'uint32'], 29: ['instrumentedRangeM', 'double'],
+  30: ['rotationRpm', 'double'], 31: ['bearingAlignmentDeg', 'double'], 32: ['blankedSectors', BlankedSectors],
+  33: ['antennaHeightM', 'double'], 34: ['locked', ['string']],
 });
 const RainCell = message({
   1: ['id', 'uint32'], 2: ['latitudeDeg', 'double'], 3: ['longitudeDeg', 'double'], 4: ['radiusNm', 'double'],
@@ -53,6 +61,7 @@ const OwnShip = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['latitudeDeg', 'double'],
   4: ['longitudeDeg', 'double'], 5: ['headingDeg', 'double'], 6: ['speedKn', 'double'],
   7: ['rateOfTurnDegMin', 'double'], 8: ['orderedCourseDeg', 'double'], 9: ['orderedSpeedKn', 'double'],
+  16: ['driven', 'bool'],
 });
 const ServerMessage = message({
   1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', Settings],
@@ -72,7 +81,8 @@ export function decodeFrames(bytes, take) {
     const decoded = ServerMessage.decode(new Reader(bytes, reader.at, end));
     if (decoded.spoke) checkSpoke(decoded.spoke, at);
     for (const part of [decoded.settings, decoded.ownShip, decoded.world,
-                        ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? [])]) {
+                        ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? []),
+                        ...(decoded.settings?.blankedSectors?.sectors ?? [])]) {
       if (part) checkFinite(part, at);
     }
     if (decoded.hello) checkHello(decoded.hello, at);
@@ -105,6 +115,9 @@ function checkSpoke(s, at) {
   if (!(s.cellSizeM > 0 && s.cellSizeM <= 10000)) bad(`cells of ${s.cellSizeM} m`);
   const length = s.bits === 8 ? s.cellCount : (s.cellCount + 1) >> 1;
   if (s.cells.length !== length) bad(`${s.cells.length} bytes for ${s.cellCount} cells of ${s.bits} bits`);
+  if (s.doppler.length !== 0 && s.doppler.length !== (s.cellCount + 3) >> 2) {
+    bad(`${s.doppler.length} bytes of doppler for ${s.cellCount} cells`);
+  }
 }
 
 function frame(request, field, body) {
@@ -130,6 +143,11 @@ const SET_FIELDS = {
   rain: [8, 'double'], seaAuto: [10, 'uint32'], interferenceRejection: [11, 'double'], echoStretch: [12, 'double'],
   integration: [13, 'double'], transmit: [14, 'uint32'], pulse: [15, 'uint32'], tuneAuto: [16, 'uint32'],
   tune: [17, 'double'], stretchBearing: [19, 'uint32'], decimation: [20, 'uint32'],
+  gainAuto: [21, 'uint32'], sideLobeSuppression: [22, 'double'], sideLobeAuto: [23, 'uint32'],
+  noiseRejection: [24, 'double'], targetSeparation: [25, 'double'], targetBoost: [26, 'double'],
+  doppler: [27, 'uint32'], dopplerThresholdMps: [28, 'double'], mode: [29, 'uint32'],
+  instrumentedRangeM: [30, 'double'], rotationRpm: [31, 'double'], bearingAlignmentDeg: [32, 'double'],
+  antennaHeightM: [34, 'double'], instructor: [37, 'uint32'],
 };
 const WORLD_FIELDS = {
   seaState: [1, 'double'], windFromDeg: [2, 'double'], swellHeightM: [3, 'double'], swellPeriodS: [4, 'double'],
@@ -157,11 +175,21 @@ function encodeWorld(world) {
   return writer.finish();
 }
 
-// values: any of the names above, and world: any of its names, rain (cells; id 0 is a new one) and
+function encodeSectors(sectors) {
+  const writer = new Writer();
+  for (const { fromDeg, toDeg } of sectors) writer.bytes(1, new Writer().double(1, fromDeg).double(2, toDeg).finish());
+  return writer.finish();
+}
+
+// values: any of the names above, blankedSectors ([{ fromDeg, toDeg }]), lock and unlock (names of
+// fields of Set), and world: any of its names, rain (cells; id 0 is a new one) and
 // removeRain (ids); what is absent stays as it is.
 export function encodeSet(request, radar, view, values, token = '') {
   const writer = write(new Writer().uint32(1, radar).uint32(2, view), SET_FIELDS, values);
   if (token) writer.string(9, token);
+  if (values.blankedSectors) writer.bytes(33, encodeSectors(values.blankedSectors));
+  for (const name of values.lock ?? []) writer.string(35, name);
+  for (const name of values.unlock ?? []) writer.string(36, name);
   if (values.world) writer.bytes(18, encodeWorld(values.world));
   return frame(request, 3, writer.finish());
 }

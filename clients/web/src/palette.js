@@ -26,9 +26,21 @@ export const PALETTES = {
   },
 };
 
+// Echoes that come nearer, and that go away, in either palette.
+const APPROACHING = [[0, 90, 10, 10, 0], [20, 90, 10, 10, 0.04], [48, 120, 16, 14, 0.5], [130, 214, 36, 30, 1], [255, 255, 96, 88, 1]];
+const RECEDING = [[0, 10, 20, 90, 0], [20, 10, 20, 90, 0.04], [48, 16, 36, 120, 0.5], [130, 40, 92, 220, 1], [255, 112, 172, 255, 1]];
+
 // 256 colours, straight alpha, for the echo strengths 0..255.
 export function echoColours(name) {
-  const stops = name === 'green' ? GREEN : YELLOW;
+  return coloursOf(name === 'green' ? GREEN : YELLOW);
+}
+
+// Three rows of them: echoes as they are, those that approach, those that recede.
+export function echoColourTable(name) {
+  return Uint8Array.from([...echoColours(name), ...coloursOf(APPROACHING), ...coloursOf(RECEDING)]);
+}
+
+function coloursOf(stops) {
   const out = new Uint8Array(256 * 4);
   for (let v = 0, s = 0; v < 256; ++v) {
     while (s + 2 < stops.length && v > stops[s + 1][0]) ++s;

@@ -25,7 +25,9 @@ export class PpiRenderer {
     const gl = this.gl;
     this.wedge = program(gl, WEDGE_VERTEX, WEDGE_FRAGMENT);
     this.screen = program(gl, SCREEN_VERTEX, SCREEN_FRAGMENT);
-    this.textures = { cells: texture(gl), meta: texture(gl), disc: texture(gl), colours: texture(gl) };
+    this.textures = {
+      cells: texture(gl), doppler: texture(gl), meta: texture(gl), disc: texture(gl), colours: texture(gl),
+    };
     this.framebuffer = gl.createFramebuffer();
     this.corners = gl.createBuffer();
     this.emptyArray = gl.createVertexArray();
@@ -66,6 +68,10 @@ export class PpiRenderer {
       const rows = Math.max(1, store.rows), cols = Math.max(1, store.cols);
       gl.bindTexture(gl.TEXTURE_2D, this.textures.cells);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG8, cols, rows, 0, gl.RG, gl.UNSIGNED_BYTE, null);
+      gl.bindTexture(gl.TEXTURE_2D, this.textures.doppler);
+      const classes = store.doppler ? [store.dopplerCols, rows] : [1, 1];
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, ...classes, 0, gl.RED, gl.UNSIGNED_BYTE,
+                    store.doppler ? null : new Uint8Array(1));
       gl.bindTexture(gl.TEXTURE_2D, this.textures.meta);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, rows, 1, 0, gl.RGBA, gl.FLOAT, null);
       store.dirty.fill(1);
@@ -83,7 +89,7 @@ export class PpiRenderer {
     }
     if (this.nextColours && this.colours !== this.nextColours) {
       gl.bindTexture(gl.TEXTURE_2D, this.textures.colours);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, this.nextColours);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 3, 0, gl.RGBA, gl.UNSIGNED_BYTE, this.nextColours);
       this.colours = this.nextColours;
     }
   }
@@ -95,6 +101,11 @@ export class PpiRenderer {
       gl.bindTexture(gl.TEXTURE_2D, this.textures.cells);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, first, store.cols, count, gl.RG, gl.UNSIGNED_BYTE,
                        store.cells, first * store.cols * 2);
+      if (store.doppler) {
+        gl.bindTexture(gl.TEXTURE_2D, this.textures.doppler);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, first, store.dopplerCols, count, gl.RED, gl.UNSIGNED_BYTE,
+                         store.doppler, first * store.dopplerCols);
+      }
       gl.bindTexture(gl.TEXTURE_2D, this.textures.meta);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, first, 0, count, 1, gl.RGBA, gl.FLOAT, store.meta, first * 4);
     }
@@ -130,7 +141,8 @@ export class PpiRenderer {
     gl.uniform1f(at('halfSide'), side / 2);
     gl.uniform1f(at('metresPerPixel'), metresPerPixel);
     gl.uniform1f(at('upTurn'), wanted.upDeg / 360);
-    this.#bind(at, { cells: this.textures.cells, meta: this.textures.meta });
+    gl.uniform1i(at('hasDoppler'), store.doppler ? 1 : 0);
+    this.#bind(at, { cells: this.textures.cells, meta: this.textures.meta, doppler: this.textures.doppler });
     gl.bindVertexArray(this.wedgeArray);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.corners);
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STREAM_DRAW);

@@ -3,9 +3,11 @@ import { $ } from './controls.js';
 import { rangeNm as formatRange } from './format.js';
 import { SharedSetting } from './shared_setting.js';
 
-const SLIDERS = ['gain', 'sea', 'rain', 'interferenceRejection', 'echoStretch', 'integration', 'tune'];
-const SWITCHES = ['seaAuto', 'stretchBearing', 'tuneAuto'];
-const SELECTS = ['pulse', 'decimation'];
+const SLIDERS = ['gain', 'sea', 'rain', 'interferenceRejection', 'echoStretch', 'integration', 'tune',
+  'sideLobeSuppression', 'noiseRejection', 'targetSeparation', 'targetBoost'];
+const SWITCHES = ['gainAuto', 'seaAuto', 'stretchBearing', 'sideLobeAuto', 'tuneAuto'];
+const SELECTS = ['pulse', 'decimation', 'mode', 'doppler'];
+const NUMBERS = ['dopplerThresholdMps', 'rotationRpm', 'bearingAlignmentDeg', 'antennaHeightM'];
 
 export function showSlider(slider, value) {
   slider.value = value;
@@ -30,6 +32,32 @@ export function bindSwitch(id, send) {
   const setting = new SharedSetting(send, (value) => { box.checked = value; });
   box.addEventListener('change', () => setting.change(box.checked));
   return setting;
+}
+
+// A field for a number; what is being typed is not overwritten.
+export function bindNumber(id, send) {
+  const field = $(id);
+  const setting = new SharedSetting(send, (value) => {
+    if (document.activeElement !== field) field.value = String(Number(value.toFixed(2)));
+  });
+  field.addEventListener('change', () => {
+    if (field.validity.valid && field.value !== '') setting.change(field.valueAsNumber);
+    else if (setting.value() !== null) field.value = String(setting.value());
+  });
+  return setting;
+}
+
+// "350-10, 120-150" or "" as sectors; null if it is neither.
+export function sectorsOf(text) {
+  const parts = text.split(/[,;]/).map((part) => part.trim()).filter(Boolean);
+  const sectors = parts.map((part) => /^(\d+(?:\.\d+)?)\s*[-\u2013]\s*(\d+(?:\.\d+)?)$/.exec(part));
+  if (sectors.length > 4 || sectors.includes(null)) return null;
+  const all = sectors.map(([, from, to]) => ({ fromDeg: Number(from), toDeg: Number(to) }));
+  return all.every(({ fromDeg, toDeg }) => fromDeg <= 360 && toDeg <= 360) ? all : null;
+}
+
+export function sectorsText(sectors) {
+  return (sectors ?? []).map(({ fromDeg, toDeg }) => `${fromDeg}-${toDeg}`).join(', ');
 }
 
 // Which requests are under way and whose they are.
@@ -64,6 +92,8 @@ export class ReceiverControls {
     for (const name of SLIDERS) this.settings[name] = bindSlider(name, (value) => this.#send(name, value));
     for (const name of SWITCHES) this.settings[name] = bindSwitch(name, (value) => this.#send(name, value));
     for (const name of SELECTS) this.settings[name] = this.#select(name);
+    for (const name of NUMBERS) this.settings[name] = bindNumber(name, (value) => this.#send(name, value));
+    $('blankedSectors').addEventListener('change', () => this.#changeSectors());
     this.settings.transmit = new SharedSetting((value) => this.#send('transmit', value), (value) => {
       document.querySelector(`input[name=transmit][value=${value ? 'on' : 'off'}]`).checked = true;
     });
@@ -88,6 +118,14 @@ export class ReceiverControls {
     return setting;
   }
 
+  #changeSectors() {
+    const field = $('blankedSectors');
+    const sectors = sectorsOf(field.value);
+    field.setCustomValidity(sectors ? '' : 'Up to four sectors from-to in degrees from the bow, as 350-10');
+    if (sectors) this.set({ blankedSectors: sectors });
+    else field.reportValidity();
+  }
+
   #send(name, value) {
     this.pending.add(this.set({ [name]: value }), this.settings[name]);
   }
@@ -106,10 +144,16 @@ export class ReceiverControls {
 
   takeSettings(settings) {
     this.longestNm = settings.view === 0 ? undefined : settings.radarRangeNm;
-    for (const name of [...SLIDERS, ...SWITCHES, ...SELECTS, 'rangeNm']) this.settings[name].take(settings[name]);
+    for (const name of [...SLIDERS, ...SWITCHES, ...SELECTS, ...NUMBERS, 'rangeNm']) this.settings[name].take(settings[name]);
     this.settings.transmit.take(!settings.standby);
     $('sea').classList.toggle('trims', settings.seaAuto);
-    $('tune').disabled = settings.tuneAuto;
+    // What decides by itself has no use for the slider.
+    $('gain').classList.toggle('idle', settings.gainAuto || settings.mode !== 0);
+    $('sideLobeSuppression').classList.toggle('idle', settings.sideLobeAuto || settings.mode !== 0);
+    if (document.activeElement !== $('blankedSectors')) {
+      $('blankedSectors').value = sectorsText(settings.blankedSectors?.sectors);
+      $('blankedSectors').setCustomValidity('');
+    }
     $('pulse-now').textContent = settings.pulseLengthUs > 0
       ? `${Number(settings.pulseLengthUs.toPrecision(3))} µs, ${Math.round(settings.prfHz)} Hz` : '';
   }

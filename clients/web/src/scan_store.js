@@ -4,6 +4,7 @@
 // its picture. Each row keeps the cell size and the time it was painted with: after a change of range
 // the old rows are still drawn where they belong until the antenna has passed over them.
 // Two bytes a cell: the echo, and the trail, which is full where an echo is and fades with time.
+// Where spokes have Doppler classes, two bits a cell as they have them, beside it.
 import { MAX_CELLS, MAX_SPOKES } from './messages.js';
 
 const TURN = 4294967296;
@@ -29,12 +30,15 @@ export class ScanStore {
     this.meta = new Float32Array(rows * 4);  // time s, cell size m (0: never painted), cells, scan
     this.dirty = new Uint8Array(rows);
     this.scratch = new Uint8Array(cols);
+    this.dopplerCols = (cols + 3) >> 2;
+    this.doppler = null;  // until a spoke has any
     this.generation += 1;
     this.lastRow = -1;
   }
 
   clear() {
     this.cells.fill(0);
+    this.doppler?.fill(0);
     this.meta.fill(0);
     this.dirty.fill(1);
     this.lastRow = -1;
@@ -45,6 +49,11 @@ export class ScanStore {
     const rows = Math.min(spoke.spokesPerTurn, this.maxRows);
     const cols = Math.min(spoke.cellCount, MAX_CELLS);
     if (rows !== this.rows || cols !== this.cols) this.resize(rows, cols);
+
+    if (spoke.doppler?.length > 0 && this.doppler === null) {
+      this.doppler = new Uint8Array(rows * this.dopplerCols);
+      this.generation += 1;
+    }
 
     const bearing = (Math.floor((spoke.index * TURN) / spoke.spokesPerTurn) + spoke.heading) % TURN;
     const row = Math.floor((bearing * rows) / TURN + 0.5) % rows;
@@ -79,11 +88,19 @@ export class ScanStore {
       cells[i] = echo;
       cells[i + 1] = this.trailS > 0 && echo >= TRAIL_THRESHOLD ? 255 : trail > 0 ? trail : 0;
     }
+    if (this.doppler) this.#paintDoppler(row, spoke.doppler);
     meta[row * 4] = nowS;
     meta[row * 4 + 1] = cellSize;
     meta[row * 4 + 2] = cols;
     meta[row * 4 + 3] = spoke.scan;
     this.dirty[row] = 1;
+  }
+
+  // Of spokes that share a row, the newer one's classes stay.
+  #paintDoppler(row, classes) {
+    const at = row * this.dopplerCols;
+    if (classes?.length > 0) this.doppler.set(classes.subarray(0, this.dopplerCols), at);
+    else this.doppler.fill(0, at, at + this.dopplerCols);
   }
 
   #fade(ageS) {
@@ -109,6 +126,7 @@ export class ScanStore {
     const { cells, meta, cols } = this;
     cells.copyWithin(to * cols * 2, from * cols * 2, (from + 1) * cols * 2);
     meta.copyWithin(to * 4, from * 4, (from + 1) * 4);
+    this.doppler?.copyWithin(to * this.dopplerCols, from * this.dopplerCols, (from + 1) * this.dopplerCols);
     this.dirty[to] = 1;
   }
 

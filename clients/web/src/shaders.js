@@ -7,12 +7,15 @@ void main() { gl_Position = vec4(corner / halfSide, 0.0, 1.0); }
 `;
 
 // Polar memory -> disc: for every pixel the strongest cell that its square touches, so that a small
-// target never falls between the pixels. Output: echo, row high, row low, trail.
+// target never falls between the pixels. Output: echo; row high and, above it, the Doppler class of the
+// strongest cell; row low; trail.
 export const WEDGE_FRAGMENT = `#version 300 es
 precision highp float;
 precision highp int;
 uniform mediump sampler2D cells;  // x: cell, y: row; r: echo, g: trail
 uniform highp sampler2D meta;     // x: row; r: time s, g: cell size m, b: cells
+uniform mediump sampler2D doppler;  // x: four cells, y: row; two bits a cell, the nearest lowest
+uniform bool hasDoppler;
 uniform float halfSide;           // pixels
 uniform float metresPerPixel;
 uniform float upTurn;             // true bearing of the screen's top, in turns
@@ -34,6 +37,7 @@ void main() {
   float nearM = max(0.0, r - 0.5) * metresPerPixel, farM = (r + 0.5) * metresPerPixel;
 
   vec2 most = vec2(0.0);
+  ivec2 strongest = ivec2(0);
   for (int i = 0; i < taps; ++i) {
     int y = (first + (i * count) / taps + rows) % rows;
     vec4 m = texelFetch(meta, ivec2(y, 0), 0);
@@ -42,11 +46,19 @@ void main() {
     int across = b - a + 1;
     int steps = min(across, MAX_CELLS);
     for (int j = 0; j < steps; ++j) {
-      most = max(most, texelFetch(cells, ivec2(a + (j * across) / steps, y), 0).rg);
+      ivec2 at = ivec2(a + (j * across) / steps, y);
+      vec2 cell = texelFetch(cells, at, 0).rg;
+      if (cell.r > most.r) strongest = at;
+      most = max(most, cell);
     }
   }
   int own = int(floor(row + 0.5)) % rows;
-  disc = vec4(most.r, float(own >> 8) / 255.0, float(own & 255) / 255.0, most.g);
+  int motion = 0;
+  if (hasDoppler && most.r > 0.0) {
+    int four = int(texelFetch(doppler, ivec2(strongest.x >> 2, strongest.y), 0).r * 255.0 + 0.5);
+    motion = (four >> (2 * (strongest.x & 3))) & 3;
+  }
+  disc = vec4(most.r, float((motion << 6) | (own >> 8)) / 255.0, float(own & 255) / 255.0, most.g);
 }
 `;
 
@@ -81,7 +93,7 @@ void main() {
 
   ivec4 d = ivec4(texelFetch(disc, ivec2(gl_FragCoord.xy), 0) * 255.0 + 0.5);
   int rows = textureSize(meta, 0).x;
-  int row = min((d.g << 8) | d.b, rows - 1);
+  int row = min(((d.g & 63) << 8) | d.b, rows - 1);
   if (sweepRow >= 0.0) {
     float behind = fract((sweepRow - float(row)) / float(rows)) * 360.0;  // degrees
     c += sweepColour * (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0));
@@ -93,7 +105,7 @@ void main() {
     float glow = mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
     float trail = float(d.a) / 255.0;
     if (d.a < 255) c = mix(c, trailColour, 0.8 * trail * present);
-    vec4 echo = texelFetch(echoColours, ivec2(d.r, 0), 0);
+    vec4 echo = texelFetch(echoColours, ivec2(d.r, d.g >> 6), 0);
     c = mix(c, echo.rgb * brilliance, echo.a * present * glow);
   }
   colour = vec4(c * inside, inside);

@@ -10,7 +10,10 @@ import { cellsAt, NM } from './mock_scene.mjs';
 
 const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
 export const WEB = path('clients/web/');
-export const schema = protobuf.loadSync(path('protocol/wire/radar.proto'));
+// Imports are named from the repository's root.
+const root = new protobuf.Root();
+root.resolvePath = (_, target) => (target.startsWith('protocol/') ? path(target) : target);
+export const schema = root.loadSync('protocol/wire/radar.proto');
 export const ServerMessage = schema.lookupType('skerry.wire.ServerMessage');
 export const ClientMessage = schema.lookupType('skerry.wire.ClientMessage');
 
@@ -22,14 +25,21 @@ export class MockServer {
   constructor(options = {}) {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
-      silent: [], refuse: null, host: '127.0.0.1',
+      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false,
     }, options);
+    // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
     this.settings = {
       rangeNm: 6, gain: 50, sea: 30, rain: 0, seaAuto: false, interferenceRejection: 0, echoStretch: 0, integration: 0,
-      stretchBearing: false, decimation: 0, ...options.settings,
+      stretchBearing: false, decimation: 0, gainAuto: false, sideLobeSuppression: 0, sideLobeAuto: false, noiseRejection: 0,
+      targetSeparation: 0, targetBoost: 0, doppler: 0, dopplerThresholdMps: 2, mode: 0, ...options.settings,
     };
-    this.radarSettings = { standby: false, pulse: 0, tuneAuto: true, tune: 50, pulseLengthUs: 0.5, prfHz: 1000 };
+    this.radarSettings = {
+      standby: false, pulse: 0, tuneAuto: true, tune: 50, pulseLengthUs: 0.5, prfHz: 1000, rotationRpm: this.rpm,
+      bearingAlignmentDeg: 0, antennaHeightM: 20,
+    };
+    this.blanked = [];
+    this.locked = [];
     this.world = {
       seaState: 2, windFromDeg: 225, swellHeightM: 0, swellPeriodS: 10, swellFromDeg: 0, waveHeightM: 0, kFactor: 4 / 3,
       ducting: 0, rain: [], sideLobes: true, multipleEchoes: true, indirectEchoes: true, shadowSectors: true,
@@ -135,6 +145,8 @@ export class MockServer {
       };
       take(Object.keys(this.settings), message.set, this.views.get(message.set.view));
       take(Object.keys(this.radarSettings), message.set, this.radarSettings);
+      if (message.set.blankedSectors) this.blanked = message.set.blankedSectors.sectors;
+      this.locked = [...this.locked.filter((name) => !message.set.unlock.includes(name)), ...message.set.lock];
       if (message.set._transmit) this.radarSettings.standby = !message.set.transmit;
       if (message.set.world) this.#changeWorld(message.set.world, take);
       for (const name of ['courseDeg', 'speedKn']) {
@@ -162,7 +174,7 @@ export class MockServer {
     if (client.radar === null) return;
     this.#send(client, { settings: {
       radar: client.radar, view: client.view, ...this.views.get(client.view), ...this.radarSettings,
-      radarRangeNm: this.settings.rangeNm,
+      radarRangeNm: this.settings.rangeNm, blankedSectors: { sectors: this.blanked }, locked: this.locked,
     } });
   }
 
@@ -173,6 +185,7 @@ export class MockServer {
         radar: client.radar, name: this.ships[client.radar], latitudeDeg: 60.3925, longitudeDeg: 5.3233 - client.radar,
         headingDeg: this.headingDeg, speedKn: 11.9, rateOfTurnDegMin: 0,
         orderedCourseDeg: this.ordered.courseDeg, orderedSpeedKn: this.ordered.speedKn,
+        driven: this.driven,
       } });
     }
   }
@@ -218,6 +231,7 @@ export class MockServer {
       latitudeDeg: 60.3925, longitudeDeg: 5.3233,
       utcNs: protobuf.util.Long.fromNumber(1.7e18 + (number / this.spokes) * (60 / this.rpm) * 1e9),
       scenarioNs: protobuf.util.Long.fromNumber(1e9), cells: this.#cells(bearingDeg),
+      ...(this.doppler ? { doppler: new Uint8Array((this.cells + 3) >> 2).fill(0x55 * this.doppler(bearingDeg)) } : {}),
     };
   }
 

@@ -40,6 +40,8 @@ void for_each_number(Visit visit) {
     }
   };
   of([](wire::Set& set) -> Message* { return &set; }, *wire::Set::descriptor());
+  of([](wire::Set& set) -> Message* { return set.mutable_blanked_sectors()->add_sectors(); },
+     *wire::BlankedSectors::Sector::descriptor());
   of([](wire::Set& set) -> Message* { return set.mutable_world(); },
      *wire::WorldChange::descriptor());
   of([](wire::Set& set) -> Message* { return set.mutable_world()->add_rain(); },
@@ -58,7 +60,7 @@ TEST(ControlRanges, EveryNumberHasARange) {
       EXPECT_THAT(reply->text(), HasSubstr("allowed: ")) << field.full_name();
     }
   });
-  EXPECT_EQ(numbers, 24);
+  EXPECT_EQ(numbers, 35);
 }
 
 TEST(ControlRanges, BothEndsOfARangeAreAllowed) {
@@ -101,6 +103,38 @@ TEST(ControlRanges, AnUnknownControlIsNamedWhereverItStands) {
   wire::RainChange& rain = *set.mutable_world()->add_rain();
   rain.GetReflection()->MutableUnknownFields(&rain)->AddFixed64(40, 1);
   EXPECT_EQ(text_of(set), "RainChange: this server knows no control with field number 40");
+}
+
+TEST(ControlRanges, BlankedSectorsAreFourAtMost) {
+  wire::Set set;
+  for (int i = 0; i < 4; ++i) set.mutable_blanked_sectors()->add_sectors()->set_to_deg(10.0 * i);
+  EXPECT_EQ(text_of(set), "");
+  set.mutable_blanked_sectors()->add_sectors();
+  EXPECT_EQ(text_of(set), "blanked sectors: 5 of them; allowed: at most 4");
+}
+
+TEST(ControlRanges, OnlyTheInstructorLocksAndOnlyControls) {
+  wire::Set set;
+  set.add_lock("gain");
+  EXPECT_EQ(text_of(set), "lock: only the instructor locks and unlocks controls");
+  EXPECT_EQ(refusal_of(set)->code(), wire::Reply::REFUSED);
+  set.set_instructor(true);
+  set.add_unlock("world");
+  EXPECT_EQ(text_of(set), "");
+  for (const char* name : {"token", "radar", "instructor", "volume", ""}) {
+    wire::Set other = set;
+    other.add_unlock(name);
+    EXPECT_THAT(text_of(other),
+                HasSubstr("there is no control \"" + std::string(name) + "\"; allowed: course_deg"))
+        << name;
+    EXPECT_EQ(refusal_of(other)->code(), wire::Reply::UNKNOWN);
+  }
+}
+
+TEST(ControlRanges, EveryControlOfASetMayBeLocked) {
+  const std::vector<std::string> names = control_names();
+  EXPECT_EQ(names.size(), 31u) << "a field of Set that changes nothing belongs to kNotControls";
+  for (const std::string& name : names) EXPECT_TRUE(is_control(name)) << name;
 }
 
 }  // namespace

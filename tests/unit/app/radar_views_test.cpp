@@ -17,7 +17,7 @@ namespace skerry::server {
 namespace {
 
 RadarViewPtr opened(RadarViewList& views) {
-  return views.open(0, [](VideoChannel&) {});
+  return views.open(0, false, [](VideoChannel&) {});
 }
 
 TEST(RadarViews, AreBoundedAndTheFirstIsAlwaysThere) {
@@ -49,7 +49,7 @@ TEST(RadarViews, BeginWithTheControlsOfAnotherAndThenHaveTheirOwn) {
 TEST(RadarViews, FormatsAreThereBeforeAnybodySeesTheView) {
   RadarViewList views(echo::ViewControls{}, 8);
   std::size_t seen = 0;
-  views.open(0, [&](VideoChannel&) { seen = views.get()->size(); });
+  views.open(0, false, [&](VideoChannel&) { seen = views.get()->size(); });
   EXPECT_EQ(seen, 1u);
   EXPECT_EQ(views.get()->size(), 2u);
 }

@@ -89,7 +89,13 @@ TEST(Cli, EndsWithTwoWhenTheCommandLineIsWrong) {
       {"set"},
       {"set", "--gain", "loud"},
       {"set", "--course", "nan"},
-      {"set", "--radar", "1"}};
+      {"set", "--radar", "1"},
+      {"set", "--instructor"},
+      {"set", "--doppler", "fast"},
+      {"set", "--blank", "10"},
+      {"set", "--blank", "10-"},
+      {"set", "--blank", "10-twenty"},
+      {"set", "--blank", "10-20", "none"}};
   for (const auto& arguments : wrong) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
@@ -168,6 +174,55 @@ TEST(Cli, SetsAndPrintsTheReply) {
                                           "0.125", "--course", "0", "--token", "secret"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "OK: done\n");
+}
+
+TEST(Cli, SetsTheControlsThatDisplaysHaveAndLocks) {
+  FakeServer server([](FakePeer& peer) {
+    peer.say_hello();
+    const auto message = peer.receive();
+    ASSERT_TRUE(message && message->has_set());
+    const wire::Set& set = message->set();
+    EXPECT_TRUE(set.gain_auto());
+    EXPECT_TRUE(set.has_side_lobe_auto() && !set.side_lobe_auto());
+    EXPECT_EQ(set.doppler(), wire::DOPPLER_BOTH);
+    EXPECT_EQ(set.mode(), wire::BIRD);
+    EXPECT_EQ(set.side_lobe_suppression(), 11);
+    EXPECT_EQ(set.noise_rejection(), 12);
+    EXPECT_EQ(set.target_separation(), 13);
+    EXPECT_EQ(set.target_boost(), 14);
+    EXPECT_EQ(set.doppler_threshold_mps(), 1.5);
+    EXPECT_EQ(set.instrumented_range_m(), 1600);
+    EXPECT_EQ(set.rotation_rpm(), 36);
+    EXPECT_EQ(set.bearing_alignment_deg(), -12.5);
+    EXPECT_EQ(set.antenna_height_m(), 31);
+    ASSERT_EQ(set.blanked_sectors().sectors_size(), 2);
+    EXPECT_EQ(set.blanked_sectors().sectors(0).from_deg(), 350);
+    EXPECT_EQ(set.blanked_sectors().sectors(1).to_deg(), 150.5);
+    EXPECT_TRUE(set.instructor());
+    EXPECT_THAT(set.lock(), testing::ElementsAre("gain", "world"));
+    EXPECT_THAT(set.unlock(), testing::ElementsAre("sea"));
+    peer.answer(message->request(), wire::Reply::OK, "");
+    peer.wait_until_client_leaves();
+  });
+  const Outcome outcome = run_at(server, {"set",    "--gain-auto",
+                                          "on",     "--side-lobe-auto",
+                                          "off",    "--doppler",
+                                          "both",   "--mode",
+                                          "bird",   "--side-lobe-suppression",
+                                          "11",     "--noise-rejection",
+                                          "12",     "--target-separation",
+                                          "13",     "--target-boost",
+                                          "14",     "--doppler-threshold",
+                                          "1.5",    "--instrumented-range",
+                                          "1600",   "--rotation",
+                                          "36",     "--bearing-alignment",
+                                          "-12.5",  "--antenna-height",
+                                          "31",     "--blank",
+                                          "350-10", "120-150.5",
+                                          "--lock", "gain",
+                                          "world",  "--unlock",
+                                          "sea"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST(Cli, FailsWithTheServersWordsWhenASettingIsRejected) {

@@ -83,6 +83,21 @@ TEST(PpiPicture, ColoursEchoesByTheirLevel) {
   }
 }
 
+TEST(PpiPicture, ColoursWhatComesNearerRedAndWhatGoesAwayBlue) {
+  const Scan scan = scan_of(kSmall, 0.0, [](Spoke& spoke) {
+    spoke.cells.assign(256, 180);
+    spoke.doppler.assign(256, static_cast<DopplerClass>(spoke.header.index / 86));
+  });
+  const RgbaImage image = draw_ppi(scan, bare(600), {});
+  const Rgba still = pixel(image, 60.0, 200.0), nearer = pixel(image, 180.0, 200.0),
+             away = pixel(image, 300.0, 200.0);
+  EXPECT_EQ(still, colours_of(Palette::amber)[180]);
+  EXPECT_EQ(nearer, colours_of(DopplerClass::approaching, Palette::amber)[180]);
+  EXPECT_EQ(away, colours_of(DopplerClass::receding, Palette::amber)[180]);
+  EXPECT_GT(nearer.red, 2 * std::max(nearer.green, nearer.blue));
+  EXPECT_GT(away.blue, 1.3 * std::max(away.red, away.green));
+}
+
 TEST(PpiPicture, GrowsBrighterWithTheLevel) {
   for (const Palette palette : {Palette::amber, Palette::green}) {
     const auto colours = colours_of(palette);

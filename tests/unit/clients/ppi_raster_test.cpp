@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -231,6 +232,45 @@ TEST(PpiRaster, SpreadsFourBitCellsOverAllLevels) {
   const Scan scan = scan_of(geometry, 0.0, [](Spoke& spoke) { spoke.cells.assign(256, 15); });
   const PpiFrame frame{.size = 100, .radius = 45};
   EXPECT_EQ(level_at(rasterise(scan, frame), {70, 50}), 255);
+}
+
+TEST(PpiRaster, HasTheDopplerClassOfTheCellThatIsShown) {
+  const PpiFrame frame{.size = 64, .radius = 30};  // 8 cells to a pixel
+  EXPECT_TRUE(rasterise(empty_scan(kSmall, 0.0), frame).doppler.empty());
+  const Scan scan = scan_of(kSmall, 0.0, [](Spoke& spoke) {
+    spoke.cells[100] = 50;
+    spoke.cells[102] = 40;
+    if (spoke.header.index >= 128) return;  // the port half has none
+    spoke.doppler.assign(256, DopplerClass::none);
+    spoke.doppler[100] = DopplerClass::receding;
+    spoke.doppler[102] = DopplerClass::approaching;
+  });
+  const PpiRaster raster = rasterise(scan, frame);
+  const auto class_at = [&](double degrees) {
+    const PixelPlace at = pixel_of(frame, degrees, 100.5 / 256);
+    EXPECT_EQ(level_at(raster, at), 50);
+    return raster.doppler[static_cast<std::size_t>(at.y) * 64 + at.x];
+  };
+  EXPECT_EQ(class_at(90.0), DopplerClass::receding) << "the stronger of two in the pixel";
+  EXPECT_EQ(class_at(270.0), DopplerClass::none);
+}
+
+TEST(PpiRaster, DrawsCellsWithinTheRangeScaleWhereverTheLastOneEnds) {
+  for (const double share : {0.5, 1.5, 2.0}) {
+    const Scan scan = scan_of(kSmall, 0.0, [&](Spoke& spoke) {
+      spoke.header.instrumented_range = spoke.header.range_scale.length() * share;
+      spoke.cells.assign(256, 0);
+      const auto cell = static_cast<std::size_t>(256 * 0.4 / share);
+      spoke.cells[cell] = 200;
+    });
+    const PpiFrame frame{.size = 200, .radius = 90};
+    const PpiRaster raster = rasterise(scan, frame);
+    int nearest = 200;
+    for (int x = 100; x < 200; ++x) {
+      if (level_at(raster, {x, 100}) == 200) nearest = std::min(nearest, x - 100);
+    }
+    EXPECT_NEAR(nearest, 36, 1) << share;
+  }
 }
 
 TEST(PpiRaster, ShowsAScanWithoutSpokesAsMissing) {

@@ -82,5 +82,21 @@ TEST(RowResampling, AnyCellsInterpolate) {
   });
 }
 
+TEST(RowResampling, PeaksAreTheLargestOfThreeCells) {
+  std::vector<float> in(500);
+  for (std::size_t i = 0; i < in.size(); ++i) in[i] = static_cast<float>(i * 7919 % 1000);
+  std::vector<std::uint32_t> at(300), last(300);
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    at[i] = static_cast<std::uint32_t>(i * 1.6);
+    last[i] = at[i] + i % 3;
+  }
+  on_every_isa([&] {
+    std::vector<float> out(300);
+    peak_cells(in, at, last, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      ASSERT_EQ(out[i], std::max({in[at[i]], in[at[i] + 1], in[last[i]]})) << i;
+  });
+}
+
 }  // namespace
 }  // namespace skerry::echo

@@ -1,6 +1,7 @@
 // A RadarHost without radars: the test publishes spokes itself, from its own thread.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -17,11 +18,12 @@
 namespace skerry::server {
 
 // Spokes of kSpokesPerTurn by kCells, full of bytes that depend on radar and sequence.
-class FakeHost final : public RadarHost {
+class FakeHost : public RadarHost {
  public:
   static constexpr std::uint32_t kSpokesPerTurn = 256;
   static constexpr std::uint32_t kCells = 1024;
   static constexpr std::uint32_t kSectorSpokes = 16;
+  static constexpr Duration kSpokeTime = std::chrono::microseconds(10);
 
   explicit FakeHost(std::uint32_t radars = 1, std::size_t ring_sectors = 64) {
     for (std::uint32_t i = 0; i < radars; ++i) {
@@ -39,6 +41,7 @@ class FakeHost final : public RadarHost {
     for (std::uint32_t i = 0; i < radars_.size(); ++i) {
       wire::RadarInfo& info = *hello.add_radars();
       info.set_radar(i);
+      info.set_own_ship("ship of radar " + std::to_string(i));
       info.set_spokes_per_turn(kSpokesPerTurn);
       info.set_cells(kCells);
       info.set_bits(8);
@@ -80,30 +83,64 @@ class FakeHost final : public RadarHost {
   std::shared_ptr<FakeBoard> board;
   BoardPortPtr find_board(std::uint32_t radar) override { return radar == 0 ? board : nullptr; }
 
-  wire::Reply apply(const wire::Set& set, const std::string&) override {
+  // What traffic() tells; not to be changed while the server runs.
+  std::vector<TrafficItem> traffic_items;
+  std::vector<TrafficItem> traffic() const override { return traffic_items; }
+
+  // Only the instructor may change the gain from now on.
+  void lock_gain() {
+    const std::lock_guard lock(mutex_);
+    for (const auto& radar : radars_) radar->settings.add_locked("gain");
+    ++settings_version_;
+  }
+  wire::Reply apply(const wire::Set& set, const std::string& origin) override {
     const std::lock_guard lock(mutex_);
     last_set_ = set;
     wire::Reply reply;
+    if (set.has_gain() && radars_.front()->settings.locked_size() > 0) {
+      reply.set_code(wire::Reply::REFUSED);
+      reply.set_text("gain: locked by the instructor");
+      return reply;
+    }
     if (set.radar() >= radars_.size()) {
       reply.set_code(wire::Reply::UNKNOWN);
     } else if (set.gain() < 0 || set.gain() > 100) {
       reply.set_code(wire::Reply::OUT_OF_RANGE);
       reply.set_text("gain must be 0 to 100");
     } else {
-      radars_[set.radar()]->settings.set_gain(set.gain());
+      Radar& radar = *radars_[set.radar()];
+      if (set.has_gain()) radar.settings.set_gain(set.gain());
+      if (set.has_range_nm()) radar.settings.set_range_nm(set.range_nm());
+      if (set.has_instrumented_range_m()) {
+        radar.reaches[set.view()] = set.instrumented_range_m();
+      } else {
+        origins_.push_back(origin);
+      }
       ++settings_version_;
     }
     return reply;
+  }
+  // Who asked for what was applied, but for instrumented ranges.
+  std::vector<std::string> origins() const {
+    const std::lock_guard lock(mutex_);
+    return origins_;
   }
   wire::Set last_set() const {
     const std::lock_guard lock(mutex_);
     return last_set_;
   }
 
+  std::string last_origin() const {
+    const std::lock_guard lock(mutex_);
+    return last_origin_;
+  }
+
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override {
     const std::lock_guard lock(mutex_);
     wire::Settings settings = radars_[radar]->settings;
     settings.set_view(view);
+    const auto reach = radars_[radar]->reaches.find(view);
+    if (reach != radars_[radar]->reaches.end()) settings.set_instrumented_range_m(reach->second);
     return settings;
   }
   wire::World world() const override {
@@ -142,6 +179,7 @@ class FakeHost final : public RadarHost {
     spoke.header.scan = static_cast<std::uint32_t>(sequence / kSpokesPerTurn);
     spoke.header.index = static_cast<std::uint32_t>(sequence % kSpokesPerTurn);
     spoke.header.geometry = {.spokes_per_turn = kSpokesPerTurn, .cells = kCells, .bits = 8};
+    spoke.header.scenario_time = ScenarioTime(kSpokeTime * static_cast<std::int64_t>(sequence));
     spoke.header.utc = UtcTime(Duration(1'795'000'000'000'000'000 + sequence * 1000));
     spoke.cells.resize(kCells);
     std::uint64_t state = sequence * 2 + radar + 1;
@@ -184,11 +222,14 @@ class FakeHost final : public RadarHost {
     std::map<std::uint32_t, VideoChannelPtr> channels;
     std::uint32_t last_view = 0;
     wire::Settings settings;
+    std::map<std::uint32_t, double> reaches;  // instrumented ranges of views
     std::uint64_t published = 0;
   };
   std::vector<std::unique_ptr<Radar>> radars_;
   mutable std::mutex mutex_;  // of all but what is published
   wire::Set last_set_;
+  std::string last_origin_;
+  std::vector<std::string> origins_;
   wire::World world_;
   std::uint64_t settings_version_ = 1, world_version_ = 1;
 };

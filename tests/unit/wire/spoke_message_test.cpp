@@ -58,6 +58,36 @@ TEST(SpokeMessage, LongitudeOf180BecomesMinus180) {
   EXPECT_EQ(spoke->header.own_ship.longitude_deg, -180);
 }
 
+TEST(SpokeMessage, CarriesDopplerClassesAndAnInstrumentedRange) {
+  wire::Spoke used;
+  for (const std::uint32_t cells : {256u, 257u, 258u, 1023u, 4096u}) {
+    for (const double share : {1.0 / 16.0, 0.3, 0.9999, 1.0001, 1.25, 1.9531, 2.0}) {
+      for (const std::size_t scale : {std::size_t{0}, RangeScale::kCount - 1}) {
+        const Spoke spoke = far_doppler_spoke({360, cells, 8}, scale, share, cells);
+        to_message(spoke, used);
+        EXPECT_EQ(used.doppler().size(), (cells + 3) / 4);
+        const auto back = from_message(used);
+        ASSERT_TRUE(back.ok()) << back.error().text;
+        ASSERT_EQ(difference(spoke, *back), "");
+      }
+    }
+  }
+  to_message(test_spoke({256, 256, 8}, 0, 3), used);
+  EXPECT_TRUE(used.doppler().empty()) << "of the spoke before";
+}
+
+TEST(SpokeMessage, DopplerHasTheNearestCellInTheLowestBits) {
+  Spoke spoke = test_spoke({256, 257, 8}, 0, 0);
+  spoke.doppler.assign(257, DopplerClass::none);
+  spoke.doppler[0] = DopplerClass::approaching;
+  spoke.doppler[3] = DopplerClass::receding;
+  spoke.doppler[256] = DopplerClass::receding;
+  const wire::Spoke message = message_of(spoke);
+  ASSERT_EQ(message.doppler().size(), 65u);
+  EXPECT_EQ(static_cast<std::uint8_t>(message.doppler()[0]), 0x81);
+  EXPECT_EQ(static_cast<std::uint8_t>(message.doppler()[64]), 0x02);
+}
+
 struct Wrong {
   const char* what;
   std::function<void(wire::Spoke&)> change;
@@ -93,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"ManyCells", [](auto& m) { m.set_cell_count(0xFFFFFFFF); }, kRange, "cells"},
         Wrong{"Bits", [](auto& m) { m.set_bits(5); }, kRange, "bits"},
         Wrong{"Scale", [](auto& m) { m.set_range_scale(12); }, kRange, "range_scale"},
-        Wrong{"OtherScale", [](auto& m) { m.set_range_scale(6); }, kRange, "cell_size_m"},
+        Wrong{"OtherScale", [](auto& m) { m.set_range_scale(5); }, kRange, "cell_size_m"},
         Wrong{"CellSize", [](auto& m) { m.set_cell_size_m(kNan); }, kRange, "cell_size_m"},
         Wrong{"Pole", [](auto& m) { m.set_latitude_deg(90.001); }, kRange, "latitude_deg"},
         Wrong{"NanLatitude", [](auto& m) { m.set_latitude_deg(kNan); }, kRange, "latitude_deg"},
@@ -106,6 +136,27 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"NoCells", [](auto& m) { m.clear_cells(); }, WireErrorKind::truncated, "bytes"},
         Wrong{"LongCells", [](auto& m) { m.mutable_cells()->push_back(0); },
               WireErrorKind::oversized, "bytes of cells"},
+        Wrong{"TooNear", [](auto& m) { m.set_cell_size_m(m.cell_size_m() * 0.0624); }, kRange,
+              "cell_size_m"},
+        Wrong{"TooFar", [](auto& m) { m.set_cell_size_m(m.cell_size_m() * 2.001); }, kRange,
+              "cell_size_m"},
+        Wrong{"NoSize", [](auto& m) { m.set_cell_size_m(0.0); }, kRange, "cell_size_m"},
+        Wrong{"ShortDoppler", [](auto& m) { m.set_doppler(std::string(64, 0)); },
+              WireErrorKind::truncated, "bytes of doppler"},
+        Wrong{"LongDoppler", [](auto& m) { m.set_doppler(std::string(66, 0)); },
+              WireErrorKind::oversized, "bytes of doppler"},
+        Wrong{"NoClass",
+              [](auto& m) {
+                m.set_doppler(std::string(65, 0));
+                (*m.mutable_doppler())[1] = 0x0C;
+              },
+              WireErrorKind::malformed, "doppler of cell 5 is 3"},
+        Wrong{"ClassOfNoCell",
+              [](auto& m) {
+                m.set_doppler(std::string(65, 0));
+                (*m.mutable_doppler())[64] = 0x04;
+              },
+              WireErrorKind::malformed, "doppler of cell 257 is 1"},
         Wrong{"HalfByte", [](auto& m) { m.mutable_cells()->back() = 0x10; },
               WireErrorKind::malformed, "nibble"}),
     [](const auto& each) { return std::string(each.param.what); });

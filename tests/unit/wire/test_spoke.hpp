@@ -1,6 +1,7 @@
 // Spokes for tests: every field set, cells full of noise, the same on every machine.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -33,6 +34,18 @@ inline Spoke test_spoke(const ScanGeometry& geometry, std::size_t scale_index, s
   return spoke;
 }
 
+// The same as a view with an instrumented range and Doppler classes makes it.
+inline Spoke far_doppler_spoke(const ScanGeometry& geometry, std::size_t scale_index, double share,
+                               std::uint32_t seed = 1) {
+  Spoke spoke = test_spoke(geometry, scale_index, 3, seed);
+  spoke.header.instrumented_range = spoke.header.range_scale.length() * share;
+  std::mt19937 random(seed);
+  for (std::uint32_t i = 0; i < geometry.cells; ++i) {
+    spoke.doppler.push_back(static_cast<DopplerClass>(random() % 3));
+  }
+  return spoke;
+}
+
 // Names the parts in which the two differ; empty if they are equal.
 inline std::string difference(const Spoke& a, const Spoke& b) {
   std::string names;
@@ -50,7 +63,13 @@ inline std::string difference(const Spoke& a, const Spoke& b) {
   compare(a.header.own_ship, b.header.own_ship, "own ship");
   compare(a.header.scenario_time, b.header.scenario_time, "scenario time");
   compare(a.header.utc, b.header.utc, "utc");
+  // The cell size is what travels: its product with the number of cells may differ by a rounding.
+  const double reach_m = a.header.reach().in_metres();
+  compare(std::abs(b.header.reach().in_metres() - reach_m) <= 1e-12 * reach_m, true, "reach");
+  compare(a.header.instrumented_range.in_metres() > 0.0,
+          b.header.instrumented_range.in_metres() > 0.0, "instrumented range");
   compare(a.cells, b.cells, "cells");
+  compare(a.doppler, b.doppler, "doppler");
   return names;
 }
 

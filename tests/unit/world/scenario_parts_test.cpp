@@ -195,6 +195,12 @@ TEST(ScenarioTargets, HaveOnlyKeysOfTheirKind) {
   EXPECT_EQ(target("x_band_m2: 5"),
             "6:61: targets[0].x_band_m2: given for kind ship; allowed: for buoys, craft, markers "
             "and reflectors");
+  EXPECT_EQ(target("kind: buoy, ship_type: tanker"),
+            "6:73: targets[0].ship_type: given for kind buoy; allowed: for ships and craft");
+  EXPECT_EQ(
+      target("kind: small_craft, aid_type: light"),
+      "6:79: targets[0].aid_type: given for kind small_craft; allowed: for buoys and markers");
+  EXPECT_EQ(target("kind: channel_marker, aid_type: port_hand_beacon"), "");
   EXPECT_EQ(target("kind: reflector, speed_kn: 3"),
             "6:77: targets[0].speed_kn: 3 kn for a reflector; allowed: 0, it stands still");
   const std::string no_set = "6:57: targets[0].radar: \"none\" is no shipped set; allowed: ";
@@ -242,6 +248,31 @@ TEST(ScenarioCounts, OfEverySectionAreBounded) {
   EXPECT_EQ(many("targets", "name: b, kind: buoy, " + place, kMaxSmallTargets), "");
   EXPECT_EQ(many("targets", "name: t, radar: 25 kW X, " + place, kMaxEmitters + 1),
             "7:3: targets: 65 ships with a radar; allowed: at most 64");
+}
+
+TEST(ScenarioIdentities, HaveNineDigitsAndAreNoOneElses) {
+  EXPECT_EQ(refusal(kShip + "targets:\n  - {name: t, position: {lat: 60, lon: 5}, mmsi: 99}\n"),
+            "7:50: targets[0].mmsi: 99 is out of range; allowed: 100000000 to 999999999 nine "
+            "digits");
+  EXPECT_EQ(
+      refusal(kShip + "targets:\n  - {name: t, position: {lat: 60, lon: 5}, mmsi: 257000009}\n"
+                      "racons:\n  - {position: {lat: 60, lon: 5}, code: A, mmsi: 257000009}\n"),
+      "9:50: racons[0].mmsi: 257000009 is that of targets[0].mmsi too (line 7); numbers must "
+      "differ");
+}
+
+TEST(ScenarioEquipment, StartsWithTheControlsThatDisplaysHave) {
+  const scenario::Radar radar = radar_of(
+      "gain_auto: true, side_lobe_suppression: 10, noise_rejection: 20, target_separation: 30, "
+      "target_boost: 40, doppler: both, doppler_threshold_mps: 1.5, mode: harbour, "
+      "bearing_alignment_deg: -3, locked: [gain, world]");
+  EXPECT_TRUE(radar.gain_auto());
+  EXPECT_EQ(radar.doppler(), scenario::Radar::both);
+  EXPECT_EQ(radar.mode(), scenario::Radar::harbour);
+  EXPECT_EQ(radar.locked_size(), 2);
+  EXPECT_EQ(radar_of("").doppler_threshold_mps(), 2.0);
+  EXPECT_NE(refusal(with_radar("target_boost: 101")), "");
+  EXPECT_NE(refusal(with_radar("doppler_threshold_mps: 0")), "");
 }
 
 }  // namespace

@@ -249,6 +249,84 @@ test('every control of receiver and transmitter reaches the server', async () =>
   await page.waitForFunction(() => window.skerry.settings().tune === 61);
 });
 
+test('the controls that displays have reach the server too', async () => {
+  await openFlat({});
+  await page.locator('details.more summary').click();
+  await page.locator('details.antenna summary').click();
+  for (const [id, value] of [['sideLobeSuppression', 41], ['noiseRejection', 42], ['targetSeparation', 43], ['targetBoost', 44]]) {
+    await setSlider(id, value);
+  }
+  for (const id of ['gainAuto', 'sideLobeAuto']) await page.locator(`#${id} + span`).click();
+  await page.locator('#mode').selectOption('2');
+  await page.locator('#doppler').selectOption('1');
+  for (const [id, value] of [['dopplerThresholdMps', 3.5], ['rotationRpm', 36], ['bearingAlignmentDeg', -12], ['antennaHeightM', 33],
+    ['blankedSectors', '350-10, 120-150']]) {
+    await page.locator(`#${id}`).fill(String(value));
+    await page.locator(`#${id}`).press('Tab');
+  }
+  await page.waitForFunction(() => {
+    const s = window.skerry.settings();
+    return s.sideLobeSuppression === 41 && s.noiseRejection === 42 && s.targetSeparation === 43 && s.targetBoost === 44 &&
+      s.gainAuto && s.sideLobeAuto && s.mode === 2 && s.doppler === 1 && s.dopplerThresholdMps === 3.5 && s.rotationRpm === 36 &&
+      s.bearingAlignmentDeg === -12 && s.antennaHeightM === 33 && s.blankedSectors.sectors.length === 2;
+  });
+  assert.ok(server.received.every(({ set }) => !set?.instructor), 'no instructor, as long as the panel is folded');
+  assert.equal(await page.locator('#orientation').textContent(), 'North up');
+  assert.deepEqual(page.problems, []);
+});
+
+test('a locked control is greyed, but for the instructor, who locks and unlocks', async () => {
+  await openFlat({});
+  server.locked = ['gain', 'gain_auto', 'course_deg'];
+  server.change({});
+  await page.waitForFunction(() => document.querySelector('#gain').disabled && document.querySelector('#order-course').disabled);
+  assert.equal(await page.locator('#sea').isDisabled(), false);
+  assert.equal(await page.locator('#gain').getAttribute('title'), 'Locked by the instructor');
+
+  await page.locator('#instructor > summary').click();
+  await page.waitForFunction(() => !document.querySelector('#gain').disabled);
+  assert.equal(await page.locator('#lock-gain').isChecked(), true);
+  assert.equal(await page.locator('#lock-orders').evaluate((box) => box.indeterminate), true);
+  await setSlider('gain', 70);
+  await page.waitForFunction(() => window.skerry.settings().gain === 70);
+  assert.equal(server.received.at(-1).set.instructor, true);
+
+  await page.locator('#lock-gain + span').click();
+  await page.locator('#lock-range + span').click();
+  await page.waitForFunction(() => window.skerry.settings().locked.includes('range_nm'));
+  assert.deepEqual(server.locked, ['course_deg', 'range_nm', 'instrumented_range_m']);
+  await page.locator('#instructor > summary').click();
+  await page.waitForFunction(() => document.querySelector('#range').disabled && !document.querySelector('#gain').disabled);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a ship that is driven from outside takes no orders', async () => {
+  await openFlat({ driven: true });
+  await page.waitForFunction(() => document.querySelector('#order-speed').disabled);
+  server.driven = false;
+  await page.waitForFunction(() => !document.querySelector('#order-speed').disabled);
+});
+
+test('echoes that approach are red, those that recede blue', async () => {
+  await openFlat({ doppler: (deg) => (deg < 120 ? 1 : deg < 240 ? 2 : 0) });
+  const shot = await capture(page);
+  const counts = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];  // by third of the circle: red, blue, neither
+  for (let y = 0; y < shot.width; ++y) {
+    for (let x = 0; x < shot.width; ++x) {
+      const { bearingDeg, rangeM } = placeOf(shot, x + 0.5, y + 0.5);
+      const third = Math.floor(bearingDeg / 120);
+      // Near the middle a pixel is many degrees wide; not every pixel is an echo.
+      if (rangeM < shot.rangeM / 10 || rangeM > shot.rangeM || Math.abs((bearingDeg % 120) - 60) > 58) continue;
+      const [r, g, b] = shot.data.subarray((y * shot.width + x) * 4, (y * shot.width + x) * 4 + 3);
+      if (Math.max(r, g, b) < 120) continue;
+      counts[third][r > 2 * b && r > 2 * g ? 0 : b > 1.3 * r && b > 1.3 * g ? 1 : 2] += 1;
+    }
+  }
+  assert.ok(counts[0][0] > 500 && counts[0][1] === 0 && counts[0][2] === 0, `approaching: ${counts[0]}`);
+  assert.ok(counts[1][1] > 500 && counts[1][0] === 0 && counts[1][2] === 0, `receding: ${counts[1]}`);
+  assert.ok(counts[2][2] > 500 && counts[2][0] === 0 && counts[2][1] === 0, `neither: ${counts[2]}`);
+});
+
 test('the instructor changes sea, rain and false echoes', async () => {
   await openFlat({});
   assert.equal(await page.locator('#seaState').isVisible(), false, 'folded away');

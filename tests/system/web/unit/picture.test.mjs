@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import * as format from '../../../../clients/web/src/format.js';
 import { echoColours } from '../../../../clients/web/src/palette.js';
 import { addWedges } from '../../../../clients/web/src/ppi_renderer.js';
+import { sectorsOf, sectorsText } from '../../../../clients/web/src/receiver_controls.js';
 import { ScanStore, ScanTracker } from '../../../../clients/web/src/scan_store.js';
 import { LossCounter, Rate, TurnRate } from '../../../../clients/web/src/stream_stats.js';
 import { ringsFor, ViewGeometry } from '../../../../clients/web/src/view_geometry.js';
@@ -60,6 +61,29 @@ test('spokes that share a row keep the stronger echo', () => {
   const rows = painted(store).map((r) => row(store, r));
   assert.equal(store.rows, 128);
   assert.ok(rows.some((r) => r[1] === 7 && r[3] === 60), JSON.stringify({ shared, rows }));
+});
+
+test('Doppler classes lie in the row of their spoke, and go with the next without', () => {
+  const store = new ScanStore();
+  store.put(spoke({ index: 3 }), 1, false);
+  assert.equal(store.doppler, null, 'nobody has any: no memory is spent');
+  const generation = store.generation;
+  store.put(spoke({ index: 4, cellCount: 4, doppler: Uint8Array.of(0x81) }), 1, false);
+  assert.ok(store.generation > generation, 'the renderer has to make room');
+  assert.deepEqual([...store.doppler.subarray(3, 6)], [0, 0x81, 0]);
+  store.put(spoke({ index: 5, heading: units(360 / 256), doppler: Uint8Array.of(0x02) }), 1, true);
+  assert.deepEqual([...store.doppler.subarray(4, 7)], [0x81, 0x02, 0x02], 'a row that a turning ship skips');
+  store.put(spoke({ index: 4 }), 2, false);
+  assert.equal(store.doppler[4], 0);
+  store.clear();
+  assert.ok(store.doppler.every((byte) => byte === 0));
+});
+
+test('blanked sectors are read as they are written', () => {
+  assert.deepEqual(sectorsOf(' 350-10, 120.5 - 150 '), [{ fromDeg: 350, toDeg: 10 }, { fromDeg: 120.5, toDeg: 150 }]);
+  assert.deepEqual(sectorsOf(''), []);
+  for (const wrong of ['10', '10-', 'a-b', '-5-10', '0-361', '1-2,2-3,3-4,4-5,5-6', '1-2 3-4']) assert.equal(sectorsOf(wrong), null, wrong);
+  assert.equal(sectorsText(sectorsOf('350-10,120-150')), '350-10, 120-150');
 });
 
 test('every row keeps the cell size it was painted with', () => {

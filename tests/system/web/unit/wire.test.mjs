@@ -149,6 +149,37 @@ test('controls, views and the world are written as the schema reads them', () =>
   assert.ok(world.rain[1]._driftKn && !world.rain[1]._rateMmH);
 });
 
+test('the controls of displays and the instructor are written and read as the schema has them', () => {
+  const { set } = ClientMessage.decodeDelimited(encodeSet(9, 1, 0, {
+    gainAuto: true, sideLobeSuppression: 10, sideLobeAuto: false, noiseRejection: 20, targetSeparation: 30, targetBoost: 40,
+    doppler: 2, dopplerThresholdMps: 1.5, mode: 5, instrumentedRangeM: 12000, rotationRpm: 48, bearingAlignmentDeg: -3,
+    antennaHeightM: 31, blankedSectors: [{ fromDeg: 350, toDeg: 10 }, { fromDeg: 1, toDeg: 5 }], instructor: true,
+    lock: ['gain', 'world'], unlock: ['sea'],
+  }));
+  const got = set.toJSON();
+  assert.deepEqual(got, {
+    radar: 1, gainAuto: true, sideLobeSuppression: 10, sideLobeAuto: false, noiseRejection: 20, targetSeparation: 30, targetBoost: 40,
+    doppler: 'DOPPLER_APPROACHING', dopplerThresholdMps: 1.5, mode: 'BIRD', instrumentedRangeM: 12000, rotationRpm: 48,
+    bearingAlignmentDeg: -3, antennaHeightM: 31, blankedSectors: { sectors: [{ fromDeg: 350, toDeg: 10 }, { fromDeg: 1, toDeg: 5 }] },
+    instructor: true, lock: ['gain', 'world'], unlock: ['sea'],
+  });
+  const none = ClientMessage.decodeDelimited(encodeSet(10, 1, 0, { blankedSectors: [] })).set;
+  assert.ok(none.blankedSectors && none.blankedSectors.sectors.length === 0, 'present, though none');
+
+  const [{ settings }] = decode(frame({ settings: { mode: 3, doppler: 1, locked: ['gain', 'world'],
+    blankedSectors: { sectors: [{ fromDeg: 1, toDeg: 2 }] }, rotationRpm: 36 } }));
+  assert.deepEqual([settings.mode, settings.doppler, settings.rotationRpm, settings.locked], [3, 1, 36, ['gain', 'world']]);
+  assert.equal(settings.blankedSectors.sectors[0].toDeg, 2);
+  refused(frame({ settings: { blankedSectors: { sectors: [{ fromDeg: NaN }] } } }), 'out_of_range');
+});
+
+test('Doppler classes are of all cells or of none', () => {
+  const of = (length) => frame({ spoke: spoke({ doppler: new Uint8Array(length) }) });  // of five cells
+  assert.equal(decode(of(2))[0].spoke.doppler.length, 2);
+  assert.equal(decode(of(0))[0].spoke.doppler.length, 0);
+  for (const length of [1, 3]) refused(of(length), 'out_of_range');
+});
+
 test('settings of a server that knows fewer controls are no standby', () => {
   const [message] = decode(frame({ settings: { gain: 7 } }));
   assert.equal(message.settings.standby, false);

@@ -1,0 +1,45 @@
+// VDM and VDO: AIS messages in sentences, several where one does not hold them.
+// Source: IEC 61162-1:2010 8.3.93, 8.3.94; ../shared/facts/displays.md 6.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/nmea/ais_messages.hpp"
+#include "protocol/nmea/sentence.hpp"
+
+namespace skerry::nmea {
+
+// Characters of payload in one sentence, so that it has at most kMaxSentence.
+inline constexpr std::size_t kAisPayload = 60;
+
+// `own`: VDO, which has no channel, else VDM.  `identifier` 0 .. 9 joins the sentences of one
+// message; `channel` is 'A' or 'B'.
+std::vector<std::string> encode_ais(const AisMessage& message, bool own, unsigned identifier,
+                                    char channel);
+
+struct HeardAis {
+  AisMessage message = {};
+  bool own = false;
+};
+
+// Puts messages together again.  Holds at most one unfinished message per identifier, and of each
+// at most kMostParts sentences.
+class AisAssembler {
+ public:
+  static constexpr unsigned kMostParts = 9;
+
+  // Nothing while the message goes on.  Error: also if its beginning has not come.
+  Result<std::optional<HeardAis>, WireError> feed(const Sentence& sentence);
+
+ private:
+  struct Begun {
+    unsigned total = 0, next = 0;  // next 0: nothing has begun
+    std::string payload;
+  };
+  std::array<Begun, 10> begun_;
+};
+
+}  // namespace skerry::nmea

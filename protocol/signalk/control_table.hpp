@@ -1,0 +1,48 @@
+// The controls of a radar as Signal K displays are told of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/signalk/json.hpp"
+
+namespace skerry::signalk {
+
+enum class ControlKind : std::uint8_t { number, choice, text, sector };
+
+struct ControlChoice {
+  double value = 0.0;
+  std::string label;
+  bool settable = true;  // false: a state it can be in but not be put into
+};
+
+// Angles in radians, lengths in metres, speeds in m/s, turning in rad/s: what `units` names.
+struct ControlDefinition {
+  std::string key;          // "gain": in paths
+  int id = 0;               // orders the controls of a category
+  std::string name;         // "Gain"
+  std::string description;  // of one line
+  std::string category;     // base, targets, advanced, installation or info
+  ControlKind kind = ControlKind::number;
+  double min = 0.0, max = 0.0, step = 1.0;  // number, sector
+  std::string units = {};
+  std::vector<ControlChoice> choices = {};  // the only values there are, if any
+  bool has_auto = false;
+  bool read_only = false;
+};
+
+// In the order of their ids.  Made once; lives for ever.
+const std::vector<ControlDefinition>& control_definitions();
+
+// nullptr if there is no control of that name.
+const ControlDefinition* find_control(std::string_view key);
+
+// What capabilities and meta deltas say of a control.
+Json definition_document(const ControlDefinition& definition);
+
+inline constexpr int kNoTransmitSectors = 4;
+inline constexpr double kPowerOff = 0, kPowerStandby = 1, kPowerTransmit = 2;
+
+}  // namespace skerry::signalk

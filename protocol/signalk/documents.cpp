@@ -1,0 +1,189 @@
+#include "protocol/signalk/documents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "protocol/signalk/radar_message.hpp"
+#include "protocol/signalk/target.hpp"
+#include "protocol/video/range_scale.hpp"
+
+namespace skerry::signalk {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180.0;
+
+const ControlState* state_in(const ControlStates& states, std::string_view key) {
+  const auto found = std::find_if(states.begin(), states.end(),
+                                  [key](const auto& each) { return each.first == key; });
+  return found == states.end() ? nullptr : &found->second;
+}
+
+// As Signal K server 2.23 names it.
+std::string status_of(const ControlStates& states) {
+  const ControlState* power = state_in(states, "power");
+  if (power == nullptr || power->value == kPowerOff) return "off";
+  return power->value == kPowerStandby ? "standby" : "transmit";
+}
+
+Json state_in_list(const ListedRadar& listed) {
+  const ControlState* range = state_in(listed.states, "range");
+  return Json{{"id", listed.radar.id},
+              {"name", listed.radar.name},
+              {"brand", listed.radar.brand},
+              {"status", status_of(listed.states)},
+              {"spokesPerRevolution", listed.radar.spokes_per_turn},
+              {"maxSpokeLen", listed.radar.cells},
+              {"range", number_document(range == nullptr ? 0.0 : range->value)},
+              {"controls", controls_document(listed.states)}};
+}
+
+}  // namespace
+
+Json radar_document(const Radar& radar) {
+  return Json{{"name", radar.name},
+              {"brand", radar.brand},
+              {"model", radar.model},
+              {"radarIpAddress", radar.address}};
+}
+
+Json radar_list_document(std::span<const ListedRadar> radars, Dialect dialect,
+                         std::string_view authority) {
+  if (dialect == Dialect::array) {
+    Json list = Json::array();
+    for (const ListedRadar& listed : radars) list.push_back(state_in_list(listed));
+    return list;
+  }
+  Json keyed = Json::object();
+  for (const ListedRadar& listed : radars) {
+    Json& radar = keyed[listed.radar.id] = radar_document(listed.radar);
+    if (dialect != Dialect::keyed) continue;
+    radar["spokeDataUrl"] =
+        fmt::format("ws://{}{}/{}/spokes", authority, kRadarsPath, listed.radar.id);
+    radar["streamUrl"] = fmt::format("ws://{}{}", authority, kStreamPath);
+  }
+  if (dialect == Dialect::keyed) return keyed;
+  return Json{{"version", kRadarApiVersion}, {"radars", std::move(keyed)}};
+}
+
+Json capabilities_document(const Radar& radar) {
+  Json ranges = Json::array();
+  for (const double nm : RangeScale::kNauticalMiles) {
+    ranges.push_back(whole_metres(nautical_miles(nm)));
+  }
+  Json controls = Json::object();
+  for (const ControlDefinition& definition : control_definitions()) {
+    controls[definition.key] = definition_document(definition);
+  }
+  return Json{{"maxRange", ranges.back()},
+              {"minRange", ranges.front()},
+              {"supportedRanges", ranges},
+              {"spokesPerRevolution", radar.spokes_per_turn},
+              {"maxSpokeLength", radar.cells},
+              {"pixelValues", radar.legend.levels},
+              {"hasDoppler", true},
+              {"hasDualRadar", false},
+              {"hasDualRange", false},
+              {"hasSparseSpokes", false},
+              {"noTransmitSectors", kNoTransmitSectors},
+              {"stationary", false},
+              {"controls", std::move(controls)},
+              {"legend", legend_document(radar.legend)}};
+}
+
+Json controls_document(const ControlStates& states) {
+  Json controls = Json::object();
+  for (const auto& [key, state] : states) {
+    const ControlDefinition* definition = find_control(key);
+    if (definition != nullptr) controls[key] = state_document(*definition, state);
+  }
+  return controls;
+}
+
+Json radar_state_document(const Radar& radar, const ControlStates& states, UtcTime now) {
+  return Json{{"id", radar.id},
+              {"timestamp", iso_time(now)},
+              {"status", status_of(states)},
+              {"controls", controls_document(states)}};
+}
+
+Json interfaces_document(std::string_view address) {
+  Json listeners{{"Skerry", "Active"}};
+  Json interface {
+    {"status", "Ok"}, {"ip", address}, { "listeners", std::move(listeners) }
+  };
+  Json inner{{"brands", Json::array({"Skerry"})},
+             {"interfaces", Json{{"server", std::move(interface)}}}};
+  return Json{{"radars", Json{{"interfaces", std::move(inner)}}}};
+}
+
+std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship) {
+  return {{"navigation.position", Json{{"latitude", ship.position.latitude_deg},
+                                       {"longitude", ship.position.longitude_deg}}},
+          {"navigation.headingTrue", ship.heading_deg * kRadian},
+          {"navigation.courseOverGroundTrue", ship.course_over_ground_deg * kRadian},
+          {"navigation.speedOverGround", ship.speed_over_ground_mps},
+          {"navigation.rateOfTurn", ship.rate_of_turn_deg_min * kRadian / 60.0}};
+}
+
+Json own_ship_document(const OwnShip& ship, UtcTime now) {
+  Json tree{{"name", ship.name}};
+  for (const auto& [path, value] : own_ship_values(ship)) {
+    const auto dot = path.find('.');
+    tree[path.substr(0, dot)][path.substr(dot + 1)] =
+        Json{{"value", value}, {"timestamp", iso_time(now)}, {"$source", "skerry"}};
+  }
+  return tree;
+}
+
+Json endpoints_document(std::string_view server, std::string_view authority) {
+  Json v1{{"version", "1.7.0"},
+          {"signalk-http", fmt::format("http://{}/signalk/v1/api/", authority)},
+          {"signalk-ws", fmt::format("ws://{}{}", authority, kStreamPath)}};
+  Json v2{{"version", "2.0.0"},
+          {"signalk-http", fmt::format("http://{}/signalk/v2/api/", authority)}};
+  const auto space = server.find(' ');
+  return Json{
+      {"endpoints", Json{{"v1", std::move(v1)}, {"v2", std::move(v2)}}},
+      {"server", Json{{"id", server.substr(0, space)},
+                      {"version", space == std::string_view::npos ? std::string_view()
+                                                                  : server.substr(space + 1)}}}};
+}
+
+Json hello_document(std::string_view server, UtcTime now) {
+  const auto space = server.find(' ');
+  return Json{{"name", server.substr(0, space)},
+              {"version", "1.7.0"},
+              {"self", kSelf},
+              {"roles", Json::array({"master", "main"})},
+              {"timestamp", iso_time(now)}};
+}
+
+Json features_document() {
+  return Json{{"apis", Json::array({"radar"})}, {"plugins", Json::array()}};
+}
+
+Json login_status_document(bool logged_in, bool login_possible) {
+  return Json{{"status", logged_in ? "loggedIn" : "notLoggedIn"},
+              {"readOnlyAccess", true},
+              {"authenticationRequired", false},
+              {"allowNewUserRegistration", false},
+              {"allowDeviceAccessRequests", false},
+              {"securityWasEnabled", login_possible}};
+}
+
+Json reply_document(unsigned status, std::string_view message) {
+  return Json{{"state", status < 400 ? "COMPLETED" : "FAILED"},
+              {"statusCode", status},
+              {"message", message}};
+}
+
+Json delta_document(std::string_view source, UtcTime now, Json values, Json meta) {
+  Json update{{"$source", source}, {"timestamp", iso_time(now)}};
+  if (!meta.empty()) update["meta"] = std::move(meta);
+  if (!values.empty()) update["values"] = std::move(values);
+  return Json{{"context", kSelf}, {"updates", Json::array({std::move(update)})}};
+}
+
+}  // namespace skerry::signalk

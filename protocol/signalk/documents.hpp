@@ -1,0 +1,83 @@
+// The documents of the Signal K interfaces: radars, own ship, server, deltas, replies.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocol/quantity/geo_point.hpp"
+#include "protocol/quantity/time.hpp"
+#include "protocol/signalk/control_value.hpp"
+#include "protocol/signalk/json.hpp"
+#include "protocol/signalk/legend.hpp"
+
+namespace skerry::signalk {
+
+inline constexpr std::string_view kRadarApiVersion = "3.4.0";
+inline constexpr std::string_view kSelf = "vessels.self";
+inline constexpr std::string_view kRadarsPath = "/signalk/v2/api/vessels/self/radars";
+inline constexpr std::string_view kStreamPath = "/signalk/v1/stream";
+
+// How the list of radars is written; displays differ (displays.md 1).
+enum class Dialect : std::uint8_t {
+  current,  // {"version","radars":{id: radar}}: Radar API 3.4.0
+  array,    // [radar, ...] with its state: Signal K server 2.23
+  keyed,    // {id: radar} with the addresses of its streams: displays of April 2026
+};
+
+// What does not change of a radar while the server runs.
+struct Radar {
+  std::string id;       // letters, digits, '-' and '_'
+  std::string name;     // "Frida X-band"
+  std::string brand;    // "Skerry"
+  std::string model;    // "25 kW X"
+  std::string address;  // of the server, as the client has it
+  std::uint32_t spokes_per_turn = 0, cells = 0;
+  Legend legend;
+};
+// A key of the control table and what it says.
+using ControlStates = std::vector<std::pair<std::string, ControlState>>;
+
+Json radar_document(const Radar& radar);
+// `state_of` of each radar's controls are asked for by Dialect::array alone; `authority` is
+// HOST:PORT of the server as the client has it.
+struct ListedRadar {
+  Radar radar;
+  ControlStates states;
+};
+Json radar_list_document(std::span<const ListedRadar> radars, Dialect dialect,
+                         std::string_view authority);
+Json capabilities_document(const Radar& radar);
+Json controls_document(const ControlStates& states);
+// Signal K server 2.23: status, time and controls in one.
+Json radar_state_document(const Radar& radar, const ControlStates& states, UtcTime now);
+Json interfaces_document(std::string_view address);
+
+struct OwnShip {
+  std::string name;
+  GeoPoint position;
+  double heading_deg = 0.0, course_over_ground_deg = 0.0;  // true
+  double speed_over_ground_mps = 0.0;
+  double rate_of_turn_deg_min = 0.0;
+};
+// Path ("navigation.position") and value, SI units.
+std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship);
+// The ship as a tree, as /signalk/v1/api/vessels/self has it.
+Json own_ship_document(const OwnShip& ship, UtcTime now);
+
+Json endpoints_document(std::string_view server, std::string_view authority);
+Json hello_document(std::string_view server, UtcTime now);
+Json features_document();
+// `logged_in`: what this client asks for is obeyed.
+Json login_status_document(bool logged_in, bool login_possible);
+
+// {"state":..,"statusCode":..,"message":..}
+Json reply_document(unsigned status, std::string_view message);
+
+// A delta of one's own ship.
+Json delta_document(std::string_view source, UtcTime now, Json values, Json meta);
+
+}  // namespace skerry::signalk

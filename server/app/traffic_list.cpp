@@ -1,0 +1,100 @@
+#include "server/app/traffic_list.hpp"
+
+#include <cmath>
+
+#include "server/world/ais_identities.hpp"
+#include "server/world/dead_reckoning.hpp"
+#include "server/world/rhumb_step.hpp"
+#include "server/world/ship_units.hpp"
+
+namespace skerry::server {
+namespace {
+
+void put(const ShipState& ship, Duration dt, TrafficItem& item) {
+  const ShipPlace place = position_at(ship, dt);
+  item.position = place.position;
+  item.heading_deg = place.heading_deg;
+  item.course_over_ground_deg =
+      wrapped_course(place.course_over_ground_deg + (ship.speed_mps < 0.0 ? 180.0 : 0.0));
+  item.speed_mps = std::fabs(ship.speed_mps);
+  item.rate_of_turn_deg_min = ship.rate_of_turn_deg_s * 60.0;
+}
+
+TrafficKind kind_of(const scenario::Target& target) {
+  switch (target.kind()) {
+    case scenario::Target::ship:
+      return TrafficKind::ship;
+    case scenario::Target::small_craft:
+    case scenario::Target::reflector_craft:
+      return TrafficKind::boat;
+    default:
+      return is_aid(target.kind()) ? TrafficKind::aid_to_navigation : TrafficKind::other;
+  }
+}
+
+TrafficItem item_of(const scenario::OwnShip& ship) {
+  TrafficItem item;
+  item.name = ship.name();
+  item.mmsi = ship.mmsi();
+  item.length_m = ship.length_m();
+  item.beam_m = ship.beam_m();
+  item.ship_type = static_cast<std::uint8_t>(ship.ship_type());
+  return item;
+}
+
+// Where it lies at the start.
+TrafficItem item_of(const scenario::Target& target) {
+  TrafficItem item;
+  item.kind = kind_of(target);
+  item.name = target.name();
+  item.mmsi = target.mmsi();
+  item.position = geo_point(target.position());
+  item.heading_deg = item.course_over_ground_deg = wrapped_course(target.course_deg());
+  if (item.kind == TrafficKind::ship) {
+    item.length_m = target.length_m();
+    item.beam_m = target.beam_m();
+  }
+  item.ship_type = static_cast<std::uint8_t>(target.ship_type());
+  item.aid_type = static_cast<std::uint8_t>(target.aid_type());
+  return item;
+}
+
+TrafficItem item_of(const scenario::Racon& racon) {
+  TrafficItem item;
+  item.kind = TrafficKind::aid_to_navigation;
+  item.name = racon.name();
+  item.mmsi = racon.mmsi();
+  item.position = geo_point(racon.position());
+  item.aid_type = static_cast<std::uint8_t>(scenario::racon_mark);
+  return item;
+}
+
+}  // namespace
+
+std::vector<TrafficItem> traffic_of(const WorldState& state, ScenarioTime now) {
+  const Duration dt = now - state.time;
+  const scenario::Scenario& scenario = *state.scenario;
+  std::vector<TrafficItem> items;
+  items.reserve(static_cast<std::size_t>(scenario.own_ships_size() + scenario.targets_size()) +
+                static_cast<std::size_t>(scenario.racons_size()));
+  const auto add = [&](TrafficItem item) {
+    item.number = static_cast<std::uint32_t>(items.size()) + 1;
+    items.push_back(std::move(item));
+  };
+  for (const scenario::OwnShip& ship : scenario.own_ships()) add(item_of(ship));
+  for (const ShipState& ship : state.own_ships) put(ship, dt, items[ship.number]);
+  const std::size_t first_target = items.size();
+  for (const scenario::Target& target : scenario.targets()) add(item_of(target));
+  for (const ShipState& ship : state.targets) put(ship, dt, items[first_target + ship.number]);
+  for (const SmallTargetState& small : state.adrift) {
+    ShipState boat;
+    boat.position = small.position;
+    boat.heading_deg = boat.course_over_ground_deg = small.course_over_ground_deg;
+    boat.speed_mps = small.speed_mps;
+    put(boat, dt, items[first_target + small.number]);
+  }
+  for (const scenario::Racon& racon : scenario.racons()) add(item_of(racon));
+  return items;
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,87 @@
+#include "server/navigation/ais_reports.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace skerry::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kKnot = 1852.0 / 3600.0;  // m/s
+constexpr double kStillKn = 0.1;
+constexpr unsigned kUnderWay = 0, kAnchored = 1;
+
+unsigned second_of(UtcTime utc) {
+  return static_cast<unsigned>(
+      std::chrono::duration_cast<std::chrono::seconds>(utc.time_since_epoch()).count() % 60);
+}
+
+}  // namespace
+
+std::optional<nmea::AisMessage> position_report(const TrafficItem& item, UtcTime utc) {
+  if (item.mmsi == 0 || item.kind == TrafficKind::other) return std::nullopt;
+  if (item.kind == TrafficKind::aid_to_navigation) {
+    return nmea::AisAid{.mmsi = item.mmsi,
+                        .type = item.aid_type,
+                        .name = item.name,
+                        .position = item.position,
+                        .size = nmea::ais_size(item.length_m, item.beam_m),
+                        .utc_second = second_of(utc)};
+  }
+  const double speed_kn = item.speed_mps / kKnot;
+  return nmea::AisPosition{.mmsi = item.mmsi,
+                           .class_b = item.kind == TrafficKind::boat,
+                           .status = speed_kn < kStillKn ? kAnchored : kUnderWay,
+                           .rate_of_turn_deg_min = item.rate_of_turn_deg_min,
+                           .speed_kn = speed_kn,
+                           .position = item.position,
+                           .course_deg = item.course_over_ground_deg,
+                           .heading_deg = item.heading_deg,
+                           .utc_second = second_of(utc)};
+}
+
+std::vector<nmea::AisMessage> static_reports(const TrafficItem& item) {
+  const nmea::AisSize size = nmea::ais_size(item.length_m, item.beam_m);
+  if (item.mmsi == 0) return {};
+  if (item.kind == TrafficKind::ship) {
+    return {nmea::AisVoyage{
+        .mmsi = item.mmsi, .name = item.name, .ship_type = item.ship_type, .size = size}};
+  }
+  if (item.kind == TrafficKind::boat) {
+    return {nmea::AisStatic{.mmsi = item.mmsi, .part_b = false, .name = item.name},
+            nmea::AisStatic{
+                .mmsi = item.mmsi, .part_b = true, .ship_type = item.ship_type, .size = size}};
+  }
+  return {};
+}
+
+nmea::AisMessage own_position_report(const wire::OwnShip& ship, std::uint32_t mmsi) {
+  const UtcTime utc{Duration(static_cast<std::int64_t>(ship.utc_ns()))};
+  return nmea::AisPosition{.mmsi = mmsi,
+                           .class_b = false,
+                           .status = ship.speed_over_ground_kn() < kStillKn ? kAnchored : kUnderWay,
+                           .rate_of_turn_deg_min = ship.rate_of_turn_deg_min(),
+                           .speed_kn = ship.speed_over_ground_kn(),
+                           .position = GeoPoint{ship.latitude_deg(), ship.longitude_deg()},
+                           .course_deg = ship.course_over_ground_deg(),
+                           .heading_deg = ship.heading_deg(),
+                           .utc_second = second_of(utc)};
+}
+
+nmea::AisMessage own_static_report(const wire::OwnShip& ship, std::uint32_t mmsi) {
+  return nmea::AisVoyage{
+      .mmsi = mmsi, .name = ship.name(), .size = nmea::ais_size(ship.length_m(), ship.beam_m())};
+}
+
+Duration position_interval(TrafficKind kind, double speed_mps, double rate_of_turn_deg_min) {
+  const double knots = speed_mps / kKnot;
+  const bool turns = std::abs(rate_of_turn_deg_min) > 20.0;
+  if (kind == TrafficKind::boat) return knots <= 2.0 ? Duration(3min) : Duration(30s);
+  if (kind != TrafficKind::ship || knots < kStillKn) return 3min;
+  if (knots > 23.0) return 2s;
+  if (knots > 14.0) return turns ? 2s : 6s;
+  return turns ? Duration(3'333ms) : Duration(10s);
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,127 @@
+#include "server/navigation/own_ship_sentences.hpp"
+
+#include <cmath>
+
+#include "protocol/nmea/motion_sentences.hpp"
+#include "protocol/nmea/position_sentences.hpp"
+#include "protocol/nmea/radar_sentences.hpp"
+#include "protocol/nmea/tracked_target_data.hpp"
+#include "protocol/quantity/angle.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr double kMetresPerNm = 1852.0;
+constexpr double kKnot = 1852.0 / 3600.0;  // m/s
+constexpr unsigned kQualityGps = 1, kQualitySimulated = 8;
+
+UtcTime utc_of(const wire::OwnShip& ship) {
+  return UtcTime(Duration(static_cast<std::int64_t>(ship.utc_ns())));
+}
+
+nmea::Vbw log_of(const wire::OwnShip& ship) {
+  const double drift = degrees(ship.course_over_ground_deg() - ship.heading_deg()).in_radians();
+  return {.water_ahead_kn = ship.speed_kn(),
+          .water_starboard_kn = 0.0,
+          .ground_ahead_kn = ship.speed_over_ground_kn() * std::cos(drift),
+          .ground_starboard_kn = ship.speed_over_ground_kn() * std::sin(drift)};
+}
+
+nmea::TargetStatus status_of(const Track& track) {
+  return track.lost ? nmea::TargetStatus::lost : nmea::TargetStatus::tracking;
+}
+
+std::string ttm_of(const Track& track, const wire::OwnShip& ship) {
+  const Approach approach =
+      approach_of(track.place, {track.target.course_over_ground_deg, track.target.speed_mps},
+                  {ship.course_over_ground_deg(), ship.speed_over_ground_kn() * kKnot});
+  return encode(nmea::Ttm{.number = track.number,
+                          .range_nm = track.place.range_m / kMetresPerNm,
+                          .bearing_deg = track.place.bearing_deg,
+                          .speed_kn = track.target.speed_mps / kKnot,
+                          .course_deg = track.target.course_over_ground_deg,
+                          .cpa_nm = approach.cpa_m / kMetresPerNm,
+                          .tcpa_min = approach.tcpa_s / 60.0,
+                          .name = track.target.name,
+                          .status = status_of(track),
+                          .time_of_day = nmea::time_of_day(utc_of(ship))});
+}
+
+std::string tll_of(const Track& track, const wire::OwnShip& ship) {
+  return encode(nmea::Tll{.number = track.number,
+                          .position = track.target.position,
+                          .name = track.target.name,
+                          .time_of_day = nmea::time_of_day(utc_of(ship)),
+                          .status = status_of(track)});
+}
+
+nmea::TtdTarget ttd_of(const Track& track) {
+  return {.number = track.number,
+          .bearing_deg = track.place.bearing_deg,
+          .speed_kn = track.target.speed_mps / kKnot,
+          .course_deg = track.target.course_over_ground_deg,
+          .heading_deg = track.target.heading_deg,
+          .range_nm = track.place.range_m / kMetresPerNm,
+          .status = track.lost ? nmea::TtdStatus::lost : nmea::TtdStatus::tracking};
+}
+
+}  // namespace
+
+std::string own_ship_sentence(NavigationSentence sentence, const wire::OwnShip& ship,
+                              const wire::Settings& settings, bool says_simulated) {
+  const UtcTime utc = utc_of(ship);
+  const GeoPoint position{ship.latitude_deg(), ship.longitude_deg()};
+  const char mode = says_simulated ? 'S' : 'A';
+  switch (sentence) {
+    case NavigationSentence::rmc:
+      return encode(nmea::Rmc{.utc = utc,
+                              .position = position,
+                              .speed_kn = ship.speed_over_ground_kn(),
+                              .course_deg = ship.course_over_ground_deg(),
+                              .mode = mode});
+    case NavigationSentence::gga:
+      return encode(nmea::Gga{.time_of_day = nmea::time_of_day(utc),
+                              .position = position,
+                              .quality = says_simulated ? kQualitySimulated : kQualityGps});
+    case NavigationSentence::vtg:
+      return encode(nmea::Vtg{.course_deg = ship.course_over_ground_deg(),
+                              .speed_kn = ship.speed_over_ground_kn(),
+                              .mode = mode});
+    case NavigationSentence::zda:
+      return encode(nmea::Zda{.utc = utc});
+    case NavigationSentence::hdt:
+      return encode(nmea::Hdt{.heading_deg = ship.heading_deg()});
+    case NavigationSentence::ths:
+      return encode(nmea::Ths{.heading_deg = ship.heading_deg(), .mode = mode});
+    case NavigationSentence::rot:
+      return encode(nmea::Rot{.rate_deg_min = ship.rate_of_turn_deg_min()});
+    case NavigationSentence::vhw:
+      return encode(nmea::Vhw{.heading_deg = ship.heading_deg(), .speed_kn = ship.speed_kn()});
+    case NavigationSentence::vbw:
+      return encode(log_of(ship));
+    case NavigationSentence::rsd:
+      return encode(nmea::Rsd{.range_nm = settings.range_nm()});
+    default:  // osd
+      return encode(nmea::Osd{.heading_deg = ship.heading_deg(),
+                              .course_deg = ship.course_over_ground_deg(),
+                              .speed_kn = ship.speed_over_ground_kn()});
+  }
+}
+
+std::vector<std::string> target_sentences(NavigationSentence sentence,
+                                          const std::vector<Track>& tracks,
+                                          const wire::OwnShip& ship, unsigned identifier) {
+  if (sentence == NavigationSentence::ttd) {
+    std::vector<nmea::TtdTarget> targets;
+    for (const Track& track : tracks) targets.push_back(ttd_of(track));
+    return nmea::encode_ttd(targets, identifier);
+  }
+  std::vector<std::string> lines;
+  for (const Track& track : tracks) {
+    lines.push_back(sentence == NavigationSentence::ttm ? ttm_of(track, ship)
+                                                        : tll_of(track, ship));
+  }
+  return lines;
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,121 @@
+// Readers of NMEA 0183 and IEC 61162-450, the listener that obeys them, and the way there and back
+// of AIS messages made from the input.
+#include "protocol/nmea/ais_sentences.hpp"
+#include "protocol/nmea/motion_sentences.hpp"
+#include "protocol/nmea/position_sentences.hpp"
+#include "protocol/nmea/radar_sentences.hpp"
+#include "protocol/nmea/tracked_target_data.hpp"
+#include "protocol/nmea/udp450.hpp"
+#include "server/navigation/navigation_listener.hpp"
+#include "tests/fuzz/fuzz_require.hpp"
+
+namespace {
+
+using namespace skerry;
+
+template <typename T>
+void check(const Result<T, WireError>& result, std::size_t most) {
+  if (result) return;
+  fuzz::require(!result.error().text.empty(), "a refusal says why");
+  fuzz::require(result.error().offset <= most, "a refusal's place is in the line");
+}
+
+// Every reader, whatever the sentence calls itself.
+void check_readers(const nmea::Sentence& sentence, std::size_t size) {
+  check(nmea::decode_rmc(sentence), size);
+  check(nmea::decode_gga(sentence), size);
+  check(nmea::decode_gll(sentence), size);
+  check(nmea::decode_vtg(sentence), size);
+  check(nmea::decode_zda(sentence), size);
+  check(nmea::decode_hdt(sentence), size);
+  check(nmea::decode_ths(sentence), size);
+  check(nmea::decode_rot(sentence), size);
+  check(nmea::decode_vhw(sentence), size);
+  check(nmea::decode_vbw(sentence), size);
+  check(nmea::decode_rsd(sentence), size);
+  check(nmea::decode_osd(sentence), size);
+  check(nmea::decode_ttm(sentence), size);
+  check(nmea::decode_tll(sentence), size);
+  const auto targets = nmea::decode_ttd(sentence);
+  check(targets, size);
+  if (targets) fuzz::require(targets->size() <= size / 15, "targets are bounded by the line");
+}
+
+void check_position(const std::optional<GeoPoint>& point) {
+  if (!point) return;
+  fuzz::require(point->latitude_deg >= -90 && point->latitude_deg <= 90, "a latitude");
+  fuzz::require(point->longitude_deg >= -180 && point->longitude_deg < 180, "a longitude");
+}
+
+// Lines as they are, and with their checksum put right: otherwise few would be read any further.
+void check_lines(std::string_view text, server::NavigationListener& listener,
+                 nmea::AisAssembler& assembler) {
+  int time = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string line(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string between = line.substr(line.empty() ? 0 : 1, line.find('*') - 1);
+    const std::string good =
+        (line.empty() ? '$' : line[0]) + between + "*" + nmea::checksum_text(between);
+    for (const std::string& one : {line, good}) {
+      const auto sentence = nmea::parse_sentence(one);
+      check(sentence, one.size());
+      if (sentence) {
+        check_readers(*sentence, one.size());
+        check(assembler.feed(*sentence), one.size());
+      }
+      const auto heard = listener.hear(one, ScenarioTime(std::chrono::milliseconds(700) * ++time));
+      fuzz::require(heard.fault.empty() || !heard.fix, "what cannot be read moves nothing");
+      if (!heard.fix) continue;
+      check_position(heard.fix->position);
+      fuzz::require(!heard.fix->speed_mps ||
+                        (*heard.fix->speed_mps >= 0 &&
+                         *heard.fix->speed_mps <= server::NavigationListener::kMostSpeedMps),
+                    "a ship's speed");
+      for (const auto& angle : {heard.fix->heading_deg, heard.fix->course_over_ground_deg}) {
+        fuzz::require(!angle || (*angle >= 0 && *angle < 360), "an angle");
+      }
+    }
+  }
+}
+
+void check_ais(std::span<const std::uint8_t> input) {
+  fuzz::Choices choices(input);
+  nmea::AisVoyage voyage;
+  voyage.mmsi = static_cast<std::uint32_t>(choices.below(1'000'000'000));
+  voyage.name.assign(input.begin(), input.begin() + std::min<std::size_t>(input.size(), 20));
+  voyage.size = nmea::ais_size(static_cast<double>(choices.below(2000)), 30);
+  nmea::AisAssembler assembler;
+  std::optional<nmea::HeardAis> heard;
+  for (const std::string& line : nmea::encode_ais(voyage, false, 3, 'A')) {
+    fuzz::require(line.size() <= nmea::kMaxSentence, "a line is as long as it may be");
+    const auto sentence = nmea::parse_sentence(line);
+    fuzz::require(sentence.ok(), "our own line is read");
+    const auto result = assembler.feed(*sentence);
+    fuzz::require(result.ok(), "and understood");
+    heard = *result;
+  }
+  fuzz::require(heard.has_value(), "the last line ends the message");
+  const auto* back = std::get_if<nmea::AisVoyage>(&heard->message);
+  fuzz::require(back != nullptr && back->mmsi == voyage.mmsi && back->size == voyage.size,
+                "it comes back the same");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::span<const std::uint8_t> input(data, size);
+  server::NavigationListener listener(std::chrono::seconds(10));
+  nmea::AisAssembler assembler;
+  check_lines({reinterpret_cast<const char*>(data), size}, listener, assembler);
+  const auto lines = nmea::decode_udp450(input);
+  check(lines, size);
+  if (lines) {
+    std::size_t bytes = 0;
+    for (const nmea::TaggedLine& line : *lines) bytes += line.sentence.size() + line.source.size();
+    fuzz::require(bytes <= size && lines->size() <= size, "the output is bounded by the input");
+  }
+  check_ais(input);
+  return 0;
+}

@@ -1,0 +1,1 @@
+// Nothing: CMakeLists.txt precompiles the headers of skerry_test_headers.

@@ -1,0 +1,137 @@
+// Outputs from the command line and the configuration file.
+#include "server/app/outputs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace skerry::server {
+namespace {
+
+using testing::HasSubstr;
+
+NetConfig config_of(const std::vector<std::string>& outputs) {
+  app::ServerConfig file;
+  for (const std::string& text : outputs) *file.add_outputs() = parse_output(text);
+  NetConfig net;
+  add_outputs(file, net);
+  return net;
+}
+
+std::string refusal(const std::string& output) {
+  try {
+    config_of({output});
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Outputs, AStreamHasItsDestinationAndShape) {
+  const NetConfig net = config_of(
+      {"cat240:radar=2,address=239.192.43.78,port=4378,interface_address=192.0.2.7,spokes=720,"
+       "cells=512,bits=16,sac=25,compressed=true,blocks=high,records=4,view=own",
+       "native"});
+  ASSERT_EQ(net.streams.size(), 2u);
+  const StreamOutputConfig& stream = net.streams[0];
+  EXPECT_EQ(stream.to.radar, 2u);
+  EXPECT_EQ(stream.to.address, "239.192.43.78");
+  EXPECT_EQ(stream.to.port, 4378);
+  EXPECT_EQ(stream.to.multicast_ttl, 1) << "another interface is meant to be left by";
+  EXPECT_TRUE(stream.own_view);
+  const auto& shape = std::get<Cat240StreamShape>(stream.shape);
+  EXPECT_EQ(shape.options.source, (Cat240Source{25, 2}));
+  EXPECT_EQ(shape.options.bits, 16);
+  EXPECT_TRUE(shape.options.compressed);
+  EXPECT_EQ(shape.options.blocks, Cat240Blocks::high);
+  EXPECT_EQ(shape.turn_spokes, 720u);
+  EXPECT_EQ(shape.records, 4u);
+  EXPECT_EQ(net.streams[1].to.address, "127.0.0.1");
+  EXPECT_EQ(net.streams[1].to.port, 7411);
+  EXPECT_EQ(net.streams[1].to.multicast_ttl, 0);
+}
+
+TEST(Outputs, EmulatedRadarsStayOnThisHostUntilAnInterfaceIsGiven) {
+  const NetConfig net = config_of({"navico_4g:dual_range=true,obeys=false",
+                                   "garmin_xhd:interface_address=172.16.2.1,radar=1",
+                                   "raymarine_quantum:ttl=3,view=own"});
+  ASSERT_EQ(net.displays.size(), 3u);
+  EXPECT_EQ(net.displays[0].interface_address, "127.0.0.1");
+  EXPECT_EQ(net.displays[0].ttl, 0);
+  EXPECT_FALSE(net.displays[0].obeys);
+  ASSERT_EQ(net.displays[0].sources.size(), 2u);
+  EXPECT_FALSE(net.displays[0].sources[0].own_view);
+  EXPECT_TRUE(net.displays[0].sources[1].own_view) << "range B has a range of its own";
+  EXPECT_EQ(net.displays[0].make()->channels().size(), 2u);
+  EXPECT_EQ(net.displays[1].interface_address, "172.16.2.1");
+  EXPECT_EQ(net.displays[1].ttl, 1);
+  EXPECT_EQ(net.displays[1].sources[0].radar, 1u);
+  EXPECT_GT(net.displays[1].burst, Duration::zero());
+  EXPECT_EQ(net.displays[2].ttl, 3);
+  EXPECT_TRUE(net.displays[2].sources[0].own_view);
+}
+
+// A HALO and a Quantum say where they are, so that any number fits on one address.
+TEST(Outputs, RadarsThatAnnounceTheirAddressesKeepOutOfEachOthersWay) {
+  const NetConfig net = config_of(
+      {"navico_br24", "navico_halo", "navico_halo20", "raymarine_quantum", "raymarine_quantum"});
+  std::vector<Ipv4Endpoint> all;
+  for (const DisplayOutputConfig& display : net.displays) {
+    for (const Ipv4Endpoint& one : display.identity.fixed_addresses) {
+      EXPECT_EQ(std::count(all.begin(), all.end(), one), 0) << text_of(one);
+    }
+    const auto& mine = display.identity.fixed_addresses;
+    all.insert(all.end(), mine.begin(), mine.end());
+  }
+  const NetConfig alone = config_of({"navico_halo"});
+  EXPECT_EQ(alone.displays[0].make()->data_address(RangeChannel::a),
+            (Ipv4Endpoint{ipv4(236, 6, 7, 8), 6678}))
+      << "where displays that do not ask look";
+}
+
+TEST(Outputs, AddressesOfAHaloMayBeGiven) {
+  const NetConfig net =
+      config_of({"navico_halo:addresses=239.255.75.1:7101,addresses=239.255.75.2:7102,"
+                 "addresses=239.255.75.3:7103"});
+  EXPECT_EQ(net.displays[0].make()->data_address(RangeChannel::a),
+            (Ipv4Endpoint{ipv4(239, 255, 75, 1), 7101}));
+  EXPECT_THAT(refusal("navico_halo:addresses=239.255.75.1:7101"),
+              HasSubstr("addresses are 3 groups"));
+  EXPECT_THAT(refusal("navico_halo:addresses=239.255.75:7101"), HasSubstr("as 236.6.7.8:6678"));
+  EXPECT_THAT(refusal("navico_halo:addresses=239.255.75.1:71010"), HasSubstr("as 236.6.7.8:6678"));
+  EXPECT_THAT(refusal("navico_4g:addresses=239.255.75.1:7101"), HasSubstr("know its addresses"));
+}
+
+TEST(Outputs, SentencesAreGivenWithTheirPeriods) {
+  const NetConfig net = config_of(
+      {"nmea0183:port=2947,sentences=hdt=0.1,sentences=vdm=0", "iec61162_450:source=RA0002"});
+  ASSERT_EQ(net.navigation_outputs.size(), 2u);
+  const NavigationOutputConfig& out = net.navigation_outputs[0];
+  EXPECT_EQ(out.port, 2947);
+  ASSERT_EQ(out.plan.periods.size(), 2u);
+  EXPECT_EQ(out.plan.periods.at(NavigationSentence::hdt), std::chrono::milliseconds(100));
+  EXPECT_EQ(net.navigation_outputs[1].transport, NavigationTransport::iec450);
+  EXPECT_EQ(net.navigation_outputs[1].source, "RA0002");
+  EXPECT_THAT(refusal("nmea0183:sentences=hdt"), HasSubstr("no period"));
+  EXPECT_THAT(refusal("nmea0183:sentences=hdt=fast"), HasSubstr("the period is no number"));
+}
+
+TEST(Outputs, KeysOfAnotherKindAreRefusedByName) {
+  EXPECT_THAT(
+      refusal("native:compressed=true"),
+      HasSubstr("outputs[0] (native): 'compressed' is not a key of this kind; it takes kind"));
+  EXPECT_THAT(refusal("garmin_xhd:serial=12"), HasSubstr("does not tell one"));
+  EXPECT_THAT(refusal("raymarine_quantum:standby_after_s=10"), HasSubstr("Navico radars alone"));
+  EXPECT_THAT(refusal("navico_4g:radar_b=1"), HasSubstr("add dual_range: true"));
+  EXPECT_THAT(refusal("navico_4g:radar=one"), HasSubstr("radar"));
+  EXPECT_THAT(refusal("navico_4g:radar=1,radar=2"), HasSubstr("'radar' is given twice"));
+  EXPECT_THAT(refusal("navico_4g:serial=12345678901234567"), HasSubstr("more than 16 characters"));
+  EXPECT_EQ(parse_output("navico_4g:serial=\"\\]: #").serial(), "\"\\]: #") << "text is text";
+}
+
+}  // namespace
+}  // namespace skerry::server

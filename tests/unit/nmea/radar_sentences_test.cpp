@@ -1,0 +1,162 @@
+#include "protocol/nmea/radar_sentences.hpp"
+
+#include <gtest/gtest.h>
+
+#include "protocol/nmea/tracked_target_data.hpp"
+
+namespace skerry::nmea {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kTime = 9h + 8min + 7s + 60ms;
+
+std::string body(const std::string& line) {
+  EXPECT_LE(line.size(), kMaxSentence) << line;
+  EXPECT_TRUE(parse_sentence(line)) << line;
+  return line.substr(0, line.find('*'));
+}
+
+std::string with_checksum(const std::string& between) {
+  return "$" + between + "*" + checksum_text(between);
+}
+
+TEST(Rsd, HasTheRangeInItsEleventhField) {
+  const std::string line = encode(Rsd{.range_nm = 1.5});
+  EXPECT_EQ(body(line), "$RARSD,,,,,,,,,,,1.500,N,H");
+  const auto rsd = decode_rsd(parse_sentence(line).value());
+  ASSERT_TRUE(rsd) << rsd.error().text;
+  EXPECT_EQ(rsd->range_nm, 1.5);
+  EXPECT_EQ(rsd->rotation, 'H');
+  EXPECT_FALSE(rsd->cursor_range_nm);
+}
+
+TEST(Osd, IsAsWritten) {
+  const std::string line = encode(Osd{.heading_deg = 35.1, .course_deg = 36.0, .speed_kn = 10.2});
+  EXPECT_EQ(body(line), "$RAOSD,35.1,A,36.0,P,10.20,P,,,N");
+  // As a Furuno FAR-21x7 says it.
+  const auto osd =
+      decode_osd(parse_sentence(with_checksum("RAOSD,35.1,A,36.0,P,10.2,P,15.3,0.1,N")).value());
+  ASSERT_TRUE(osd) << osd.error().text;
+  EXPECT_EQ(osd->set_deg, 15.3);
+  EXPECT_EQ(osd->drift_kn, 0.1);
+}
+
+Ttm a_target() {
+  return {.number = 7,
+          .range_nm = 3.4567,
+          .bearing_deg = 359.97,
+          .speed_kn = 12.34,
+          .course_deg = 180.0,
+          .cpa_nm = 0.25,
+          .tcpa_min = -4.44,
+          .name = "ASTRID",
+          .status = TargetStatus::tracking,
+          .time_of_day = kTime};
+}
+
+TEST(Ttm, HasRangesToTwoMetres) {
+  const std::string line = encode(a_target());
+  EXPECT_EQ(body(line), "$RATTM,07,3.457,0.0,T,12.3,180.0,T,0.25,-4.4,N,ASTRID,T,,090807.06,A");
+  const auto ttm = decode_ttm(parse_sentence(line).value());
+  ASSERT_TRUE(ttm) << ttm.error().text;
+  EXPECT_EQ(ttm->number, 7u);
+  EXPECT_EQ(ttm->range_nm, 3.457);
+  EXPECT_EQ(ttm->tcpa_min, -4.4);
+  EXPECT_EQ(ttm->name, "ASTRID");
+  EXPECT_EQ(ttm->time_of_day, kTime);
+}
+
+TEST(Ttm, GivesUpPartOfTheNameAndNotOfTheNumbers) {
+  Ttm longest = a_target();
+  longest.name = "QUEEN ELIZABETH THE SECOND";
+  longest.range_nm = 99.9996;
+  longest.tcpa_min = -1e9;
+  longest.speed_kn = 102.2;
+  longest.bearing_deg = longest.course_deg = 234.5;
+  const std::string line = encode(longest);
+  EXPECT_EQ(line.size(), kMaxSentence) << line;
+  const auto ttm = decode_ttm(parse_sentence(line).value());
+  ASSERT_TRUE(ttm) << ttm.error().text;
+  EXPECT_FALSE(ttm->name.empty());
+  EXPECT_TRUE(longest.name.starts_with(ttm->name));
+  EXPECT_EQ(ttm->tcpa_min, -999.9);
+}
+
+TEST(Ttm, WithoutRangeOrInOtherUnitsIsRefused) {
+  for (const char* bad :
+       {"RATTM,01,,45.0,T,1,2,T,0,0,N,,T,,,A", "RATTM,01,1,45.0,R,1,2,T,0,0,N,,T,,,A",
+        "RATTM,01,1,45.0,T,1,2,T,0,0,K,,T,,,A", "RATTM,01,1,45.0,T,1,2,T,0,0,N,,X,,,A",
+        "RATTM,5000,1,45.0,T,1,2,T,0,0,N,,T,,,A"}) {
+    const std::string line = with_checksum(bad);
+    EXPECT_FALSE(decode_ttm(parse_sentence(line).value())) << bad;
+  }
+}
+
+TEST(Tll, IsAsWritten) {
+  const std::string line = encode(Tll{.number = 12,
+                                      .position = {-33.5, -70.25},
+                                      .name = "NO NAME IS SO LONG AS THIS ONE",
+                                      .time_of_day = kTime,
+                                      .status = TargetStatus::lost});
+  EXPECT_TRUE(body(line).starts_with("$RATLL,12,3330.00000,S,07015.00000,W,NO NAME IS SO LONG"))
+      << line;
+  EXPECT_TRUE(body(line).ends_with(",090807.06,L,")) << line;
+  const auto tll = decode_tll(parse_sentence(line).value());
+  ASSERT_TRUE(tll) << tll.error().text;
+  EXPECT_EQ(tll->position, (GeoPoint{-33.5, -70.25}));
+  EXPECT_EQ(tll->status, TargetStatus::lost);
+}
+
+TEST(Ttd, FourTargetsFillASentenceAndTheFifthBeginsAnother) {
+  std::vector<TtdTarget> targets;
+  for (unsigned i = 1; i <= 5; ++i) {
+    targets.push_back({.number = i,
+                       .bearing_deg = 70.0 * i,
+                       .speed_kn = 5.5 * i,
+                       .course_deg = 300.0,
+                       .heading_deg = i == 3 ? std::optional<double>() : 299.9,
+                       .range_nm = 0.29 * i,
+                       .status = i == 5 ? TtdStatus::lost : TtdStatus::tracking});
+  }
+  const auto lines = encode_ttd(targets, 13);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_TRUE(lines[0].starts_with("!RATTD,02,01,3,")) << lines[0];
+  EXPECT_TRUE(lines[1].starts_with("!RATTD,02,02,3,")) << lines[1];
+  EXPECT_NE(lines[0].find(",0*"), std::string::npos) << "90 bits are 15 whole characters";
+  std::vector<TtdTarget> back;
+  for (const std::string& line : lines) {
+    EXPECT_LE(line.size(), kMaxSentence);
+    const auto some = decode_ttd(parse_sentence(line).value());
+    ASSERT_TRUE(some) << some.error().text;
+    back.insert(back.end(), some->begin(), some->end());
+  }
+  ASSERT_EQ(back.size(), targets.size());
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_EQ(back[i].number, targets[i].number);
+    EXPECT_NEAR(*back[i].bearing_deg, *targets[i].bearing_deg, 1e-9);
+    EXPECT_NEAR(*back[i].speed_kn, *targets[i].speed_kn, 1e-9);
+    EXPECT_NEAR(*back[i].range_nm, *targets[i].range_nm, 1e-9);
+    EXPECT_EQ(back[i].heading_deg.has_value(), targets[i].heading_deg.has_value());
+    EXPECT_EQ(back[i].status, targets[i].status);
+  }
+}
+
+TEST(Ttd, WhatIsOutOfRangeIsNotAvailable) {
+  const auto lines = encode_ttd(std::vector<TtdTarget>{{.number = 1,
+                                                        .bearing_deg = 359.97,
+                                                        .speed_kn = 500.0,
+                                                        .course_deg = {},
+                                                        .heading_deg = {},
+                                                        .range_nm = 200.0}},
+                                0);
+  const auto back = decode_ttd(parse_sentence(lines.at(0)).value());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->at(0).bearing_deg, 0.0);
+  EXPECT_FALSE(back->at(0).speed_kn);
+  EXPECT_FALSE(back->at(0).range_nm);
+  EXPECT_TRUE(encode_ttd({}, 0).empty());
+}
+
+}  // namespace
+}  // namespace skerry::nmea
