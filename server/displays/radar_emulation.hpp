@@ -60,8 +60,9 @@ class RadarEmulation {
 
   // Sectors into datagrams for data_address(): "spoke k" of an EncodedSector is datagram k, and a
   // sector may have none (several sectors to a frame).  Called on the radar's thread, one encoder
-  // per channel; shares nothing with the rest of the emulation but what is immutable, since all
-  // that a spoke says stands in its header.
+  // per channel; shares nothing with the rest of the emulation but what is immutable, since nearly
+  // all that a spoke says stands in its header, and relaxed atomics (the display's range, the
+  // antenna's angle).
   virtual SectorEncoder spoke_encoder(RangeChannel channel) const = 0;
   virtual Ipv4Endpoint data_address(RangeChannel channel) const = 0;
   // What the view's instrumented range has to be for spokes of this channel at these settings, m.
