@@ -62,7 +62,7 @@ async function look(page, rangeM) {
   const shot = await capture(page, ship.position.value.latitude);
   const scan = parsePgm(readFileSync(raw));
   const against = (range, heading) => compareOverlay(shot, isStrong, scan, range, heading);
-  return { result: against(rangeM, headingDeg), turned: against(rangeM, headingDeg + 3), stretched: against(rangeM * 1.04, headingDeg) };
+  return { result: against(rangeM, headingDeg), turned: against(rangeM, headingDeg + 3), stretched: against(rangeM * 1.08, headingDeg) };
 }
 
 // The picture is drawn in software and may be some turns late.
@@ -73,7 +73,7 @@ async function assertSamePicture(t, page, name) {
   for (const end = Date.now() + 90000; differences(seen.result).length > 0 && Date.now() < end;) seen = await look(page, rangeM);
   t.diagnostic(`${name}, ${rangeM} m: ${JSON.stringify(seen.result)}`);
   assert.deepEqual(differences(seen.result), [], name);
-  // The comparison sees what it must: 3 deg, and 4 % of range.
+  // The comparison sees what it must: 3 deg, and 8 % of range (of a coast 100 pixels away, 8 where 3 are allowed).
   assert.notDeepEqual(differences(seen.turned), [], 'a picture turned');
   assert.notDeepEqual(differences(seen.stretched), [], 'a picture stretched');
 }
