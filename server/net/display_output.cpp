@@ -117,11 +117,12 @@ void DisplayOutput::start() {
   std::vector<std::uint16_t> ports;
   for (const Ear& ear : ears_) ports.push_back(ear.socket.local_endpoint().port());
   settings_version_ = context_.host.settings_version();
-  emulation_->begin(interface_.to_uint(), ports, now(), *this);
+  // The first report tells displays that the radar is there: by then its picture is, too.
   for (const auto& range : ranges_) {
     range->feed = context_.find_feed(range->radar, range->shown, range->format);
     if (range->feed != nullptr) range->cursor = range->feed->add(*range);
   }
+  emulation_->begin(interface_.to_uint(), ports, now(), *this);
   for (std::size_t ear = 0; ear < ears_.size(); ++ear) listen(ear);
 }
 
