@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "protocol/asterix/cat240.hpp"
@@ -128,7 +129,9 @@ bool RecordReader::read_blocks(Cat240Video& video) {
   }
   if (!whole("049 or the video block")) return false;
   const std::uint64_t cell_octets = (std::uint64_t{video.cell_count} * video.bits_per_cell + 7) / 8;
-  if (valid_octets > octets.size() || (!video.compressed && cell_octets > valid_octets)) {
+  const std::uint64_t least =
+      video.compressed ? std::min<std::uint64_t>(cell_octets, 1) : cell_octets;
+  if (valid_octets > octets.size() || valid_octets < least) {
     return fail(WireErrorKind::malformed,
                 fmt::format("item 049 says {} cells of {} bits in {} octets, the video block has "
                             "{} octets",

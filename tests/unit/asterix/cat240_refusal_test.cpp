@@ -93,6 +93,14 @@ TEST(Cat240Reading, LeavesOctetsCompressedInAnotherWayAsTheyAre) {
   EXPECT_TRUE(records->front().video->cells.empty());
 }
 
+TEST(Cat240Reading, RefusesCompressedCellsInNoOctets) {
+  const auto of_cells = [](std::uint8_t count) {
+    return block(kFemtoLow + kVideoStart + Bytes{0x80, 4, 0, 0, 0, 0, count, 1, 1, 2, 3, 4});
+  };
+  EXPECT_EQ(kind_of_refusal(of_cells(4)), WireErrorKind::malformed);
+  EXPECT_TRUE(decode_cat240(of_cells(0)).ok());
+}
+
 TEST(Cat240Reading, AcceptsFspecOctetsThatAddNothing) {
   const Bytes record = Bytes{0xD1, 0x01, 0x00} + Bytes{1, 2, 1, 1, 'x'};
   const auto records = decode_cat240(block(record));
