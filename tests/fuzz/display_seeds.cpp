@@ -2,7 +2,6 @@
 // <tests/fuzz/corpus>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "protocol/garmin/xhd_packet.hpp"
@@ -15,24 +14,13 @@
 #include "protocol/raymarine/rd_packets.hpp"
 #include "protocol/raymarine/run_length.hpp"
 #include "protocol/wire/byte_order.hpp"
+#include "tests/fuzz/corpus_folder.hpp"
 
 namespace {
 
 using namespace skerry;
 namespace fs = std::filesystem;
-
-class Corpus {
- public:
-  explicit Corpus(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
-  void write(const std::string& name, const Bytes& bytes) const {
-    std::ofstream out(folder_ / name, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
-  }
-
- private:
-  fs::path folder_;
-};
+using Corpus = fuzz::CorpusFolder;
 
 void write_garmin(const Corpus& corpus) {
   using garmin::Type;

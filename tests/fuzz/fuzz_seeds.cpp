@@ -2,7 +2,6 @@
 // format grows.  Usage: fuzz_seeds <tests/fuzz/corpus>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "protocol/asterix/cat240.hpp"
@@ -11,6 +10,7 @@
 #include "protocol/wire/datagram.hpp"
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/spoke_message.hpp"
+#include "tests/fuzz/corpus_folder.hpp"
 #include "tests/unit/board/test_records.hpp"
 #include "tests/unit/wire/test_spoke.hpp"
 
@@ -18,19 +18,7 @@ namespace {
 
 using namespace skerry;
 namespace fs = std::filesystem;
-
-class Corpus {
- public:
-  explicit Corpus(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
-  void write(const std::string& name, const Bytes& bytes) const {
-    std::ofstream out(folder_ / name, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
-  }
-
- private:
-  fs::path folder_;
-};
+using Corpus = fuzz::CorpusFolder;
 
 Bytes framed(const google::protobuf::MessageLite& message) {
   Bytes out;

@@ -1,6 +1,6 @@
 # Installs the library into a folder of its own and builds the C example against it, once by
 # find_package and once by pkg-config, as the maker of another simulator would.
-# Needs BUILD, SOURCE, WORK, FLAGS, CC, PKG_CONFIG.
+# Needs BUILD, SOURCE, WORK, CC, PKG_CONFIG.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -23,7 +23,7 @@ file(RENAME ${WORK}/built ${WORK}/moved)  # an installed tree may be moved
 set(prefix ${WORK}/moved)
 
 run(${CMAKE_COMMAND} -S ${SOURCE}/echo/capi/examples -B ${WORK}/build
-    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_C_COMPILER=${CC} -DCMAKE_C_FLAGS=${FLAGS})
+    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_C_COMPILER=${CC})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 expect_refusal(${WORK}/build/ppi)
 
@@ -33,7 +33,7 @@ set(ENV{PKG_CONFIG_PATH} ${pc_folder})
 execute_process(COMMAND ${PKG_CONFIG} --cflags --libs "skerry_echo >= 1.0" OUTPUT_VARIABLE options
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(options)
-run(${CC} -std=c99 ${FLAGS} ${SOURCE}/echo/capi/examples/ppi.c -o ${WORK}/ppi ${options} -lm)
+run(${CC} -std=c99 ${SOURCE}/echo/capi/examples/ppi.c -o ${WORK}/ppi ${options} -lm)
 get_filename_component(library_folder ${pc_folder} DIRECTORY)
 set(ENV{LD_LIBRARY_PATH} ${library_folder})
 expect_refusal(${WORK}/ppi)

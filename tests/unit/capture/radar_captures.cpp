@@ -1,5 +1,6 @@
 #include "tests/unit/capture/radar_captures.hpp"
 
+#include <gtest/gtest.h>
 #include <openssl/evp.h>
 #include <zlib.h>
 
@@ -29,6 +30,12 @@ std::vector<std::string> split(const std::string& text, char at) {
 }
 
 }  // namespace
+
+std::string test_name_of(const std::string& file) {
+  std::string name = file.substr(0, file.find('.'));
+  std::erase(name, '-');
+  return name;
+}
 
 bool have_radar_captures() { return std::filesystem::exists(folder() / "expected_decode.csv"); }
 
@@ -108,6 +115,14 @@ std::string DecodedCells::sha1() const {
     text += digits;
   }
   return text;
+}
+
+void expect_cells(const DecodedCells& cells, const ExpectedDecode& expected) {
+  EXPECT_EQ(cells.spokes(), expected.spokes);
+  EXPECT_EQ(cells.value_sum(), expected.cell_value_sum);
+  EXPECT_EQ(cells.nonzero(), expected.nonzero_cells);
+  EXPECT_EQ(cells.max(), expected.max_cell);
+  EXPECT_EQ(cells.sha1(), expected.sha1_of_cells);
 }
 
 }  // namespace skerry

@@ -30,6 +30,9 @@ struct CapturedDatagram {
 // All whole UDP datagrams of it, in order.  Error: std::runtime_error.
 std::vector<CapturedDatagram> read_radar_capture(const std::string& file);
 
+// What a test of that file may be called: its name without ending and dashes.
+std::string test_name_of(const std::string& file);
+
 // One line of expected_decode.csv.
 struct ExpectedDecode {
   std::uint64_t spoke_packets = 0;
@@ -65,5 +68,8 @@ class DecodedCells {
   std::uint64_t spokes_ = 0, value_sum_ = 0, nonzero_ = 0;
   unsigned max_ = 0;
 };
+
+// EXPECTs their number, sum, largest and SHA-1.
+void expect_cells(const DecodedCells& cells, const ExpectedDecode& expected);
 
 }  // namespace skerry

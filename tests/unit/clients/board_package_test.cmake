@@ -1,6 +1,6 @@
 # Installs the clients into a folder of their own and builds the board's C example against it, once
 # by find_package and once by pkg-config, as the maker of a plotter would.
-# Needs BUILD, SOURCE, WORK, FLAGS, CC, PKG_CONFIG.
+# Needs BUILD, SOURCE, WORK, CC, PKG_CONFIG.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -22,7 +22,7 @@ file(RENAME ${WORK}/built ${WORK}/moved)  # an installed tree may be moved
 set(prefix ${WORK}/moved)
 
 run(${CMAKE_COMMAND} -S ${SOURCE}/clients/board/examples -B ${WORK}/build
-    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_C_COMPILER=${CC} -DCMAKE_C_FLAGS=${FLAGS})
+    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_C_COMPILER=${CC})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 expect_refusal(${WORK}/build/azimuths)
 
@@ -32,7 +32,7 @@ set(ENV{PKG_CONFIG_PATH} ${pc_folder})
 execute_process(COMMAND ${PKG_CONFIG} --cflags --libs "skerry_board >= 1.0" OUTPUT_VARIABLE options
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(options)
-run(${CC} -std=c99 ${FLAGS} ${SOURCE}/clients/board/examples/azimuths.c -o ${WORK}/azimuths
+run(${CC} -std=c99 ${SOURCE}/clients/board/examples/azimuths.c -o ${WORK}/azimuths
     ${options})
 get_filename_component(library_folder ${pc_folder} DIRECTORY)
 set(ENV{LD_LIBRARY_PATH} ${library_folder})

@@ -9,7 +9,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr CoastArea kArea{"test", -1.0, 1.0, -1.0, 1.0};
+const CoastArea kArea{"test", -1.0, 1.0, -1.0, 1.0};
 const LocalPlane kPlane{{0.0, 0.0}};
 
 // A ring of places in hundredths of a degree, each known by its place.

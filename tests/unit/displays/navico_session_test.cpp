@@ -335,12 +335,7 @@ TEST_P(NavicoSession, ReplayedDrivesOurRadarToTheSameStatesAndReports) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Recordings, NavicoSession, testing::ValuesIn(sessions()),
-                         [](const auto& each) {
-                           std::string name = each.param.file;
-                           name = name.substr(0, name.find('.'));
-                           std::erase(name, '-');
-                           return name;
-                         });
+                         [](const auto& each) { return test_name_of(each.param.file); });
 
 }  // namespace
 }  // namespace skerry::server

@@ -82,7 +82,8 @@ class NavicoSpokesTest : public testing::Test {
 TEST_F(NavicoSpokesTest, MakesSixtyFourFramesATurnThatShowEveryEchoInItsPlace) {
   // An echo at 1500 m on 90 deg, whatever the view and the radar.
   for (const Model model : {Model::br24, Model::g3, Model::g4, Model::halo20, Model::halo}) {
-    for (const auto& [spokes, cells] : {std::pair{4096u, 1024u}, {2048u, 512u}, {1440u, 700u}}) {
+    for (const auto& shape : {std::pair{4096u, 1024u}, {2048u, 512u}, {1440u, 700u}}) {
+      const std::uint32_t spokes = shape.first, cells = shape.second;
       show(model, 1.5, 20000);
       const double reach_m = navico::spoke_range(model, 20000).reach.in_metres();
       View view(spokes, cells, 1.5, reach_m);

@@ -43,11 +43,7 @@ TEST_F(XhdCapture, SpokesAreDecodedAsAnIndependentDecoderDoes) {
     wraps += spoke->angle < last_angle;
     last_angle = spoke->angle;
   }
-  EXPECT_EQ(cells.spokes(), expected.spokes);
-  EXPECT_EQ(cells.value_sum(), expected.cell_value_sum);
-  EXPECT_EQ(cells.nonzero(), expected.nonzero_cells);
-  EXPECT_EQ(cells.max(), expected.max_cell);
-  EXPECT_EQ(cells.sha1(), expected.sha1_of_cells);
+  expect_cells(cells, expected);
   EXPECT_EQ(ranges, expected.spokes_at_range_m);
   EXPECT_EQ(wraps, expected.azimuth_wraps);
 }

@@ -50,11 +50,7 @@ TEST_F(RdCapture, SpokesAreDecodedAsAnIndependentDecoderDoes) {
     }
   }
   EXPECT_EQ(packets.size(), expected.spoke_packets);
-  EXPECT_EQ(cells.spokes(), expected.spokes);
-  EXPECT_EQ(cells.value_sum(), expected.cell_value_sum);
-  EXPECT_EQ(cells.nonzero(), expected.nonzero_cells);
-  EXPECT_EQ(cells.max(), expected.max_cell);
-  EXPECT_EQ(cells.sha1(), expected.sha1_of_cells);
+  expect_cells(cells, expected);
   EXPECT_EQ(wraps, expected.azimuth_wraps);
 }
 
