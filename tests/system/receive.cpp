@@ -71,12 +71,23 @@ void Witness::read(const std::stop_token& stop) {
     while (!stop.stop_requested() && received_ < wanted_) {
       next_spoke(client_);
       ++received_;
+      received_.notify_all();
     }
   } catch (const std::exception& error) {
     seen_.error = error.what();
   }
+  ended_ = true;
+  ++received_;  // so that nobody waits on
+  received_.notify_all();
   seen_.received = client_.losses().received();
   seen_.lost = client_.losses().lost();
+}
+
+void Witness::await_more(std::uint64_t more) const {
+  std::uint64_t seen = received_;
+  for (const std::uint64_t wanted = seen + more; seen < wanted && !ended_; seen = received_) {
+    received_.wait(seen);
+  }
 }
 
 Witness::Seen Witness::finish(std::uint64_t more) {

@@ -57,6 +57,8 @@ class Witness {
     std::uint64_t lost = 0;
     std::string error;  // why it ended early, if it did
   };
+  // Returns when `more` further spokes have come, or it ended early.
+  void await_more(std::uint64_t more) const;
   // Ends it after `more` further spokes have come.
   Seen finish(std::uint64_t more);
 
@@ -65,6 +67,7 @@ class Witness {
 
   client::SpokeClient client_;
   std::atomic<std::uint64_t> received_{0};
+  std::atomic<bool> ended_{false};
   std::atomic<std::uint64_t> wanted_{UINT64_MAX};
   Seen seen_;
   std::jthread thread_;
