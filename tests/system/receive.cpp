@@ -76,16 +76,15 @@ void Witness::read(const std::stop_token& stop) {
   } catch (const std::exception& error) {
     seen_.error = error.what();
   }
-  ended_ = true;
-  ++received_;  // so that nobody waits on
-  received_.notify_all();
   seen_.received = client_.losses().received();
   seen_.lost = client_.losses().lost();
+  received_ = UINT64_MAX;  // whoever waits for more waits no longer
+  received_.notify_all();
 }
 
 void Witness::await_more(std::uint64_t more) const {
   std::uint64_t seen = received_;
-  for (const std::uint64_t wanted = seen + more; seen < wanted && !ended_; seen = received_) {
+  for (const std::uint64_t wanted = seen + more; seen < wanted; seen = received_) {
     received_.wait(seen);
   }
 }

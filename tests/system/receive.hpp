@@ -66,8 +66,7 @@ class Witness {
   void read(const std::stop_token& stop);
 
   client::SpokeClient client_;
-  std::atomic<std::uint64_t> received_{0};
-  std::atomic<bool> ended_{false};
+  std::atomic<std::uint64_t> received_{0};  // UINT64_MAX once it has ended
   std::atomic<std::uint64_t> wanted_{UINT64_MAX};
   Seen seen_;
   std::jthread thread_;
