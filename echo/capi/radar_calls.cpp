@@ -38,12 +38,14 @@ skerry_echo_radar_options default_options() {
           mount.set.losses_db};
 }
 
+// Spokes of a turn and cells of a spoke, at least.
+constexpr std::uint32_t kFewest = 256;
+
 RadarMount mount_of(const skerry_echo_radar_options* given) {
   const auto o = from_caller("options", given, default_options());
   require_range("options.spokes_per_turn", std::uint64_t{o.spokes_per_turn},
-                ScanGeometry::kMinSpokes, ScanGeometry::kMaxSpokes);
-  require_range("options.cells", std::uint64_t{o.cells}, ScanGeometry::kMinCells,
-                ScanGeometry::kMaxCells);
+                kFewest, ScanGeometry::kMaxSpokes);
+  require_range("options.cells", std::uint64_t{o.cells}, kFewest, ScanGeometry::kMaxCells);
   if (o.bits != 4 && o.bits != 8) {
     throw CallError(SKERRY_ECHO_ERROR_ARGUMENT,
                     fmt::format("options.bits is {}; allowed: 4 or 8", o.bits));

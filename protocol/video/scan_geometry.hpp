@@ -9,8 +9,9 @@
 namespace skerry {
 
 struct ScanGeometry {
-  static constexpr std::uint32_t kMinSpokes = 256, kMaxSpokes = 8192;
-  static constexpr std::uint32_t kMinCells = 256, kMaxCells = 4096;
+  // A Quantum sends 250 spokes a turn of 180 cells or so; what this server makes has 256 of each.
+  static constexpr std::uint32_t kMinSpokes = 128, kMaxSpokes = 8192;
+  static constexpr std::uint32_t kMinCells = 128, kMaxCells = 4096;
 
   std::uint32_t spokes_per_turn = 4096;  // kMinSpokes .. kMaxSpokes
   std::uint32_t cells = 1024;            // per spoke, kMinCells .. kMaxCells

@@ -11,6 +11,7 @@
 
 #include "protocol/wire/radar.pb.h"
 #include "server/core/board_port.hpp"
+#include "server/core/recording_port.hpp"
 #include "server/core/traffic.hpp"
 #include "server/core/video_channel.hpp"
 
@@ -42,6 +43,11 @@ class RadarHost {
 
   // The interface board of a radar; nullptr if it has none, or there is no such radar.
   virtual BoardPortPtr find_board(std::uint32_t /*radar*/) { return nullptr; }
+
+  // Set while the server is put together, before net-0 runs; nullptr if it cannot record, or
+  // nothing is played back.
+  virtual RecordingPort* recording() { return nullptr; }
+  virtual PlaybackPort* playback() { return nullptr; }
 
   // Checks all of `set` and applies all or nothing; the reply says which value was out of range, or
   // which control the instructor has locked.  What changed goes to the log with `origin`: who
