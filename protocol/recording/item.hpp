@@ -20,13 +20,13 @@ enum class Kind : std::uint8_t {
   traffic,   // recording::Traffic
   event,     // recording::Event
   log,       // recording::Log
-  input,     // recording::Input, what an exercise was given
+  input,     // recording::Input, what an exercise was given; all radars' in one order
 };
 inline constexpr std::size_t kKinds = 9;
 
 struct Topic {
   Kind kind = Kind::event;
-  std::uint32_t radar = 0;  // of spoke, settings, own_ship, input; else 0
+  std::uint32_t radar = 0;  // of spoke, settings, own_ship; else 0
   std::uint32_t view = 0;   // of spoke, settings; else 0
   friend constexpr auto operator<=>(const Topic&, const Topic&) = default;
 };
@@ -37,6 +37,9 @@ struct Item {
   UtcTime time{};  // of a spoke, its utc_ns
   std::span<const std::uint8_t> bytes;
 };
+
+// Octets of an item: no message of the native protocol comes near.
+inline constexpr std::size_t kMaxItem = 16 << 20;
 
 // A small file inside the file: the scenario, the identity of the charts.
 struct Attachment {

@@ -58,9 +58,10 @@ class ItemCursor {
   // Of the last one.
   std::optional<RecordingError> damage() const;
 
+  class Impl;  // of the library's own
+
  private:
   friend class RecordingReader;
-  class Impl;
   explicit ItemCursor(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

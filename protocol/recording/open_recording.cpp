@@ -1,0 +1,42 @@
+#include "protocol/recording/open_recording.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "protocol/recording/packed_spokes.hpp"
+
+namespace skerry::recording {
+
+OpenRecording::OpenRecording(InputFile the_file, FileIndex the_index)
+    : file(std::move(the_file)), index(std::move(the_index)) {
+  for (const auto& [number, kind] : index.channels) {
+    if (kind.packed) packed_span = kMaxPackedSpan.count();
+  }
+  by_start.resize(index.chunks.size());
+  std::iota(by_start.begin(), by_start.end(), 0U);
+  std::stable_sort(by_start.begin(), by_start.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return index.chunks[a].start < index.chunks[b].start;
+  });
+  std::int64_t furthest = 0;
+  for (const std::uint32_t number : by_start) {
+    furthest = std::max(furthest, reach(number));
+    reaches.push_back(furthest);
+  }
+}
+
+bool OpenRecording::has(std::size_t number, const std::set<Topic>& topics) const {
+  if (topics.empty()) return true;
+  const auto channels = index.channels_of(index.chunks[number]);
+  // Without an index of its messages there may be anything.
+  return channels.empty() || std::any_of(channels.begin(), channels.end(), [&](std::uint16_t id) {
+           const auto kind = index.channels.find(id);
+           return kind != index.channels.end() && topics.contains(kind->second.topic);
+         });
+}
+
+std::size_t OpenRecording::first_reaching(std::int64_t time) const {
+  return static_cast<std::size_t>(std::lower_bound(reaches.begin(), reaches.end(), time) -
+                                  reaches.begin());
+}
+
+}  // namespace skerry::recording

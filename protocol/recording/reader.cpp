@@ -1,0 +1,105 @@
+#include "protocol/recording/reader.hpp"
+
+#include <algorithm>
+
+#include "protocol/recording/item_cursor.hpp"
+#include "protocol/recording/open_recording.hpp"
+
+namespace skerry::recording {
+namespace {
+
+// The summary's, or what a search finds.  Error: it is no recording, or was given up.
+Result<FileIndex, RecordingError> index_of(const InputFile& file,
+                                           const RecordingReader::Progress& progress) {
+  const auto beginning = read_beginning(file);
+  auto summary = read_summary(file);
+  if (summary) {
+    if (!beginning) summary.value().damage = beginning.error();
+    return summary;
+  }
+  if (!beginning && beginning.error().offset == 0) return Failure{beginning.error()};
+  auto found = search(file, progress);
+  if (!found) return found;
+  if (!found.value().damage) {
+    found.value().damage = beginning ? summary.error() : beginning.error();
+  }
+  return found;
+}
+
+}  // namespace
+
+class RecordingReader::Impl {
+ public:
+  explicit Impl(std::shared_ptr<const OpenRecording> opened) : recording(std::move(opened)) {}
+  std::shared_ptr<const OpenRecording> recording;
+};
+
+RecordingReader::RecordingReader(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+RecordingReader::RecordingReader(RecordingReader&&) noexcept = default;
+RecordingReader& RecordingReader::operator=(RecordingReader&&) noexcept = default;
+RecordingReader::~RecordingReader() = default;
+
+Result<RecordingReader, RecordingError> RecordingReader::open(const std::string& path,
+                                                              const Progress& progress) {
+  auto file = InputFile::open(path);
+  if (!file) return Failure{file.error()};
+  auto index = index_of(*file, progress);
+  if (!index) return Failure{index.error()};
+  const auto recording =
+      std::make_shared<OpenRecording>(std::move(file.value()), std::move(index.value()));
+  if (auto error = summarise(recording, progress)) return Failure{*std::move(error)};
+  return RecordingReader(std::make_shared<const Impl>(recording));
+}
+
+const Summary& RecordingReader::summary() const { return impl_->recording->summary; }
+
+std::optional<wire::Hello> RecordingReader::hello() const {
+  ItemCursor cursor = items({{Kind::hello}});
+  while (const auto item = cursor.next()) {
+    wire::Hello hello;
+    if (hello.ParseFromArray(item->bytes.data(), static_cast<int>(item->bytes.size()))) {
+      return hello;
+    }
+  }
+  return std::nullopt;
+}
+
+ItemCursor RecordingReader::items(const std::vector<Topic>& topics) const {
+  return ItemCursor(std::make_unique<ItemCursor::Impl>(
+      impl_->recording, std::set<Topic>(topics.begin(), topics.end())));
+}
+
+std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topic& topic,
+                                                                      UtcTime time) const {
+  const OpenRecording& recording = *impl_->recording;
+  const std::int64_t until = time.time_since_epoch().count();
+  const std::set<Topic> topics{topic};
+  std::optional<std::vector<std::uint8_t>> last;
+  std::int64_t last_time = 0;
+  const auto& by_start = recording.by_start;
+  const auto later = std::upper_bound(by_start.begin(), by_start.end(), until,
+                                      [&](std::int64_t t, std::uint32_t number) {
+                                        return t < recording.index.chunks[number].start;
+                                      });
+  for (auto i = static_cast<std::size_t>(later - by_start.begin()); i-- > 0;) {
+    // Nothing before this one is later than what is known.
+    if (last && recording.reaches[i] < last_time) break;
+    const std::uint32_t number = by_start[i];
+    if ((last && recording.reach(number) < last_time) || !recording.has(number, topics)) continue;
+    const auto chunk = recording.chunk(number, topics);
+    if (!chunk) continue;
+    const auto entries = (*chunk)->entries();
+    const auto after = std::upper_bound(
+        entries.begin(), entries.end(), until,
+        [](std::int64_t t, const ChunkData::Entry& entry) { return t < entry.time; });
+    if (after == entries.begin()) continue;
+    const ChunkData::Entry& entry = *std::prev(after);
+    if (last && entry.time <= last_time) continue;
+    const auto bytes = (*chunk)->bytes_of(entry);
+    last.emplace(bytes.begin(), bytes.end());
+    last_time = entry.time;
+  }
+  return last;
+}
+
+}  // namespace skerry::recording
