@@ -14,12 +14,17 @@ FormatRing::FormatRing(SectorEncoder encoder, std::size_t capacity, std::size_t 
 FormatRing::FormatRing(std::size_t capacity, std::size_t max_bytes)
     : FormatRing(nullptr, capacity, max_bytes) {}
 
-EncodedSectorPtr FormatRing::take(Cursor& cursor) {
+EncodedSectorPtr FormatRing::take(Cursor& cursor, Overtaken jump) {
   const std::lock_guard lock(mutex_);
   if (cursor.next >= published_) return nullptr;
-  const bool overtaken = published_ - cursor.next > slots_.size();
-  if (overtaken || slots_[cursor.next % slots_.size()].sector == nullptr) {
-    cursor.next = published_ - 1;
+  const auto is_held = [this](std::uint64_t sector) {
+    return published_ - sector <= slots_.size() && slots_[sector % slots_.size()].sector != nullptr;
+  };
+  if (!is_held(cursor.next)) {
+    const std::uint64_t newest = published_ - 1;
+    const std::uint64_t first = published_ > slots_.size() ? published_ - slots_.size() : 0;
+    cursor.next = jump == Overtaken::to_newest ? newest : std::max(cursor.next, first);
+    while (cursor.next < newest && !is_held(cursor.next)) ++cursor.next;
   }
   const Slot& slot = slots_[cursor.next % slots_.size()];
   cursor.spokes_lost += slot.spokes_before - cursor.spokes_before;
@@ -32,6 +37,7 @@ EncodedSectorPtr FormatRing::take(Cursor& cursor) {
 }
 
 Cursor FormatRing::cursor_at_end() const {
+  joins_.fetch_add(1, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
   return {.next = published_, .spokes_before = published_spokes_, .spokes_lost = 0};
 }
@@ -68,7 +74,7 @@ void FormatRing::publish(std::uint64_t spokes, const std::function<EncodedSector
     slot.spokes_before = published_spokes_;
     ++published_;
     published_spokes_ += spokes;
-    if (held_bytes_ > max_bytes_) let_go = make_room();
+    if (held_bytes_ > max_bytes_.load(std::memory_order_relaxed)) let_go = make_room();
   }
   for (const auto& wake : wakes_) wake();
 }
@@ -76,7 +82,8 @@ void FormatRing::publish(std::uint64_t spokes, const std::function<EncodedSector
 std::vector<EncodedSectorPtr> FormatRing::make_room() {
   std::vector<EncodedSectorPtr> let_go;
   const std::uint64_t first = published_ > slots_.size() ? published_ - slots_.size() : 0;
-  for (oldest_ = std::max(oldest_, first); held_bytes_ > max_bytes_ && oldest_ + 1 < published_;
+  const std::size_t most = max_bytes_.load(std::memory_order_relaxed);
+  for (oldest_ = std::max(oldest_, first); held_bytes_ > most && oldest_ + 1 < published_;
        ++oldest_) {
     EncodedSectorPtr& sector = slots_[oldest_ % slots_.size()].sector;
     if (!sector) continue;
@@ -103,6 +110,16 @@ std::map<std::string, std::uint64_t> VideoChannel::spokes_encoded() const {
   std::map<std::string, std::uint64_t> encoded;
   for (const auto& [name, ring] : formats_) encoded[name] = ring->spokes_encoded();
   return encoded;
+}
+
+void VideoChannel::hold(std::size_t max_bytes) {
+  for (const auto& [name, ring] : formats_) ring->hold(max_bytes);
+}
+
+std::uint64_t VideoChannel::joins() const {
+  std::uint64_t joins = 0;
+  for (const auto& [name, ring] : formats_) joins += ring->joins();
+  return joins;
 }
 
 }  // namespace skerry::server

@@ -59,11 +59,15 @@ class FormatRing {
   FormatRing(std::size_t capacity, std::size_t max_bytes);
 
   // The sector at the cursor, which moves on; nullptr if none is there yet.  A cursor that was
-  // overtaken jumps to the newest sector (live beats complete) and counts what it missed, exactly.
-  EncodedSectorPtr take(Cursor& cursor);
+  // overtaken jumps and counts what it missed, exactly: a display to the newest sector (live beats
+  // complete), a recorder to the oldest still held.
+  enum class Overtaken : std::uint8_t { to_newest, to_oldest };
+  EncodedSectorPtr take(Cursor& cursor, Overtaken jump = Overtaken::to_newest);
   // A cursor that will first see the next sector published.  Register before taking it: sectors
   // published while nobody is registered are not encoded, and count as lost for such a cursor.
   Cursor cursor_at_end() const;
+  // Cursors given out so far: whether a reader has joined since.
+  std::uint64_t joins() const { return joins_.load(std::memory_order_relaxed); }
 
   // `wake` is called on the radar thread after each publish while the registration lives; it must
   // only post.  Once the registration has been released, no call is running or will come.  The
@@ -79,6 +83,9 @@ class FormatRing {
 
   std::uint64_t spokes_encoded() const { return spokes_encoded_.load(std::memory_order_relaxed); }
 
+  // Another bound of the bytes held, from the next publish on.
+  void hold(std::size_t max_bytes) { max_bytes_.store(max_bytes, std::memory_order_relaxed); }
+
  private:
   friend class VideoChannel;
   struct Slot {
@@ -92,7 +99,7 @@ class FormatRing {
   std::vector<EncodedSectorPtr> make_room();
 
   SectorEncoder encoder_;  // the writer's thread only
-  const std::size_t max_bytes_;
+  std::atomic<std::size_t> max_bytes_;
   mutable std::mutex mutex_;
   std::vector<Slot> slots_;
   std::size_t held_bytes_ = 0;
@@ -105,6 +112,7 @@ class FormatRing {
   Wakes wakes_;
   std::atomic<std::size_t> reader_count_{0};
   std::atomic<std::uint64_t> spokes_encoded_{0};
+  mutable std::atomic<std::uint64_t> joins_{0};
 };
 
 // All formats of one view.  Formats are added before the radar starts; a format without a reader
@@ -122,6 +130,10 @@ class VideoChannel {
   void publish(const Sector& sector);
 
   std::map<std::string, std::uint64_t> spokes_encoded() const;
+
+  // Of every format: FormatRing::hold(), and the sum of joins().
+  void hold(std::size_t max_bytes);
+  std::uint64_t joins() const;
 
  private:
   std::size_t ring_sectors_;

@@ -40,7 +40,7 @@ void NativeSession::start() {
                      context_.connections.limit()));
   } else {
     wire::ServerMessage message;
-    *message.mutable_hello() = context_.host.hello();
+    *message.mutable_hello() = context_.hello();
     send(message);
   }
   pump();
@@ -132,12 +132,16 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
     case wire::ClientMessage::kBoardFifo:
     case wire::ClientMessage::kBoardRing:
       return ask_board(message);
+    case wire::ClientMessage::kRecord:
+      return record(message.request(), message.record());
+    case wire::ClientMessage::kPlayback:
+      return control_playback(message.request(), message.playback());
     case wire::ClientMessage::KIND_NOT_SET:
       break;
   }
   fail(wire::Reply::MALFORMED, "malformed request",
-       "a ClientMessage without a kind this server knows; expected subscribe, set, get_status or "
-       "one of a board's");
+       "a ClientMessage without a kind this server knows; expected subscribe, set, get_status, "
+       "record, playback or one of a board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
@@ -170,9 +174,10 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
   spoke_buffer_ = context_.send_buffer_for(subscribe.radar());
   limit_send_buffer();
   reply(request, wire::Reply::OK, "", *view);
-  settings_ = context_.settings_frame(subscribe.radar(), *view);
-  own_ship_ = context_.own_ship_frame(subscribe.radar());
-  world_ = context_.world_frame();
+  RecordingNews::Frames recordings = context_.recording_frames();
+  news_ = {context_.settings_frame(subscribe.radar(), *view),
+           context_.own_ship_frame(subscribe.radar()), context_.world_frame(),
+           std::move(recordings.recorder), std::move(recordings.playback)};
   spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
                 subscribe.radar(), *view);
 }
@@ -183,9 +188,7 @@ void NativeSession::unsubscribe() {
   feed_ = nullptr;
   lost_before_ += cursor_.spokes_lost;
   cursor_ = {};
-  settings_.reset();
-  own_ship_.reset();
-  world_.reset();
+  news_ = {};
 }
 
 bool NativeSession::may_control(std::uint32_t request, const std::string& token) {
@@ -201,11 +204,25 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
   if (!may_control(request, set.token())) return;
   wire::Set without_token = set;
   without_token.clear_token();
-  wire::ServerMessage answer;
-  *answer.mutable_reply() = context_.host.apply(without_token, "console " + client_->peer);
-  answer.mutable_reply()->set_request(request);
-  send(answer);
+  reply(request, context_.host.apply(without_token, "console " + client_->peer));
   context_.tell_settings();
+}
+
+void NativeSession::record(std::uint32_t request, const wire::Record& record) {
+  RecordingPort* port = context_.host.recording();
+  if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server does not record");
+  if (!may_control(request, record.token())) return;
+  reply(request, port->record(record, "console " + client_->peer));
+}
+
+void NativeSession::control_playback(std::uint32_t request, const wire::Playback& playback) {
+  PlaybackPort* port = context_.host.playback();
+  if (port == nullptr) {
+    return reply(request, wire::Reply::REFUSED,
+                 "nothing is played back here; skerryd --play FILE does");
+  }
+  if (!may_control(request, playback.token())) return;
+  reply(request, port->control(playback, "console " + client_->peer));
 }
 
 void NativeSession::ask_board(const wire::ClientMessage& message) {
@@ -243,11 +260,17 @@ void NativeSession::on_send_buffer(std::size_t bytes) {
 
 void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::string text,
                           std::uint32_t view) {
+  wire::Reply answer;
+  answer.set_code(code);
+  answer.set_text(std::move(text));
+  answer.set_view(view);
+  reply(request, std::move(answer));
+}
+
+void NativeSession::reply(std::uint32_t request, wire::Reply answer) {
   wire::ServerMessage message;
+  *message.mutable_reply() = std::move(answer);
   message.mutable_reply()->set_request(request);
-  message.mutable_reply()->set_code(code);
-  message.mutable_reply()->set_text(std::move(text));
-  message.mutable_reply()->set_view(view);
   send(message);
 }
 
@@ -268,20 +291,16 @@ void NativeSession::send(const wire::ServerMessage& message) {
   reply_bytes_ += replies_.back()->size();
 }
 
-void NativeSession::on_settings(const SharedBytes& frame) {
-  settings_ = frame;
+void NativeSession::tell(News kind, const SharedBytes& frame) {
+  news_[kind] = frame;
   pump();
 }
 
-void NativeSession::on_own_ship(const SharedBytes& frame) {
-  own_ship_ = frame;
-  pump();
-}
-
-void NativeSession::on_world(const SharedBytes& frame) {
-  world_ = frame;
-  pump();
-}
+void NativeSession::on_settings(const SharedBytes& frame) { tell(kSettings, frame); }
+void NativeSession::on_own_ship(const SharedBytes& frame) { tell(kOwnShip, frame); }
+void NativeSession::on_world(const SharedBytes& frame) { tell(kWorld, frame); }
+void NativeSession::on_recorder(const SharedBytes& frame) { tell(kRecorder, frame); }
+void NativeSession::on_playback(const SharedBytes& frame) { tell(kPlayback, frame); }
 
 void NativeSession::pump() {
   if (writing_ || closed_) return;
@@ -290,9 +309,9 @@ void NativeSession::pump() {
     replies_.pop_front();
   }
   reply_bytes_ = 0;
-  if (settings_ != nullptr) add_to_batch(std::exchange(settings_, nullptr));
-  if (own_ship_ != nullptr) add_to_batch(std::exchange(own_ship_, nullptr));
-  if (world_ != nullptr) add_to_batch(std::exchange(world_, nullptr));
+  for (SharedBytes& frame : news_) {
+    if (frame != nullptr) add_to_batch(std::exchange(frame, nullptr));
+  }
   add_sectors_to_batch();
   if (batch_.empty()) {
     if (failed_ && !finished_) {

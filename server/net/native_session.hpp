@@ -23,9 +23,9 @@ namespace skerry::server {
 //
 // Never holds more than it must for a client that does not read: spokes and records stay in the
 // ring, which
-// overwrites them and counts; of Settings, OwnShip and World only the newest waits; when
-// kMaxReplies replies wait, no further request is read, and after NetConfig::reply_timeout the
-// client is closed.
+// overwrites them and counts; of Settings, OwnShip, World and the states of recorder and playback
+// only the newest waits; when kMaxReplies replies wait, no further request is read, and after
+// NetConfig::reply_timeout the client is closed.
 //
 // Alive as long as an operation of its own is in flight: nearly always a read, which also notices
 // that the client has gone.
@@ -49,6 +49,8 @@ class NativeSession final : public Connection,
   void on_settings(const SharedBytes& frame) override;
   void on_own_ship(const SharedBytes& frame) override;
   void on_world(const SharedBytes& frame) override;
+  void on_recorder(const SharedBytes& frame) override;
+  void on_playback(const SharedBytes& frame) override;
   void on_send_buffer(std::size_t bytes) override;
 
  private:
@@ -62,11 +64,14 @@ class NativeSession final : public Connection,
   // The view a subscription asks for, a new one among them; nothing if it has been refused.
   std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
   void set(std::uint32_t request, const wire::Set& set);
+  void record(std::uint32_t request, const wire::Record& record);
+  void control_playback(std::uint32_t request, const wire::Playback& playback);
   // One of the board's kinds.
   void ask_board(const wire::ClientMessage& message);
   bool may_control(std::uint32_t request, const std::string& token);
   void reply(std::uint32_t request, wire::Reply::Code code, std::string text,
              std::uint32_t view = 0);
+  void reply(std::uint32_t request, wire::Reply answer);
   void send(const wire::ServerMessage& message);
   // Sends an error and ends the connection once the client has it.
   void fail(wire::Reply::Code code, std::string_view kind, std::string text);
@@ -103,9 +108,10 @@ class NativeSession final : public Connection,
 
   std::deque<SharedBytes> replies_;
   std::size_t reply_bytes_ = 0;
-  SharedBytes settings_;  // newest not yet sent
-  SharedBytes own_ship_;
-  SharedBytes world_;
+  // The newest not yet sent, of each kind.
+  enum News : std::size_t { kSettings, kOwnShip, kWorld, kRecorder, kPlayback, kKindsOfNews };
+  void tell(News kind, const SharedBytes& frame);
+  std::array<SharedBytes, kKindsOfNews> news_;
 
   std::vector<std::shared_ptr<const void>> batch_owners_;  // keep what the write in flight sends
   std::vector<asio::const_buffer> batch_;

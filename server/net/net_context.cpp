@@ -139,6 +139,24 @@ void NetContext::tell_own_ships() {
   }
 }
 
+void NetContext::tell_recordings(std::chrono::steady_clock::time_point now) {
+  const RecordingNews::Frames due = recording_news_.due(now);
+  if (!due.recorder && !due.playback) return;
+  for (const auto& [key, feed] : feeds_) {
+    for (FeedReader* reader : feed->readers()) {
+      if (due.recorder) reader->on_recorder(due.recorder);
+      if (due.playback) reader->on_playback(due.playback);
+    }
+  }
+}
+
+wire::Hello NetContext::hello() const {
+  wire::Hello hello = host.hello();
+  hello.set_can_record(host.recording() != nullptr);
+  hello.set_playback(host.playback() != nullptr);
+  return hello;
+}
+
 SharedBytes NetContext::settings_frame(std::uint32_t radar, std::uint32_t view) const {
   wire::ServerMessage message;
   *message.mutable_settings() = host.settings(radar, view);
@@ -162,6 +180,8 @@ wire::Status NetContext::status() const {
   clients.append_to(status);
   outputs.append_to(status);
   for (const auto& [kind, times] : errors.counts()) (*status.mutable_errors())[kind] += times;
+  if (const RecordingPort* port = host.recording()) *status.mutable_recorder() = port->state();
+  if (const PlaybackPort* port = host.playback()) *status.mutable_playback() = port->state();
   status.set_resident_mib(resident_mib());
   return status;
 }

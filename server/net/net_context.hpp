@@ -17,6 +17,7 @@
 #include "server/net/connection_table.hpp"
 #include "server/net/net_config.hpp"
 #include "server/net/output_registry.hpp"
+#include "server/net/recording_news.hpp"
 #include "server/net/spoke_feed.hpp"
 
 namespace skerry::server {
@@ -61,11 +62,16 @@ class NetContext {
 
   // Sends Settings and World to the readers of all views, if any changed since the last call.
   void tell_settings();
+  // Sends RecorderState and PlaybackState to all readers when due.  Call it ten times a second.
+  void tell_recordings(std::chrono::steady_clock::time_point now);
   // Tells the readers of boards what may now wait in the kernel.  Call it once a second.
   void tell_send_buffers();
   // Sends OwnShip to all readers.
   void tell_own_ships();
 
+  // The host's, with what the network does for it.
+  wire::Hello hello() const;
+  RecordingNews::Frames recording_frames() const { return recording_news_.all(); }
   SharedBytes settings_frame(std::uint32_t radar, std::uint32_t view) const;
   SharedBytes own_ship_frame(std::uint32_t radar) const;
   SharedBytes world_frame() const;
@@ -82,6 +88,7 @@ class NetContext {
   // Further views and when each last had a reader.
   std::map<ViewKey, std::chrono::steady_clock::time_point> opened_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;
+  RecordingNews recording_news_{host};
 };
 
 }  // namespace skerry::server

@@ -170,6 +170,7 @@ class NetServer::Impl {
     tick_.async_wait([this](error_code error) {
       if (error || closing_) return;
       context_.tell_settings();
+      context_.tell_recordings(std::chrono::steady_clock::now());
       signalk_->tick(std::chrono::steady_clock::now());
       context_.end_views(std::chrono::steady_clock::now());
       if (++ticks_ % kOwnShipPeriods == 0) {

@@ -26,6 +26,8 @@ class FeedReader {
   virtual void on_settings(const SharedBytes& /*frame*/) {}
   virtual void on_own_ship(const SharedBytes& /*frame*/) {}
   virtual void on_world(const SharedBytes& /*frame*/) {}
+  virtual void on_recorder(const SharedBytes& /*frame*/) {}
+  virtual void on_playback(const SharedBytes& /*frame*/) {}
   // Of a board's feed: what may wait in the kernel, now and then anew.
   virtual void on_send_buffer(std::size_t /*bytes*/) {}
 };

@@ -77,6 +77,23 @@ TEST(FormatRing, AnOvertakenReaderJumpsToTheNewestSector) {
   EXPECT_EQ(publisher.ring->take(cursor), nullptr);
 }
 
+TEST(FormatRing, AnOvertakenRecorderJumpsToTheOldestSectorThatIsHeld) {
+  Publisher publisher(4);
+  Cursor cursor = publisher.ring->cursor_at_end();
+  publisher.publish(2);  // before it registered: not encoded
+  const auto registration = publisher.ring->on_publish([] {});
+  for (int i = 0; i < 3; ++i) publisher.publish(2);
+  const auto take = [&] { return publisher.ring->take(cursor, FormatRing::Overtaken::to_oldest); };
+  EXPECT_EQ(take()->first_sequence, 2u);
+  EXPECT_EQ(cursor.spokes_lost, 2u);
+  for (int i = 0; i < 10; ++i) publisher.publish(2);
+  EXPECT_EQ(take()->first_sequence, 20u);
+  EXPECT_EQ(cursor.spokes_lost, 2u + 16u);
+  for (std::uint64_t next : {22u, 24u, 26u}) EXPECT_EQ(take()->first_sequence, next);
+  EXPECT_EQ(take(), nullptr);
+  EXPECT_EQ(cursor.spokes_lost, 18u);
+}
+
 // Sectors of any size, a reader of any rhythm: after it has caught up, what it received and what it
 // was told it lost add up to what was published.
 TEST(FormatRing, CountsExactlyWhatASlowReaderLost) {

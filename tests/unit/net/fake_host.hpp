@@ -83,6 +83,12 @@ class FakeHost : public RadarHost {
   std::shared_ptr<FakeBoard> board;
   BoardPortPtr find_board(std::uint32_t radar) override { return radar == 0 ? board : nullptr; }
 
+  // What records and plays, if the test has something that does.
+  RecordingPort* recorder = nullptr;
+  PlaybackPort* player = nullptr;
+  RecordingPort* recording() override { return recorder; }
+  PlaybackPort* playback() override { return player; }
+
   // What traffic() tells; not to be changed while the server runs.
   std::vector<TrafficItem> traffic_items;
   std::vector<TrafficItem> traffic() const override { return traffic_items; }
