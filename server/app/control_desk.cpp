@@ -45,14 +45,17 @@ struct ControlDesk::Next {
   echo::ViewControls controls;
   echo::RadarControls radar;
   std::optional<Environment> environment;
+  ScenarioTime environment_time{};  // as of which it is changed
   std::vector<ControlChange> changes;
 };
 
 ControlDesk::ControlDesk(Timeline& timeline, std::vector<RadarUnit*> units,
-                         const std::vector<std::vector<std::string>>& locks, ChangeLog log)
+                         const std::vector<std::vector<std::string>>& locks, ChangeLog log,
+                         InputLog* inputs)
     : timeline_(timeline),
       units_(std::move(units)),
       locks_(own_ships_of(units_)),
+      inputs_(inputs),
       log_(std::move(log)) {
   for (std::size_t radar = 0; radar < locks.size(); ++radar) {
     wire::Set set;
@@ -146,6 +149,7 @@ std::optional<wire::Reply> ControlDesk::plan_world(const wire::Set& set, Next& n
   if (!set.has_world()) return std::nullopt;
   const ScenarioTime now = timeline_.latest()->time;
   next.environment = *timeline_.environment();
+  next.environment_time = now;
   const wire::World before = world_message(*next.environment, now);
   if (auto wrong = change_environment(set.world(), now, *next.environment)) return wrong;
   for (ControlChange& change : differences(before, world_message(*next.environment, now))) {
@@ -171,13 +175,16 @@ std::optional<wire::Reply> ControlDesk::refusal_by_lock(const wire::Set& set,
 void ControlDesk::carry_out(const wire::Set& set, Next& next) {
   RadarUnit& unit = *units_[set.radar()];
   if (next.environment) {
-    timeline_.set_environment(*std::move(next.environment));
+    const std::uint64_t tick = timeline_.set_environment(*std::move(next.environment));
+    if (inputs_ != nullptr) inputs_->changed(tick, set.world(), next.environment_time);
     world_version_.fetch_add(1);
   }
   if (set.has_course_deg() || set.has_speed_kn()) {
-    timeline_.order(unit.config().own_ship,
-                    set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt,
-                    set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt);
+    const std::size_t ship = unit.config().own_ship;
+    const auto course = set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt;
+    const auto speed = set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt;
+    const std::uint64_t tick = timeline_.order(ship, course, speed);
+    if (inputs_ != nullptr) inputs_->ordered(tick, ship, course, speed);
   }
   bool changed = false;
   if (next.controls != next.view->controls_in_force()) {

@@ -12,6 +12,7 @@
 #include "server/app/change_log.hpp"
 #include "server/app/control_locks.hpp"
 #include "server/radar/radar_unit.hpp"
+#include "server/replay/input_log.hpp"
 #include "server/world/timeline.hpp"
 
 namespace skerry::server {
@@ -26,9 +27,11 @@ namespace skerry::server {
 // Thread: any.
 class ControlDesk {
  public:
-  // Timeline and units must outlive the desk.  `locks`: what is locked from the start, of each.
+  // Timeline, units and `inputs` must outlive the desk.  `locks`: what is locked from the start, of
+  // each.  `inputs` is told what the world is given; may be null.
   ControlDesk(Timeline& timeline, std::vector<RadarUnit*> units,
-              const std::vector<std::vector<std::string>>& locks = {}, ChangeLog log = {});
+              const std::vector<std::vector<std::string>>& locks = {}, ChangeLog log = {},
+              InputLog* inputs = nullptr);
   ~ControlDesk();
 
   // As RadarHost has them.
@@ -57,6 +60,7 @@ class ControlDesk {
   Timeline& timeline_;
   std::vector<RadarUnit*> units_;
   ControlLocks locks_;
+  InputLog* inputs_;
   std::atomic<std::uint64_t> settings_version_{1}, world_version_{1};
   std::mutex mutex_;  // one Set at a time, so that two do not lose each other's values
   ChangeLog log_;

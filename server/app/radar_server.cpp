@@ -37,17 +37,19 @@ struct RadarServer::Mount {
   std::string own_ship;
   RadarUnit unit;
   Mount(std::string ship, const RadarConfig& config, Timeline& timeline, CoastService& coast,
-        Airwaves& airwaves, std::size_t workers)
-      : own_ship(std::move(ship)), unit(config, timeline, coast, airwaves, workers) {}
+        Airwaves& airwaves, std::size_t workers, InputLog& inputs)
+      : own_ship(std::move(ship)), unit(config, timeline, coast, airwaves, workers, &inputs) {}
 };
 
 RadarServer::RadarServer(const scenario::Scenario& scenario,
-                         std::unique_ptr<const echo::ChartSource> chart, std::size_t workers)
+                         std::unique_ptr<const echo::ChartSource> chart, std::size_t workers,
+                         std::vector<ExerciseDocument> documents)
     : scenario_name_(scenario.name()),
       timeline_(World(scenario)),
       coast_(std::make_unique<CoastService>(std::move(chart), count_radars(scenario),
                                             coast_rules(scenario))),
-      airwaves_(count_radars(scenario)) {
+      airwaves_(count_radars(scenario)),
+      inputs_(count_radars(scenario), std::move(documents)) {
   const WorldStatePtr state = timeline_.latest();
   std::uint32_t index = 0;
   for (int i = 0; i < scenario.own_ships_size(); ++i) {
@@ -55,17 +57,18 @@ RadarServer::RadarServer(const scenario::Scenario& scenario,
     for (const scenario::Radar& radar : ship.radars()) {
       const RadarConfig config =
           radar_config(radar, index, static_cast<std::size_t>(i), scenario.seed());
-      radars_.push_back(
-          std::make_unique<Mount>(ship.name(), config, timeline_, *coast_, airwaves_, workers));
+      radars_.push_back(std::make_unique<Mount>(ship.name(), config, timeline_, *coast_, airwaves_,
+                                                workers, inputs_));
       coast_->prepare_now(index,
                           radars_.back()->unit.wish(state->own_ships[static_cast<std::size_t>(i)],
-                                                    config.controls));
+                                                    config.controls.range_scale));
       ++index;
     }
   }
   std::vector<RadarUnit*> units;
   for (const auto& radar : radars_) units.push_back(&radar->unit);
-  desk_ = std::make_unique<ControlDesk>(timeline_, std::move(units), initial_locks(scenario));
+  desk_ = std::make_unique<ControlDesk>(timeline_, std::move(units), initial_locks(scenario),
+                                        ChangeLog{}, &inputs_);
   mount_boards(scenario);
 }
 
@@ -120,6 +123,7 @@ void RadarServer::start() {
   const Epoch epoch{std::chrono::steady_clock::now(),
                     std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
   epoch_.set(epoch);
+  inputs_.began(epoch.utc, kServerName);
   coast_->start();
   for (auto& radar : radars_) radar->unit.start(epoch);
   for (auto& board : boards_) board->start(epoch.steady, epoch.utc);
@@ -247,7 +251,11 @@ std::optional<std::string> RadarServer::drive(std::uint32_t radar, const OwnShip
   }
   const Mount& mount = *radars_[radar];
   try {
-    if (timeline_.drive(mount.unit.config().own_ship, fix, instant().time)) {
+    const std::size_t ship = mount.unit.config().own_ship;
+    const ScenarioTime now = instant().time;
+    const Timeline::Driven driven = timeline_.drive(ship, fix, now);
+    inputs_.driven(driven.tick, ship, fix, now);
+    if (driven.begins) {
       spdlog::info("own ship {}: driven from outside from now on", mount.own_ship);
     }
   } catch (const std::invalid_argument& wrong) {

@@ -13,6 +13,7 @@
 #include "server/board/board_unit.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"
+#include "server/replay/input_log.hpp"
 #include "server/world/scenario.pb.h"
 #include "server/world/timeline.hpp"
 
@@ -21,10 +22,11 @@ namespace skerry::server {
 // Construct; hand the host to a NetServer, which adds its formats to the channels; start().
 class RadarServer : public RadarHost {
  public:
-  // Loads the coast around every radar, so that the first spoke shows it.
+  // Loads the coast around every radar, so that the first spoke shows it.  `documents`: what the
+  // scenario and the charts are, for recordings.
   // Error: std::runtime_error if the chart cannot be read or the scenario's coast not be made.
   RadarServer(const scenario::Scenario& scenario, std::unique_ptr<const echo::ChartSource> chart,
-              std::size_t workers);
+              std::size_t workers, std::vector<ExerciseDocument> documents = {});
   ~RadarServer() override;
 
   // Names the rings of the boards in shared memory, of `bytes` of records each, after the port that
@@ -45,6 +47,7 @@ class RadarServer : public RadarHost {
   BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
   std::vector<TrafficItem> traffic() const override;
+  const ExerciseInputs* exercise() const override { return &inputs_; }
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
@@ -72,6 +75,7 @@ class RadarServer : public RadarHost {
   Latest<Epoch> epoch_;        // none before start()
   std::unique_ptr<CoastService> coast_;
   Airwaves airwaves_;
+  InputLog inputs_;
   std::vector<std::unique_ptr<Mount>> radars_;
   std::vector<std::shared_ptr<BoardUnit>> boards_;  // one of each radar
   std::unique_ptr<ControlDesk> desk_;

@@ -11,6 +11,7 @@
 
 #include "protocol/wire/radar.pb.h"
 #include "server/core/board_port.hpp"
+#include "server/core/exercise_inputs.hpp"
 #include "server/core/recording_port.hpp"
 #include "server/core/traffic.hpp"
 #include "server/core/video_channel.hpp"
@@ -48,6 +49,8 @@ class RadarHost {
   // nothing is played back.
   virtual RecordingPort* recording() { return nullptr; }
   virtual PlaybackPort* playback() { return nullptr; }
+  // What the exercise is made of; nullptr if it is none (a playback).
+  virtual const ExerciseInputs* exercise() const { return nullptr; }
 
   // Checks all of `set` and applies all or nothing; the reply says which value was out of range, or
   // which control the instructor has locked.  What changed goes to the log with `origin`: who

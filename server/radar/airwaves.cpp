@@ -9,13 +9,15 @@ EmissionsPtr Airwaves::get() const {
   return emissions_;
 }
 
-void Airwaves::set(std::size_t radar, const Emission& emission) {
+Airwaves::Set Airwaves::set(std::size_t radar, const Emission& emission) {
   EmissionsPtr before;  // released outside the lock
   const std::lock_guard lock(mutex_);
-  if (emissions_->at(radar) == emission) return;
-  auto changed = std::make_shared<std::vector<Emission>>(*emissions_);
-  (*changed)[radar] = emission;
+  if (emissions_->radars.at(radar) == emission) return {emissions_, false};
+  auto changed = std::make_shared<Emissions>(*emissions_);
+  changed->radars[radar] = emission;
+  ++changed->version;
   before = std::exchange(emissions_, std::move(changed));
+  return {emissions_, true};
 }
 
 }  // namespace skerry::server

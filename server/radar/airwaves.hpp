@@ -25,7 +25,11 @@ struct Emission {
            a.emitter.height_m == b.emitter.height_m;
   }
 };
-using EmissionsPtr = std::shared_ptr<const std::vector<Emission>>;
+struct Emissions {
+  std::uint64_t version = 0;  // +1 with every change
+  std::vector<Emission> radars;
+};
+using EmissionsPtr = std::shared_ptr<const Emissions>;
 
 // The pulse rate of every transmitter is off its set's by up to one in a hundred, which one by its
 // identity: were two sets of one make to agree, each would stand in the other's picture as a ring.
@@ -35,11 +39,17 @@ inline constexpr echo::EmitterSpread kTransmitterSpread{0.01, 0.0};
 class Airwaves {
  public:
   explicit Airwaves(std::size_t radars)
-      : emissions_(std::make_shared<const std::vector<Emission>>(radars)) {}
+      : emissions_(std::make_shared<const Emissions>(Emissions{0, std::vector<Emission>(radars)})) {
+  }
 
   // Never null; one entry per radar, and the same pointer while nothing has changed.
   EmissionsPtr get() const;
-  void set(std::size_t radar, const Emission& emission);
+  // What is on the air with it; `changed` if that is a new version.
+  struct Set {
+    EmissionsPtr emissions;
+    bool changed = false;
+  };
+  Set set(std::size_t radar, const Emission& emission);
 
  private:
   mutable std::mutex mutex_;

@@ -8,41 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "echo/chart/chart_source.hpp"
-#include "echo/scene/coast_picture.hpp"
-#include "echo/scene/polar_index.hpp"
-#include "echo/scene/structure_index.hpp"
 #include "server/core/latest.hpp"
+#include "server/radar/picture_maker.hpp"
 
 namespace skerry::server {
-
-// What a radar wants to see: the coast around a place, as fine as it can tell apart.
-struct CoastWish {
-  GeoPoint own_ship;
-  double speed_mps = 0.0;
-  echo::RadarResolution resolution;
-};
-
-// The coast around an own ship and the index by which a place on it is looked up.  The picture is
-// good for as far as its slack says, the index for a shorter way; neither changes what the other
-// shows.
-struct CoastInSight {
-  echo::CoastPicturePtr picture;
-  std::shared_ptr<const echo::PolarIndex> index;
-  std::shared_ptr<const echo::StructureIndex> structure_index;  // null: nothing is built there
-  PlanePoint index_centre;
-  double index_slack_m = 0.0;
-};
-using CoastInSightPtr = std::shared_ptr<const CoastInSight>;
-
-// How far an own ship may sail before the index is made anew: a longer way costs each look-up more,
-// a shorter one than a few seconds' makes the coast thread late.
-double index_slack_for(double range_m, double speed_mps);
-
-// The index of what is built on a picture's coast, or null.
-std::shared_ptr<const echo::StructureIndex> structures_in_sight(const echo::CoastPicture& picture,
-                                                                PlanePoint own_ship,
-                                                                double slack_m);
 
 // Loads chart windows, refines the coast and indexes it on a thread of its own ("coast"), one wish
 // per slot outstanding: a newer wish replaces one not yet begun.  The radar goes on with what it
@@ -73,13 +42,15 @@ class CoastService {
 
  private:
   struct Slot {
-    std::optional<CoastWish> wish;                  // guarded by mutex_
-    std::unique_ptr<echo::CoastPreparer> preparer;  // the service's thread
-    echo::RadarResolution made_for;                 // the service's thread
+    Slot(const echo::ChartSource& chart, const echo::CoastRules& rules) : maker(chart, rules) {}
+    std::optional<CoastWish> wish;  // guarded by mutex_
+    PictureMaker maker;             // this and the next two: the service's thread
+    echo::RadarResolution made_for;
+    PictureOrigin origin;
     Latest<CoastInSight> in_sight;
   };
   Slot& find(std::size_t slot) const;
-  void serve(Slot& slot, const CoastWish& wish);
+  static void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);
 
   std::unique_ptr<const echo::ChartSource> chart_;

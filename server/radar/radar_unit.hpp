@@ -9,27 +9,14 @@
 #include <vector>
 
 #include "server/core/latest.hpp"
-#include "server/core/worker_pool.hpp"
 #include "server/radar/airwaves.hpp"
 #include "server/radar/coast_keeper.hpp"
+#include "server/radar/input_sink.hpp"
 #include "server/radar/radar_view.hpp"
-#include "server/radar/scene_builder.hpp"
-#include "server/radar/view_renderers.hpp"
+#include "server/radar/sector_maker.hpp"
 #include "server/world/timeline.hpp"
 
 namespace skerry::server {
-
-struct RadarConfig {
-  std::uint32_t radar = 0;   // index in the server
-  std::size_t own_ship = 0;  // index in the world
-  std::string name;
-  echo::RadarSet set;
-  ScanGeometry geometry;
-  echo::ViewControls controls;         // of view 0, at the start
-  echo::RadarControls radar_controls;  // at the start
-  std::vector<echo::Obstruction> obstructions = {};
-  std::uint64_t seed = 0;
-};
 
 // When scenario time 0 was, on the clocks outside.
 struct Epoch {
@@ -58,12 +45,13 @@ struct RadarCounters {
 // far.  In standby the antenna's clock goes on, and nothing is made nor sent.
 class RadarUnit {
  public:
-  static constexpr std::uint32_t kSectorSpokes = 16;
+  static constexpr std::uint32_t kSectorSpokes = SectorMaker::kSectorSpokes;
   static constexpr std::chrono::milliseconds kGiveUp{500};
 
   // The references must outlive the unit.  `workers` threads help with each sector (0: none).
+  // `inputs` is told what each sector was made of; may be null.
   RadarUnit(const RadarConfig& config, Timeline& timeline, CoastService& coast, Airwaves& airwaves,
-            std::size_t workers);
+            std::size_t workers, InputSink* inputs = nullptr);
   ~RadarUnit() { stop(); }
 
   // Once in a unit's life.
@@ -88,40 +76,35 @@ class RadarUnit {
   }
   RadarCounters counters() const;
 
-  // What the unit asks of the coast for those controls of view 0 at that place: as far as its rows
-  // reach, at most the longest range scale.
-  CoastWish wish(const ShipState& own_ship, const echo::ViewControls& controls) const;
+  // What the unit asks of the coast on that range scale at that place (SectorMaker::wish).
+  CoastWish wish(const ShipState& own_ship, RangeScale range) const;
 
  private:
   void run(const std::stop_token& stop, const Epoch& epoch);
-  echo::RadarResolution resolution(RangeScale range) const;
-  struct ViewSector {
-    RadarViewPtr view;
-    Sector sector;
-  };
-  // The sector of every view, none in standby.  False: the world is too far behind to be shown.
-  bool make_sector(std::uint64_t first, const Epoch& epoch, std::vector<ViewSector>& out);
-  void cut_spokes(std::uint64_t first, const Epoch& epoch, const WorldState& state,
-                  std::vector<ViewSector>& out);
-  // Brings the renderer's views in line with those that there are.
-  void look_after_views();
-  // The antenna's rate from spoke `first` on.
-  void turn_as_asked(std::uint64_t first);
-  void tell_airwaves(const echo::RadarControls& controls, RangeScale range);
+  // What holds now, for the sector that begins with spoke `first`.  False: the world is too far
+  // behind to be shown.
+  bool gather(std::uint64_t first);
+  // The views and their controls.
+  void look_at_views();
+  // True if there is something to be published.
+  bool make_sector(std::uint64_t first, const Epoch& epoch);
+  void publish(std::uint64_t first, const Epoch& epoch,
+               std::chrono::steady_clock::time_point begun);
+  void skip(std::uint64_t first);
 
   RadarConfig config_;
   Timeline& timeline_;
   CoastKeeper coast_keeper_;
   Airwaves& airwaves_;
-  WorkerPool workers_;
-  echo::SpokeClock clock_;
-  ScenarioTime bow_passed_{};  // by the beam, at the rate of now
-  ViewRenderers renderer_;
-  SceneBuilder scenes_;
+  InputSink* inputs_;
+  SectorMaker maker_;
   RadarViewList views_;
   Latest<echo::RadarControls> radar_controls_;
-  std::shared_ptr<const RadarViews> rendered_;  // the views the renderer has
-  RangeScale shown_scale_;                      // of the last sector
+  // Of the sector at hand; the unit's thread.
+  std::shared_ptr<const RadarViews> shown_;  // as in given_.views
+  SectorInputs given_;
+  std::vector<ViewSector> made_;
+  double mean_ns_ = 0.0;  // per cell
 
   std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
   std::atomic<std::int64_t> lateness_max_ns_{0};

@@ -16,7 +16,7 @@ namespace skerry::server {
 
 // A view that follows another is hidden: it is there for an output, and has at all times the
 // controls of the view it follows, except for its instrumented range.
-// Thread: any, but for `sequence`.
+// Thread: any.
 struct RadarView {
   // `of`: the view that it follows, or null; not one that follows another itself.
   RadarView(std::uint32_t view_number, const echo::ViewControls& view_controls,
@@ -37,7 +37,6 @@ struct RadarView {
   const std::shared_ptr<RadarView> followed;
   VideoChannel channel;
   Latest<echo::ViewControls> controls;  // its own; see controls_in_force()
-  std::uint64_t sequence = 0;           // of the next spoke; the radar's thread
 };
 using RadarViewPtr = std::shared_ptr<RadarView>;
 using RadarViews = std::vector<RadarViewPtr>;

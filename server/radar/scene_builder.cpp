@@ -142,8 +142,8 @@ void SceneBuilder::set_rig(const std::vector<echo::BlankedSector>& blanked,
   scene_ = nullptr;
 }
 
-echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSightPtr& coast) {
-  const EmissionsPtr emissions = airwaves_.get();
+echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSightPtr& coast,
+                                   const EmissionsPtr& emissions) {
   if (scene_ && state == state_ && coast == coast_ && emissions == emissions_) return scene_;
   const echo::LocalPlane& plane = coast->picture->plane;
   if (!fixtures_ || !(fixtures_anchor_ == plane.anchor())) {
@@ -160,7 +160,7 @@ echo::ScenePtr SceneBuilder::build(const WorldStatePtr& state, const CoastInSigh
   lay_ships(*state, plane, reach, *scene);
   fixtures_->add_to(*scene, reach.echoes_m);
   lay_drifting(*state, plane, reach.echoes_m, role_.seed, *scene);
-  lay_emitters(*state, *emissions, plane, reach, *scene);
+  lay_emitters(*state, emissions->radars, plane, reach, *scene);
   state_ = state;
   coast_ = coast;
   emissions_ = emissions;

@@ -30,16 +30,16 @@ struct SceneRole {
 // Thread: one at a time (the radar's).
 class SceneBuilder {
  public:
-  SceneBuilder(SceneRole role, const Airwaves& airwaves)
-      : role_(std::move(role)), airwaves_(airwaves) {}
+  explicit SceneBuilder(SceneRole role) : role_(std::move(role)) {}
 
   // What of the rig can be changed under way; none and 0 at first.
   void set_rig(const std::vector<echo::BlankedSector>& blanked, double bearing_alignment_deg);
 
   // The same scene is returned while neither state, coast, rig nor what others have on the air has
   // changed.  Where the coast's index no longer serves (the coast thread is behind), it is made
-  // here.  Requires a non-null state and coast, and state->own_ships.size() > own_ship.
-  echo::ScenePtr build(const WorldStatePtr& state, const CoastInSightPtr& coast);
+  // here.  Requires a non-null state, coast and emissions, and state->own_ships.size() > own_ship.
+  echo::ScenePtr build(const WorldStatePtr& state, const CoastInSightPtr& coast,
+                       const EmissionsPtr& emissions);
 
  private:
   struct Reach {
@@ -56,7 +56,6 @@ class SceneBuilder {
                     const echo::LocalPlane& plane, const Reach& reach, echo::Scene& scene) const;
 
   SceneRole role_;
-  const Airwaves& airwaves_;
   std::vector<echo::BlankedSector> blanked_;
   double bearing_alignment_deg_ = 0.0;
   WorldStatePtr state_;

@@ -36,7 +36,8 @@ TurnEchoes::TurnEchoes(const RadarUnit& radar, Timeline& timeline, CoastService&
       timeline_(timeline),
       coast_(coast),
       keeper_(coast, coast.add_slot()),
-      scenes_(role_of(radar.config()), airwaves),
+      airwaves_(airwaves),
+      scenes_(role_of(radar.config())),
       empty_(kCells) {
   wish_.rpm = radar.config().set.rpm;
   lay_grid();
@@ -134,7 +135,7 @@ echo::ScenePtr TurnEchoes::scene_at(ScenarioTime when) {
                       {scale_.length().in_metres(), grid_.cell_m, 360.0 / grid_.rows_per_turn}},
                      state->time);
   const CoastInSightPtr own = keeper_.latest();
-  return scenes_.build(state, own ? own : coast_.latest(radar_.config().radar));
+  return scenes_.build(state, own ? own : coast_.latest(radar_.config().radar), airwaves_.get());
 }
 
 }  // namespace skerry::server

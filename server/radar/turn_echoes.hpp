@@ -62,6 +62,7 @@ class TurnEchoes final : public echo::SweepEchoes {
   Timeline& timeline_;
   CoastService& coast_;
   CoastKeeper keeper_;
+  const Airwaves& airwaves_;
   SceneBuilder scenes_;
   Wish wish_;
   RangeScale scale_;

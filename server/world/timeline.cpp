@@ -45,9 +45,10 @@ std::uint64_t Timeline::order(std::size_t own_ship, std::optional<double> course
   return world_.tick() + 1;
 }
 
-bool Timeline::drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now) {
+Timeline::Driven Timeline::drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now) {
   const std::lock_guard lock(mutex_);
-  return world_.drive(own_ship, fix, now);
+  const bool begins = world_.drive(own_ship, fix, now);
+  return {world_.tick() + 1, begins};
 }
 
 EnvironmentPtr Timeline::environment() const {

@@ -38,8 +38,12 @@ class Timeline {
   std::uint64_t order(std::size_t own_ship, std::optional<double> course_deg,
                       std::optional<double> speed_kn);
 
-  // Takes effect with the next tick not yet made; otherwise as World::drive().
-  bool drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
+  // Takes effect with the next tick not yet made, which is named; otherwise as World::drive().
+  struct Driven {
+    std::uint64_t tick = 0;
+    bool begins = false;  // she was not driven until now
+  };
+  Driven drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
 
   // In force from the next tick not yet made on, whose number is returned.  Requires what
   // World::set_environment() does.  Whoever changes what environment() gives must keep others from

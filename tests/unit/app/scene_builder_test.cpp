@@ -28,7 +28,7 @@ class Scenes : public testing::Test {
     CoastService coasts(std::make_unique<OpenSea>(), 1, {});
     coasts.prepare_now(0, {own, 0.0, {6.0 * 1852.0, 20.0, 0.1}});
     role.seed = 3;
-    return SceneBuilder(role, airwaves_).build(state, coasts.latest(0));
+    return SceneBuilder(role).build(state, coasts.latest(0), airwaves_.get());
   }
   static double north_of(const echo::Scene& scene, PlanePoint place) {
     return (place - scene.own_ship).north_m;

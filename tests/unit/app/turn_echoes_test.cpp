@@ -37,7 +37,8 @@ class Turn : public testing::Test {
         airwaves_(1),
         unit_(radar_config(scenario_.own_ships(0).radars(0), 0, 0, 3), timeline_, coast_, airwaves_,
               0) {
-    coast_.prepare_now(0, unit_.wish(timeline_.latest()->own_ships[0], unit_.config().controls));
+    coast_.prepare_now(
+        0, unit_.wish(timeline_.latest()->own_ships[0], unit_.config().controls.range_scale));
   }
 
   static Row copy(std::span<const float> row) { return {row.begin(), row.end()}; }
@@ -79,11 +80,11 @@ TEST_F(Turn, HoldsTheEchoOfTheSpokesOfAnEqualRadar) {
   echo::SpokeReturns returns(
       echo::radar_model(unit_.config().set, geometry, *RangeScale::find(6.0), clock, 0),
       echo::serial_for);
-  SceneBuilder scenes({.own_ship = 0, .radar = 0, .seed = 3}, airwaves_);
+  SceneBuilder scenes({.own_ship = 0, .radar = 0, .seed = 3});
   for (std::uint64_t first = 4096; first < 4096 + 64; first += 16) {
     const ScenarioTime when = clock.time_of(first);
-    const echo::PowerRows rows =
-        returns.make(*scenes.build(timeline_.at(when), coast_.latest(0)), first, 16);
+    const echo::PowerRows rows = returns.make(
+        *scenes.build(timeline_.at(when), coast_.latest(0), airwaves_.get()), first, 16);
     for (std::uint64_t k = 0; k < 16; ++k) {
       const auto spoke = rows.cells.subspan(k * rows.pitch, 4096);
       ASSERT_EQ(copy(echoes.row(first + k, clock.time_of(first + k))), copy(spoke))

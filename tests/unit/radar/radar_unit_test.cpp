@@ -74,7 +74,8 @@ class RunningRadar : public testing::Test {
         coast_(std::make_unique<OpenSea>(), 1, {}),
         airwaves_(1),
         unit_(config(), timeline_, coast_, airwaves_, 0) {
-    coast_.prepare_now(0, unit_.wish(timeline_.latest()->own_ships[0], unit_.config().controls));
+    coast_.prepare_now(
+        0, unit_.wish(timeline_.latest()->own_ships[0], unit_.config().controls.range_scale));
     FormatRing& ring = unit_.views().find(0)->channel.add_format("record", record_.encoder());
     reader_ = ring.on_publish([] {});
   }
@@ -152,14 +153,14 @@ TEST_F(RunningRadar, TellsTheCoastHowFarItsViewsReach) {
   const RadarViewPtr view = unit_.views().open(0, true, kNoFormats);
   echo::ViewControls controls = view->controls_in_force();
   const double scale = controls.range_scale.length().in_metres();
-  EXPECT_EQ(unit_.wish(ship, controls).resolution.range_m, scale);
+  EXPECT_EQ(unit_.wish(ship, controls.range_scale).resolution.range_m, scale);
   controls.instrumented_range_m = 1.9 * scale;
   view->set_controls(controls);
-  EXPECT_EQ(unit_.wish(ship, controls).resolution.range_m, 2.0 * scale);
+  EXPECT_EQ(unit_.wish(ship, controls.range_scale).resolution.range_m, 2.0 * scale);
   controls.range_scale = *RangeScale::find(96.0);
   controls.instrumented_range_m = 190.0 * 1852.0;
   view->set_controls(controls);
-  EXPECT_EQ(unit_.wish(ship, controls).resolution.range_m, 96.0 * 1852.0);
+  EXPECT_EQ(unit_.wish(ship, controls.range_scale).resolution.range_m, 96.0 * 1852.0);
 }
 
 }  // namespace

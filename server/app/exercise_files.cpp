@@ -1,0 +1,167 @@
+#include "server/app/exercise_files.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "echo/chart/gshhg_reader.hpp"
+#include "server/app/coast_rules.hpp"
+#include "server/app/radar_config.hpp"
+#include "server/app/world_change.hpp"
+#include "server/replay/recorded_exercise.hpp"
+#include "server/world/scenario.hpp"
+
+namespace skerry::server {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kSample = 1 << 20;
+
+class Digest {
+ public:
+  Digest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr);
+  }
+  void add(const std::string& bytes) {
+    EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size());
+  }
+  std::string hexadecimal() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned size = 0;
+    EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
+    std::string text;
+    for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+    return text;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+// Size, first and last MiB: a chart that was changed by hand or replaced shows, and half a gigabyte
+// is not read at every start.
+std::uintmax_t add_file(const fs::path& path, Digest& digest) {
+  std::ifstream file(path, std::ios::binary);
+  const std::uintmax_t size = fs::file_size(path);
+  digest.add(fmt::format("{}\n", size));
+  std::string sample(std::min(size, kSample), '\0');
+  for (const std::uintmax_t at : {std::uintmax_t{0}, size - sample.size()}) {
+    file.seekg(static_cast<std::streamoff>(at));
+    file.read(sample.data(), static_cast<std::streamsize>(sample.size()));
+    if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
+    digest.add(sample);
+  }
+  return size;
+}
+
+// A file, or all files of a folder in the order of their names.
+Json identity_of(const std::string& path) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(path)) {
+    for (const auto& entry : fs::recursive_directory_iterator(path)) {
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+  } else {
+    files.emplace_back(path);
+  }
+  Digest digest;
+  std::uintmax_t bytes = 0;
+  for (const fs::path& file : files) {
+    digest.add(file.filename().string() + "\n");
+    bytes += add_file(file, digest);
+  }
+  return {{"path", path}, {"bytes", bytes}, {"digest", digest.hexadecimal()}};
+}
+
+std::string finest_world() {
+  try {
+    return echo::GshhgReader::find_finest().string();
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+// The path recorded, or the one in its place, if that is the file it was.
+std::string same_file(const Json& recorded, const std::string& instead) {
+  const std::string path = instead.empty() ? recorded.at("path").get<std::string>() : instead;
+  std::error_code ignored;
+  if (path.empty() || !fs::exists(path, ignored)) {
+    throw std::runtime_error(fmt::format(
+        "the exercise's chart {} is not here; name where it lies now with --chart or --elevation",
+        path));
+  }
+  if (identity_of(path).at("digest") != recorded.at("digest")) {
+    throw std::runtime_error(fmt::format(
+        "chart {} is not the one of the exercise ({} bytes, digest {}); name that with "
+        "--chart or --elevation",
+        path, recorded.at("bytes").get<std::uint64_t>(), recorded.at("digest").get<std::string>()));
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
+                                                 const ChartFiles& files) {
+  Json json;
+  json["charts"] = Json::array();
+  for (const std::string& chart : files.charts) json["charts"].push_back(identity_of(chart));
+  if (!files.elevation.empty()) json["elevation"] = identity_of(files.elevation);
+  if (const std::string world = finest_world(); !world.empty()) {
+    json["world"] = identity_of(world);
+  }
+  return {{kScenarioDocument, "application/yaml", scenario_yaml},
+          {kChartsDocument, "application/json", json.dump(1) + "\n"}};
+}
+
+ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& instead) {
+  ChartFiles files;
+  try {
+    const Json json = Json::parse(charts_json);
+    const Json& charts = json.at("charts");
+    if (!instead.charts.empty() && instead.charts.size() != charts.size()) {
+      throw std::runtime_error(fmt::format("the exercise has {} charts, --chart names {}",
+                                           charts.size(), instead.charts.size()));
+    }
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+      files.charts.push_back(
+          same_file(charts[i], instead.charts.empty() ? std::string() : instead.charts[i]));
+    }
+    if (json.contains("elevation"))
+      files.elevation = same_file(json["elevation"], instead.elevation);
+    if (json.contains("world")) same_file(json["world"], finest_world());
+  } catch (const nlohmann::json::exception& wrong) {
+    throw std::runtime_error(
+        fmt::format("the recording's {} makes no sense: {}", kChartsDocument, wrong.what()));
+  }
+  return files;
+}
+
+ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name) {
+  ExercisePlan plan;
+  plan.scenario = parse_scenario(scenario_yaml, file_name);
+  for (int i = 0; i < plan.scenario.own_ships_size(); ++i) {
+    for (const scenario::Radar& radar : plan.scenario.own_ships(i).radars()) {
+      plan.radars.push_back(radar_config(radar, static_cast<std::uint32_t>(plan.radars.size()),
+                                         static_cast<std::size_t>(i), plan.scenario.seed()));
+    }
+  }
+  plan.coast = coast_rules(plan.scenario);
+  plan.changer = [](const wire::WorldChange& change, ScenarioTime now, Environment& environment) {
+    return !change_environment(change, now, environment);
+  };
+  return plan;
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,33 @@
+// Exercise files: what a recording of an exercise keeps of its scenario and charts, and the way
+// back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/core/exercise_inputs.hpp"
+#include "server/replay/exercise_replay.hpp"
+
+namespace skerry::server {
+
+// Which charts a server was started with; as open_charts() takes them.
+struct ChartFiles {
+  std::vector<std::string> charts;
+  std::string elevation;
+};
+
+// "scenario.yaml" and "charts.json".  The latter has path, size and a digest (SHA-256 of the size,
+// the first and the last MiB) of each chart named, and of the GSHHG file that stands behind them.
+std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
+                                                 const ChartFiles& files);
+
+// The chart files that "charts.json" names.  `instead`: those to be used in their place, by the
+// same order, if there are any. Error: std::runtime_error if one is not there or is another, or the
+// document makes no sense.
+ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& instead);
+
+// What RadarServer would make of that scenario.
+// Error: as parse_scenario() and coast_rules().
+ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name);
+
+}  // namespace skerry::server

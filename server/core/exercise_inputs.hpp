@@ -1,0 +1,34 @@
+// ExerciseInputs: what an exercise was given, as a recorder sees it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace skerry::server {
+
+// A file that belongs to a recording: scenario, identity of the charts.
+struct ExerciseDocument {
+  std::string name;        // "scenario.yaml"
+  std::string media_type;  // "application/yaml"
+  std::string bytes;
+};
+
+// All inputs since scenario time 0 are kept, some kilobytes an hour, so that a recording that begins
+// later has them too.  Thread: any; every function returns at once.
+class ExerciseInputs {
+ public:
+  virtual ~ExerciseInputs() = default;
+
+  // recording::Input messages from number `from` (0: the first) on, in their order.  An input is
+  // there before any spoke that came of it is published: whoever takes spokes first and then
+  // inputs has all that these spokes came of.
+  virtual std::vector<std::string> since(std::size_t from) const = 0;
+  // How far the inputs are known, one message per radar: the last to be written before a file, or
+  // what was flushed of it, ends.
+  virtual std::vector<std::string> reached() const = 0;
+  // What never changes while the server runs.
+  virtual std::vector<ExerciseDocument> documents() const = 0;
+};
+
+}  // namespace skerry::server

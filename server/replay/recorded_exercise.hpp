@@ -1,0 +1,50 @@
+// RecordedExercise: the inputs of an exercise as a recording has them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/quantity/result.hpp"
+#include "protocol/recording/inputs.pb.h"
+#include "protocol/recording/reader.hpp"
+
+namespace skerry::server {
+
+// Of one radar, by the first spoke of sectors.
+struct RadarInputs {
+  std::optional<recording::Input::Taken> warm_up;
+  std::map<std::uint64_t, recording::Input::Taken> taken;
+  std::map<std::uint64_t, std::uint64_t> skipped;  // first spoke -> sectors
+  std::uint64_t end = 0;  // its inputs are known for sectors that begin before this spoke
+
+  bool is_skipped(std::uint64_t first) const;
+};
+
+// What the world was given from a tick on: Order, Fix or Environment.
+struct WorldInput {
+  std::uint64_t tick = 0;
+  recording::Input input;
+};
+
+struct RecordedExercise {
+  UtcTime epoch{};     // scenario time 0
+  std::string server;  // what made it
+  std::string scenario_yaml;
+  std::string charts_json;  // "" if the recording does not say
+  std::vector<RadarInputs> radars;
+  std::vector<WorldInput> world;  // by tick; at equal ticks, as given
+  std::vector<recording::Input::Checkpoint> checkpoints;
+  bool incomplete = false;  // inputs are missing at the end
+
+  // Error: the recording has no inputs (a capture, a playback), or they make no sense.
+  static Result<RecordedExercise, recording::RecordingError> read(
+      const recording::RecordingReader& reader);
+};
+
+inline const std::string kScenarioDocument = "scenario.yaml";
+inline const std::string kChartsDocument = "charts.json";
+
+}  // namespace skerry::server
