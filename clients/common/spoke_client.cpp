@@ -19,7 +19,8 @@ class SpokeClient::Connection {
   ClientResult<Done> open(const std::string& host, std::uint16_t port, Duration timeout);
   ClientResult<wire::Reply> subscribe(const wire::Subscribe& request, Duration timeout);
   ClientResult<std::optional<ClientEvent>> receive(Duration timeout);
-  ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
+  // Sends it and waits for its reply; `kind` names it.
+  ClientResult<wire::Reply> ask(wire::ClientMessage message, const char* kind, Duration timeout);
   ClientResult<wire::Status> get_status(Duration timeout);
 
   const wire::Hello& hello() const { return hello_; }
@@ -72,6 +73,10 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
       return Event(std::move(*message.mutable_world()));
     case wire::ServerMessage::kStatus:
       return Event(std::move(*message.mutable_status()));
+    case wire::ServerMessage::kRecorder:
+      return Event(std::move(*message.mutable_recorder()));
+    case wire::ServerMessage::kPlayback:
+      return Event(std::move(*message.mutable_playback()));
     case wire::ServerMessage::kReply: {
       const wire::Reply& reply = message.reply();
       if (reply.code() == wire::Reply::OK && reply.request() == status_request_) return Event{};
@@ -155,12 +160,11 @@ ClientResult<wire::Reply> SpokeClient::Connection::subscribe(const wire::Subscri
   return reply;
 }
 
-ClientResult<wire::Reply> SpokeClient::Connection::set(const wire::Set& request, Duration timeout) {
+ClientResult<wire::Reply> SpokeClient::Connection::ask(wire::ClientMessage message,
+                                                       const char* kind, Duration timeout) {
   const Deadline deadline = deadline_after(timeout);
-  wire::ClientMessage message;
-  *message.mutable_set() = request;
   if (auto sent = send(message, deadline); !sent) return Failure{sent.error()};
-  return await_reply(message.request(), "set", deadline);
+  return await_reply(message.request(), kind, deadline);
 }
 
 ClientResult<wire::Status> SpokeClient::Connection::get_status(Duration timeout) {
@@ -225,7 +229,26 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::receive(Duration timeout) 
   return connection_->receive(timeout);
 }
 ClientResult<wire::Reply> SpokeClient::set(const wire::Set& request, Duration timeout) {
-  return connection_->set(request, timeout);
+  wire::ClientMessage message;
+  *message.mutable_set() = request;
+  return connection_->ask(std::move(message), "set", timeout);
+}
+ClientResult<wire::Reply> SpokeClient::record(const wire::Record& request, Duration timeout) {
+  if (!hello().can_record()) {
+    return Failure{ClientError{ClientErrorKind::rejected, name() + " cannot record"}};
+  }
+  wire::ClientMessage message;
+  *message.mutable_record() = request;
+  return connection_->ask(std::move(message), "record", timeout);
+}
+ClientResult<wire::Reply> SpokeClient::playback(const wire::Playback& request, Duration timeout) {
+  if (!hello().playback()) {
+    return Failure{
+        ClientError{ClientErrorKind::rejected, name() + " plays no recording: its radars run"}};
+  }
+  wire::ClientMessage message;
+  *message.mutable_playback() = request;
+  return connection_->ask(std::move(message), "playback", timeout);
 }
 ClientResult<wire::Status> SpokeClient::get_status(Duration timeout) {
   return connection_->get_status(timeout);

@@ -16,8 +16,8 @@
 namespace skerry::client {
 
 // Whatever a subscribed connection brings.
-using ClientEvent =
-    std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status, wire::World>;
+using ClientEvent = std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status,
+                                 wire::World, wire::RecorderState, wire::PlaybackState>;
 
 // One connection to a server.  Nothing that comes from the network throws or is believed unchecked.
 // An error ends the connection: every later call answers with the same error, and whether to
@@ -61,6 +61,12 @@ class SpokeClient {
   // Error: rejected with the server's text, timed_out, and the errors of receive().
   ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
   ClientResult<wire::Status> get_status(Duration timeout);
+
+  // Of a server whose Hello says can_record, or playback; asked of another, it is rejected without
+  // a word on the network (such a server may not know the request).  All or nothing.
+  // Error: as set().
+  ClientResult<wire::Reply> record(const wire::Record& request, Duration timeout);
+  ClientResult<wire::Reply> playback(const wire::Playback& request, Duration timeout);
 
   // Of the spokes that receive() gave out since subscribe().
   const LossCounter& losses() const;

@@ -1,0 +1,106 @@
+#include "server/playback/piece_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "protocol/wire/spoke_message.hpp"
+
+namespace skerry::server {
+namespace {
+
+using recording::Kind;
+
+}  // namespace
+
+PieceReader::PieceReader(const recording::RecordingReader& reader, const RecordedRadars& radars)
+    : played_(radars.played), cursor_(reader.items(played_topics(reader.summary(), radars))) {}
+
+void PieceReader::seek(UtcTime time) {
+  ready_.clear();
+  pending_.clear();
+  held_.reset();
+  cursor_.seek(time);
+}
+
+std::optional<Piece> PieceReader::read() {
+  while (const auto item = cursor_.next()) {
+    Piece piece{item->time, item->topic, {}, {}};
+    if (is_of_a_radar(item->topic.kind)) piece.topic.radar = played_.at(item->topic.radar);
+    if (item->topic.kind != Kind::spoke) {
+      piece.bytes.assign(item->bytes.begin(), item->bytes.end());
+      return piece;
+    }
+    const bool parsed =
+        message_.ParseFromArray(item->bytes.data(), static_cast<int>(item->bytes.size()));
+    auto spoke = from_message(message_);
+    if (!parsed || !spoke) {
+      if (++unreadable_ == 1) first_unreadable_ = parsed ? spoke.error().text : "no wire::Spoke";
+      continue;
+    }
+    piece.spokes.push_back(std::move(spoke).value());
+    // The topic is what the reader was asked for.
+    piece.spokes.back().header.radar = piece.topic.radar;
+    piece.spokes.back().header.view = piece.topic.view;
+    // Pace and place are those of the file's index, which a hostile spoke may contradict.
+    piece.spokes.back().header.utc = item->time;
+    return piece;
+  }
+  return std::nullopt;
+}
+
+void PieceReader::make_ready(std::vector<Spoke>& spokes) {
+  if (spokes.empty()) return;
+  const SpokeHeader& last = spokes.back().header;
+  ready_.push_back({last.utc, {Kind::spoke, last.radar, last.view}, std::move(spokes), {}});
+  spokes.clear();
+}
+
+void PieceReader::make_all_ready() {
+  const std::size_t before = ready_.size();
+  for (auto& [view, spokes] : pending_) make_ready(spokes);
+  std::stable_sort(ready_.begin() + static_cast<std::ptrdiff_t>(before), ready_.end(),
+                   [](const Piece& a, const Piece& b) { return a.time < b.time; });
+}
+
+std::optional<Piece> PieceReader::next(std::optional<UtcTime> until) {
+  for (;;) {
+    if (!ready_.empty()) {
+      Piece piece = std::move(ready_.front());
+      ready_.pop_front();
+      return piece;
+    }
+    if (!held_) held_ = read();
+    if (!held_ || (until && held_->time >= *until)) {
+      make_all_ready();
+      if (ready_.empty()) return std::nullopt;
+      continue;
+    }
+    for (auto& [view, spokes] : pending_) {
+      if (!spokes.empty() && spokes.front().header.utc + span_ <= held_->time) make_ready(spokes);
+    }
+    if (held_->topic.kind != Kind::spoke) {
+      ready_.push_back(*std::move(held_));
+    } else {
+      auto& spokes = pending_[{held_->topic.radar, held_->topic.view}];
+      spokes.push_back(std::move(held_->spokes.front()));
+      if (spokes.size() == kMostSpokes) make_ready(spokes);
+    }
+    held_.reset();
+  }
+}
+
+std::string PieceReader::problem() const {
+  std::string text;
+  if (const std::uint64_t damaged = cursor_.chunks_damaged(); damaged > 0) {
+    text = fmt::format("{} damaged parts passed over", damaged);
+    if (const auto damage = cursor_.damage()) text += ", the last: " + damage->to_string();
+  }
+  if (unreadable_ > 0) {
+    text += fmt::format("{}{} spokes cannot be read, the first: {}", text.empty() ? "" : "; ",
+                        unreadable_, first_unreadable_);
+  }
+  return text;
+}
+
+}  // namespace skerry::server

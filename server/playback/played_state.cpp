@@ -1,0 +1,215 @@
+#include "server/playback/played_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "protocol/quantity/angle.hpp"
+#include "protocol/video/range_scale.hpp"
+#include "server/playback/recorded_values.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr double kMetresPerDegree = 1852.0 * 60.0;
+constexpr double kKnot = 1852.0 / 3600.0;  // m/s
+constexpr std::uint32_t kLastMmsi = 999'999'999;
+
+template <typename Message>
+bool parse(std::span<const std::uint8_t> bytes, Message& message) {
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
+  bring_into_range(message);
+  return true;
+}
+
+double wrapped(double deg) {
+  const double rest = std::fmod(deg, 360.0);
+  return rest < 0.0 ? rest + 360.0 : rest;
+}
+
+// A straight line on a sphere of one minute a mile: for some seconds.
+GeoPoint moved(GeoPoint from, double course_deg, double distance_m) {
+  const double course = degrees(course_deg).in_radians();
+  const double north_deg = distance_m * std::cos(course) / kMetresPerDegree;
+  const double parallel = std::max(0.01, std::cos(degrees(from.latitude_deg).in_radians()));
+  const double east_deg = distance_m * std::sin(course) / (kMetresPerDegree * parallel);
+  return {std::clamp(from.latitude_deg + north_deg, -90.0, 90.0),
+          wrapped_longitude(from.longitude_deg + east_deg)};
+}
+
+// How long a ship has sailed on since an item.
+double sailed_s(UtcTime since, UtcTime now) {
+  return in_seconds(std::clamp<Duration>(now - since, Duration::zero(), PlayedState::kSailsOn));
+}
+
+TrafficKind kind_of(recording::Traffic::Item::Kind kind) {
+  switch (kind) {
+    case recording::Traffic::Item::SHIP:
+      return TrafficKind::ship;
+    case recording::Traffic::Item::BOAT:
+      return TrafficKind::boat;
+    case recording::Traffic::Item::AID_TO_NAVIGATION:
+      return TrafficKind::aid_to_navigation;
+    default:
+      return TrafficKind::other;
+  }
+}
+
+TrafficItem traffic_item(const recording::Traffic::Item& said,
+                         const std::map<std::uint32_t, std::uint32_t>& radars) {
+  TrafficItem item;
+  item.number = said.number();
+  item.kind = kind_of(said.kind());
+  item.name = said.name();
+  item.mmsi = std::min(said.mmsi(), kLastMmsi);
+  item.position = {said.latitude_deg(), wrapped_longitude(said.longitude_deg())};
+  item.heading_deg = said.heading_deg();
+  item.course_over_ground_deg = said.course_over_ground_deg();
+  item.speed_mps = said.speed_mps();
+  item.rate_of_turn_deg_min = said.rate_of_turn_deg_min();
+  item.length_m = said.length_m();
+  item.beam_m = said.beam_m();
+  for (const std::uint32_t recorded : said.radars()) {
+    const auto played = radars.find(recorded);
+    if (played != radars.end()) item.radars.push_back(played->second);
+  }
+  item.ship_type = static_cast<std::uint8_t>(std::min(said.ship_type(), 99u));
+  item.aid_type = static_cast<std::uint8_t>(std::min(said.aid_type(), 31u));
+  return item;
+}
+
+// What consoles and displays count on: a range scale of the table.
+void fit_range(wire::Settings& settings, const std::optional<SpokeHeader>& spoke) {
+  if (!RangeScale::find(settings.range_nm())) {
+    const RangeScale scale = spoke ? spoke->range_scale : RangeScale{};
+    settings.set_range_nm(scale.in_nautical_miles());
+    if (spoke) settings.set_instrumented_range_m(spoke->instrumented_range.in_metres());
+  }
+  if (!RangeScale::find(settings.radar_range_nm()))
+    settings.set_radar_range_nm(settings.range_nm());
+}
+
+}  // namespace
+
+bool PlayedState::take(const recording::Topic& topic, UtcTime time,
+                       std::span<const std::uint8_t> bytes,
+                       const std::map<std::uint32_t, std::uint32_t>& radars) {
+  switch (topic.kind) {
+    case recording::Kind::settings: {
+      wire::Settings settings;
+      if (!parse(bytes, settings)) return false;
+      settings.set_radar(topic.radar);
+      settings.set_view(topic.view);
+      const std::lock_guard lock(mutex_);
+      settings_[{topic.radar, topic.view}] = std::move(settings);
+      ++settings_version_;
+      return true;
+    }
+    case recording::Kind::own_ship: {
+      wire::OwnShip ship;
+      if (!parse(bytes, ship)) return false;
+      ship.set_radar(topic.radar);
+      ship.set_mmsi(std::min(ship.mmsi(), kLastMmsi));
+      const std::lock_guard lock(mutex_);
+      own_ships_[topic.radar] = {time, std::move(ship)};
+      return true;
+    }
+    case recording::Kind::world: {
+      wire::World world;
+      if (!parse(bytes, world)) return false;
+      const std::lock_guard lock(mutex_);
+      world_ = std::move(world);
+      ++world_version_;
+      return true;
+    }
+    case recording::Kind::traffic: {
+      recording::Traffic traffic;
+      if (!parse(bytes, traffic)) return false;
+      std::vector<TrafficItem> items;
+      for (const auto& said : traffic.items()) items.push_back(traffic_item(said, radars));
+      const std::lock_guard lock(mutex_);
+      traffic_ = {time, std::move(items)};
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+void PlayedState::take(const SpokeHeader& header) {
+  const std::lock_guard lock(mutex_);
+  const auto [at, first] = spokes_.try_emplace({header.radar, header.view}, header);
+  const bool told = settings_.contains({header.radar, header.view});
+  const bool other = !(at->second.range_scale == header.range_scale) ||
+                     at->second.instrumented_range != header.instrumented_range;
+  at->second = header;
+  if (!told && (first || other)) ++settings_version_;
+}
+
+wire::Settings PlayedState::settings(std::uint32_t radar, std::uint32_t view) const {
+  const std::lock_guard lock(mutex_);
+  wire::Settings settings;
+  if (const auto found = settings_.find({radar, view}); found != settings_.end()) {
+    settings = found->second;
+  }
+  const auto spoke = spokes_.find({radar, view});
+  fit_range(settings, spoke == spokes_.end() ? std::nullopt : std::optional(spoke->second));
+  settings.set_radar(radar);
+  settings.set_view(view);
+  return settings;
+}
+
+wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
+                                    std::optional<UtcTime> utc) const {
+  const std::lock_guard lock(mutex_);
+  wire::OwnShip ship;
+  ship.set_radar(radar);
+  if (const auto found = own_ships_.find(radar); found != own_ships_.end()) {
+    const auto& [time, said] = found->second;
+    ship = said;
+    const double since_s = sailed_s(time, now);
+    const GeoPoint place =
+        moved({said.latitude_deg(), said.longitude_deg()}, said.course_over_ground_deg(),
+              said.speed_over_ground_kn() * kKnot * since_s);
+    ship.set_latitude_deg(place.latitude_deg);
+    ship.set_longitude_deg(place.longitude_deg);
+    ship.set_heading_deg(
+        wrapped(said.heading_deg() + said.rate_of_turn_deg_min() / 60.0 * since_s));
+  } else if (const auto spoke = spokes_.lower_bound({radar, 0});
+             spoke != spokes_.end() && spoke->first.first == radar) {
+    ship.set_latitude_deg(spoke->second.own_ship.latitude_deg);
+    ship.set_longitude_deg(spoke->second.own_ship.longitude_deg);
+    ship.set_heading_deg(spoke->second.heading.in_degrees());
+  }
+  const Duration since_1970 = utc.value_or(now).time_since_epoch();
+  ship.set_utc_ns(static_cast<std::uint64_t>(std::max<std::int64_t>(0, since_1970.count())));
+  return ship;
+}
+
+wire::World PlayedState::world() const {
+  const std::lock_guard lock(mutex_);
+  return world_;
+}
+
+std::vector<TrafficItem> PlayedState::traffic(UtcTime now) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<TrafficItem> items = traffic_.value;
+  const double since_s = sailed_s(traffic_.time, now);
+  for (TrafficItem& item : items) {
+    item.position = moved(item.position, item.course_over_ground_deg, item.speed_mps * since_s);
+    item.heading_deg = wrapped(item.heading_deg + item.rate_of_turn_deg_min / 60.0 * since_s);
+  }
+  return items;
+}
+
+std::uint64_t PlayedState::settings_version() const {
+  const std::lock_guard lock(mutex_);
+  return settings_version_;
+}
+
+std::uint64_t PlayedState::world_version() const {
+  const std::lock_guard lock(mutex_);
+  return world_version_;
+}
+
+}  // namespace skerry::server

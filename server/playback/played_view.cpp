@@ -1,0 +1,109 @@
+#include "server/playback/played_view.hpp"
+
+#include <algorithm>
+
+#include "server/playback/spoke_reach.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;  // of the range scale
+constexpr std::uint32_t kLastNumber = 65'535;                       // what datagrams can say
+
+}  // namespace
+
+Length WantedReach::on(RangeScale other) const {
+  const double scale_m = other.length().in_metres();
+  if (range_m == 0.0) return other.length();
+  const double wanted_m = range_m / scale.length().in_metres() * scale_m;
+  return metres(std::clamp(wanted_m, kShortestReach * scale_m, kLongestReach * scale_m));
+}
+
+void PlayedView::publish(const std::vector<Spoke>& spokes) {
+  const auto reach = reach_.get();
+  Sector sector;
+  sector.spokes.reserve(spokes.size());
+  for (const Spoke& recorded : spokes) {
+    std::shared_ptr<Spoke> spoke;
+    if (reach && reach->on(recorded.header.range_scale) != recorded.header.reach()) {
+      spoke = std::make_shared<Spoke>(reaching(recorded, reach->on(recorded.header.range_scale)));
+      // Spokes say no instrumented range where it is the range scale.
+      if (reach->range_m == 0.0) spoke->header.instrumented_range = {};
+    } else {
+      spoke = std::make_shared<Spoke>(recorded);
+    }
+    spoke->header.view = number;
+    stamp_.put_on(spoke->header);
+    sector.spokes.push_back(std::move(spoke));
+  }
+  if (sector.spokes.empty()) return;
+  channel.publish(sector);
+  spokes_.fetch_add(sector.spokes.size(), std::memory_order_relaxed);
+  scan_.store(sector.spokes.back()->header.scan, std::memory_order_relaxed);
+}
+
+void PlayedView::tell_reach(wire::Settings& settings) const {
+  const auto reach = reach_.get();
+  const auto scale = RangeScale::find(settings.range_nm());
+  if (!reach || !scale) return;
+  const bool as_wanted = reach->range_m == 0.0 || *scale == reach->scale;
+  settings.set_instrumented_range_m(as_wanted ? reach->range_m : reach->on(*scale).in_metres());
+}
+
+PlayedViewList::PlayedViewList(const std::vector<std::uint32_t>& recorded, std::uint32_t shared,
+                               std::size_t ring_sectors)
+    : ring_sectors_(ring_sectors) {
+  PlayedViews views = {std::make_shared<PlayedView>(0, shared, false, ring_sectors)};
+  for (const std::uint32_t number : recorded) {
+    if (number == 0) continue;
+    views.push_back(std::make_shared<PlayedView>(number, number, false, ring_sectors));
+    first_opened_ = number + 1;
+  }
+  last_number_ = first_opened_ - 1;
+  views_.set(std::move(views));
+}
+
+PlayedViewPtr PlayedViewList::find(std::uint32_t number) const {
+  const auto views = get();
+  const auto found = std::find_if(views->begin(), views->end(), [&](const PlayedViewPtr& view) {
+    return view->number == number;
+  });
+  return found == views->end() ? nullptr : *found;
+}
+
+PlayedViewPtr PlayedViewList::open(std::uint32_t like,
+                                   const std::function<void(VideoChannel&)>& prepare) {
+  const std::lock_guard lock(mutex_);
+  PlayedViews views = *get();
+  const auto opened = std::count_if(views.begin(), views.end(),
+                                    [](const PlayedViewPtr& view) { return view->opened; });
+  const PlayedViewPtr example = find(like);
+  const bool room = first_opened_ + kMaxViews <= kLastNumber;
+  if (!example || !room || static_cast<std::size_t>(opened) >= kMaxViews) return nullptr;
+  do {
+    last_number_ = last_number_ >= kLastNumber ? first_opened_ : last_number_ + 1;
+  } while (find(last_number_) != nullptr);
+  auto view = std::make_shared<PlayedView>(last_number_, example->source, true, ring_sectors_);
+  prepare(view->channel);
+  view->channel.hold(held_bytes_);
+  views.push_back(view);
+  views_.set(std::move(views));
+  return view;
+}
+
+void PlayedViewList::close(std::uint32_t number) {
+  const std::lock_guard lock(mutex_);
+  PlayedViews views = *get();
+  const auto gone = [&](const PlayedViewPtr& view) {
+    return view->opened && view->number == number;
+  };
+  if (std::erase_if(views, gone) > 0) views_.set(std::move(views));
+}
+
+void PlayedViewList::hold(std::size_t max_bytes) {
+  const std::lock_guard lock(mutex_);
+  held_bytes_ = max_bytes;
+  for (const PlayedViewPtr& view : *get()) view->channel.hold(max_bytes);
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,339 @@
+#include "server/playback/player.hpp"
+
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace skerry::server {
+namespace {
+
+using recording::Kind;
+using recording::Topic;
+using std::chrono::steady_clock;
+
+constexpr int kMostSteps = 1000;
+// In real time: what a sector waits for its last spoke where few come.
+constexpr double kSectorSeconds = 0.04;
+// At fast rates a sector leaves so much early at most, rather than with a timer of its own.
+constexpr Duration kEarly = std::chrono::milliseconds(1);
+constexpr double kFast = 4.0;
+// Between two rounds of a very short recording.
+constexpr Duration kShortestRound = std::chrono::milliseconds(100);
+constexpr double kHeaderBytes = 100.0;
+
+}  // namespace
+
+Player::Player(const recording::RecordingReader& reader, const RecordedRadars& radars,
+               const RadarViews& views, PlayedState& state, const PlayerOptions& options)
+    : reader_(reader),
+      radars_(radars),
+      views_(views),
+      state_(state),
+      current_timestamps_(options.current_timestamps),
+      begin_(reader.summary().begin),
+      end_(reader.summary().end),
+      pieces_(reader, radars),
+      playing_(options.playing),
+      loop_(options.loop),
+      rate_(options.rate),
+      paused_at_(options.from.value_or(begin_)) {
+  for (const RecordedRadar& radar : radars.radars) {
+    if (radar.views.empty()) continue;
+    turns_.emplace_back(reader, Topic{Kind::spoke, radar.recorded, radar.shared_view()},
+                        radar.info.rpm());
+  }
+  for (const Topic& topic : played_topics(reader.summary(), radars)) {
+    if (topic.kind == Kind::spoke) continue;
+    auto cursor = reader.items({topic});
+    if (const auto item = cursor.next()) {
+      first_[topic] = {item->bytes.begin(), item->bytes.end()};
+    }
+  }
+  begin_at(begin_);
+  orders_.seek = paused_at_;
+}
+
+Player::~Player() { stop(); }
+
+void Player::start() {
+  began_ = steady_clock::now();
+  began_utc_ = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+  thread_ = std::jthread([this](const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "playback");
+    try {
+      run(stop);
+    } catch (const std::exception& error) {
+      spdlog::critical("the playback's thread ends: {}", error.what());
+      std::terminate();
+    }
+  });
+}
+
+void Player::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+// --- any thread
+
+UtcTime Player::place(SteadyTime now) const {
+  if (orders_.seek) return *orders_.seek;
+  if (goal_) return *goal_;
+  if (!playing_) return paused_at_;
+  return std::clamp(clock_.at(now), begin_, end_);
+}
+
+void Player::order(const PlayOrder& order) {
+  const std::lock_guard lock(mutex_);
+  const SteadyTime now = steady_clock::now();
+  const UtcTime here = place(now);
+  rate_ = order.rate.value_or(rate_);
+  loop_ = order.loop.value_or(loop_);
+  if (order.seek) orders_ = {*order.seek, 0};
+  orders_.steps = std::clamp(orders_.steps + order.steps, -kMostSteps, kMostSteps);
+  const bool playing = order.steps == 0 && order.playing.value_or(playing_);
+  // From the end one plays from the begin.
+  if (playing && !playing_ && !order.seek && here >= end_) orders_ = {begin_, 0};
+  playing_ = playing;
+  if (!goal_) settle(here, now);
+  ++changes_;
+  ++version_;
+  changed_.notify_all();
+}
+
+void Player::settle(UtcTime at, SteadyTime now) {
+  paused_at_ = at;
+  clock_.set(at, now, rate_);
+}
+
+PlayerStanding Player::standing() const {
+  const std::lock_guard lock(mutex_);
+  return {place(steady_clock::now()), playing_, rate_, loop_, problem_, spokes_};
+}
+
+std::optional<UtcTime> Player::present_utc() const {
+  if (!current_timestamps_) return std::nullopt;
+  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+}
+
+std::uint64_t Player::version() const {
+  const std::lock_guard lock(mutex_);
+  return version_;
+}
+
+// --- the playback's thread
+
+void Player::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    carry_out(take_orders());
+    std::unique_lock lock(mutex_);
+    const bool runs_on = runs();
+    lock.unlock();
+    runs_on ? advance(stop) : rest(stop);
+  }
+}
+
+Player::Orders Player::take_orders() {
+  const std::lock_guard lock(mutex_);
+  seen_ = changes_;
+  const Orders orders = std::exchange(orders_, {});
+  if (orders.seek) goal_ = orders.seek;
+  return orders;
+}
+
+void Player::carry_out(const Orders& orders) {
+  if (orders.steps != 0) {
+    step(orders.steps);
+  } else if (orders.seek) {
+    jump(*orders.seek);
+  }
+}
+
+void Player::step(int turns) {
+  std::unique_lock lock(mutex_);
+  const UtcTime here = goal_.value_or(paused_at_);
+  lock.unlock();
+  const auto found = turns_.empty() ? std::nullopt : turns_.front().turn_from(here, turns);
+  const UtcTime there = found.value_or(turns > 0 ? end_ : begin_);
+  lock.lock();
+  goal_ = there;
+  ++version_;
+  lock.unlock();
+  jump(there);
+}
+
+void Player::jump(UtcTime place) {
+  UtcTime from = place;
+  for (TurnFinder& finder : turns_) from = std::min(from, finder.turn_before(place));
+  begin_at(from);
+  joins_seen_ = joins();
+  joined_at_ = UtcTime::min();
+  const std::lock_guard lock(mutex_);
+  if (from < place) {
+    goal_ = place;
+    clock_.set(from, steady_clock::now(), std::max(rate_, kCatchUp));
+  } else {
+    goal_.reset();
+    settle(place, steady_clock::now());
+  }
+}
+
+void Player::begin_at(UtcTime from) {
+  next_.reset();
+  pieces_.seek(from);
+  for (const auto& [topic, first] : first_) {
+    const auto found = reader_.last_before(topic, from);
+    Topic played = topic;
+    if (is_of_a_radar(topic.kind)) played.radar = radars_.played.at(topic.radar);
+    state_.take(played, from, found ? *found : first, radars_.played);
+  }
+  for (const auto& radar : views_) {
+    for (const PlayedViewPtr& view : *radar->get()) view->begin_anew();
+  }
+}
+
+void Player::advance(const std::stop_token& stop) {
+  for (bool begun = false;; begun = true) {
+    std::unique_lock lock(mutex_);
+    if (changes_ != seen_ || !runs()) return;
+    const std::optional<UtcTime> goal = goal_;
+    const double rate = clock_.rate();
+    lock.unlock();
+    if (!begun) {
+      hold_enough(rate);
+      pieces_.set_span(seconds_as_duration(kSectorSeconds * rate));
+    }
+    if (!next_) next_ = pieces_.next(goal);
+    note_faults();
+    if (!next_) return goal ? reach(*goal) : reach_end();
+
+    lock.lock();
+    const SteadyTime now = steady_clock::now();
+    if (now > clock_.due(next_->time) + kGiveUp) clock_.set(next_->time, now, rate);
+    const SteadyTime due = clock_.due(next_->time);
+    lock.unlock();
+    const bool soon = rate > kFast && due - now < kEarly;
+    if (!soon && !wait_until(due, stop)) return;
+    play(*next_);
+    if (const std::uint64_t readers = joins(); readers != joins_seen_) {
+      joins_seen_ = readers;
+      joined_at_ = next_->time;
+    }
+    next_.reset();
+  }
+}
+
+bool Player::wait_until(SteadyTime due, const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (stop.stop_requested() || changes_ != seen_) return false;
+    const SteadyTime now = steady_clock::now();
+    if (now >= due) return true;
+    // A file may say any time.
+    const SteadyTime until = std::min(due, now + std::chrono::hours(1));
+    changed_.wait_until(lock, stop, until, [this] { return changes_ != seen_; });
+  }
+}
+
+void Player::play(Piece& piece) {
+  if (piece.topic.kind != Kind::spoke) {
+    state_.take(piece.topic, piece.time, piece.bytes, radars_.played);
+    return;
+  }
+  if (current_timestamps_) {
+    std::unique_lock lock(mutex_);
+    const PlayClock clock = clock_;
+    lock.unlock();
+    for (Spoke& spoke : piece.spokes) {
+      const Duration since = clock.due(spoke.header.utc) - began_;
+      spoke.header.utc = began_utc_ + since;
+      spoke.header.scenario_time = ScenarioTime(std::max(Duration::zero(), since));
+    }
+  }
+  state_.take(piece.spokes.back().header);
+  for (const PlayedViewPtr& view : *views_[piece.topic.radar]->get()) {
+    if (view->source == piece.topic.view) view->publish(piece.spokes);
+  }
+  const std::lock_guard lock(mutex_);
+  spokes_ += piece.spokes.size();
+}
+
+void Player::reach(UtcTime goal) {
+  const std::lock_guard lock(mutex_);
+  if (changes_ != seen_) return;
+  goal_.reset();
+  settle(goal, steady_clock::now());
+}
+
+void Player::reach_end() {
+  std::unique_lock lock(mutex_);
+  if (changes_ != seen_) return;
+  if (!loop_) {
+    playing_ = false;
+    paused_at_ = end_;
+    ++version_;
+    return;
+  }
+  const SteadyTime now = steady_clock::now();
+  SteadyTime again = std::max(clock_.due(end_), now - kGiveUp / 2);
+  if (clock_.due(end_) - clock_.due(begin_) < kShortestRound) again = now + kShortestRound;
+  lock.unlock();
+  begin_at(begin_);
+  lock.lock();
+  clock_.set(begin_, again, rate_);
+}
+
+void Player::rest(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  const bool ordered =
+      changed_.wait_for(lock, stop, kLookAround, [this] { return changes_ != seen_; });
+  if (ordered || stop.stop_requested()) return;
+  const UtcTime here = paused_at_;
+  lock.unlock();
+  if (somebody_joined(here)) jump(here);
+}
+
+bool Player::somebody_joined(UtcTime here) {
+  const std::uint64_t readers = joins();
+  const bool now = readers > std::exchange(joins_seen_, readers);
+  if (turns_.empty()) return false;
+  // One who joined while it ran, within the last turn, has a part of the picture.
+  const Duration turn = seconds_as_duration(60.0 / radars_.radars.front().info.rpm());
+  const bool lately = joined_at_ > here - turn;
+  joined_at_ = UtcTime::min();
+  return now || lately;
+}
+
+std::uint64_t Player::joins() const {
+  std::uint64_t joins = 0;
+  for (const auto& radar : views_) {
+    for (const PlayedViewPtr& view : *radar->get()) joins += view->channel.joins();
+  }
+  return joins;
+}
+
+void Player::hold_enough(double rate) {
+  for (std::size_t radar = 0; radar < views_.size(); ++radar) {
+    const wire::RadarInfo& info = radars_.radars[radar].info;
+    const double spoke_bytes = info.cells() * info.bits() / 8.0 + kHeaderBytes;
+    const double spokes = info.spokes_per_turn() * info.rpm() / 60.0 * rate * in_seconds(kHeld);
+    views_[radar]->hold(static_cast<std::size_t>(std::clamp(
+        spokes * spoke_bytes, static_cast<double>(kLeastHeld), static_cast<double>(kMostHeld))));
+  }
+}
+
+void Player::note_faults() {
+  const std::uint64_t faults = pieces_.faults();
+  if (faults == faults_) return;
+  const bool first = std::exchange(faults_, faults) == 0;
+  std::string problem = pieces_.problem();
+  if (first) spdlog::warn("playback: {}", problem);
+  const std::lock_guard lock(mutex_);
+  problem_ = std::move(problem);
+  ++version_;
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,47 @@
+// Which radars and views a recording has, and their numbers when it is played.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "protocol/quantity/result.hpp"
+#include "protocol/recording/reader.hpp"
+#include "protocol/wire/radar.pb.h"
+
+namespace skerry::server {
+
+struct RecordedRadar {
+  std::uint32_t recorded = 0;        // its number in the file; its place in the list is the played
+  std::vector<std::uint32_t> views;  // with spokes, ascending; may lack 0
+  wire::RadarInfo info;              // with the played number
+  // What view 0 shows: itself, or the first there is; nothing in standby all along.
+  std::uint32_t shared_view() const { return views.empty() ? 0 : views.front(); }
+};
+
+struct RecordedRadars {
+  static constexpr std::size_t kMaxRadars = 64, kMaxViews = 32;
+
+  std::vector<RecordedRadar> radars;              // at least one
+  std::map<std::uint32_t, std::uint32_t> played;  // by recorded number
+  std::string scenario;
+  std::string problem;  // what is left out
+};
+
+// Radars are numbered from 0 in their order: consoles and outputs begin with radar 0, which a
+// recording of some radars may lack.  What Hello does not say is told by the first spokes.
+// Error: no spokes, nor anything else of a radar.
+Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& reader);
+
+// Spokes, settings and own ships, whose topics name a radar.
+constexpr bool is_of_a_radar(recording::Kind kind) {
+  return kind == recording::Kind::spoke || kind == recording::Kind::settings ||
+         kind == recording::Kind::own_ship;
+}
+
+// What is played: spokes and settings of the radars and views above, own ships, world, traffic.
+std::vector<recording::Topic> played_topics(const recording::Summary& summary,
+                                            const RecordedRadars& radars);
+
+}  // namespace skerry::server
