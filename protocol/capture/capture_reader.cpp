@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "protocol/capture/capture_stream.hpp"
 #include "protocol/capture/ipv4_fragments.hpp"
 #include "protocol/wire/byte_order.hpp"
 
@@ -136,21 +137,16 @@ WireError wrong(WireErrorKind kind, std::size_t offset, const char* why) {
   return {kind, offset, fmt::format("capture: {}", why)};
 }
 
-}  // namespace
-
-Result<CaptureCounts, WireError> read_capture(std::span<const std::uint8_t> file,
-                                              const std::function<void(const Datagram&)>& sink) {
-  if (file.empty()) return Failure{wrong(WireErrorKind::truncated, 0, "the file is empty")};
-  // fmemopen() takes a writable buffer even for reading.
-  std::unique_ptr<std::FILE, CloseFile> stream(
-      fmemopen(const_cast<std::uint8_t*>(file.data()), file.size(), "rb"));
+// `size`: of the file, as far as it is known; takes the stream over.
+Result<CaptureCounts, WireError> read_stream(std::unique_ptr<std::FILE, CloseFile> stream,
+                                             std::size_t size,
+                                             const std::function<void(const Datagram&)>& sink) {
   char why[PCAP_ERRBUF_SIZE] = "no memory";
   pcap_t* const opened = stream ? pcap_fopen_offline_with_tstamp_precision(
                                       stream.get(), PCAP_TSTAMP_PRECISION_NANO, why)
                                 : nullptr;
   if (opened == nullptr) {
-    return Failure{
-        wrong(file.size() < 24 ? WireErrorKind::truncated : WireErrorKind::malformed, 0, why)};
+    return Failure{wrong(size < 24 ? WireErrorKind::truncated : WireErrorKind::malformed, 0, why)};
   }
   (void)stream.release();  // pcap_close() closes it
   const std::unique_ptr<pcap_t, ClosePcap> pcap(opened);
@@ -173,6 +169,32 @@ Result<CaptureCounts, WireError> read_capture(std::span<const std::uint8_t> file
                     static_cast<std::uint64_t>(header->ts.tv_usec);
     reader.read(link, UtcTime(Duration(static_cast<std::int64_t>(ns))), {bytes, header->caplen});
   }
+}
+
+}  // namespace
+
+Result<CaptureCounts, WireError> read_capture(std::span<const std::uint8_t> file,
+                                              const std::function<void(const Datagram&)>& sink) {
+  if (file.empty()) return Failure{wrong(WireErrorKind::truncated, 0, "the file is empty")};
+  // fmemopen() takes a writable buffer even for reading.
+  return read_stream(std::unique_ptr<std::FILE, CloseFile>(
+                         fmemopen(const_cast<std::uint8_t*>(file.data()), file.size(), "rb")),
+                     file.size(), sink);
+}
+
+Result<CaptureCounts, WireError> read_capture_file(const std::string& path,
+                                                   const std::function<void(const Datagram&)>& sink,
+                                                   const std::function<bool(double)>& progress) {
+  CaptureStream stream(path, progress);
+  if (!stream.problem().empty()) {
+    return Failure{wrong(WireErrorKind::malformed, 0, stream.problem().c_str())};
+  }
+  auto counts =
+      read_stream(std::unique_ptr<std::FILE, CloseFile>(stream.release()), stream.size(), sink);
+  if (!stream.problem().empty()) {
+    return Failure{wrong(WireErrorKind::truncated, stream.position(), stream.problem().c_str())};
+  }
+  return counts;
 }
 
 }  // namespace skerry::capture

@@ -36,4 +36,11 @@ inline constexpr std::size_t kMaxPending = 256;
 Result<CaptureCounts, WireError> read_capture(std::span<const std::uint8_t> file,
                                               const std::function<void(const Datagram&)>& sink);
 
+// The same of a file, which may be packed by gzip: it is unpacked on the way, so that memory does
+// not grow with it.  `progress` (may be empty) gets the share read, 0 .. 1, and may return false to
+// give up.  Error: as above, at the byte of the unpacked file; or it cannot be opened or read.
+Result<CaptureCounts, WireError> read_capture_file(
+    const std::string& path, const std::function<void(const Datagram&)>& sink,
+    const std::function<bool(double)>& progress = {});
+
 }  // namespace skerry::capture

@@ -46,6 +46,10 @@ const std::vector<Room>& table() {
        {"protocol/quantity/", "protocol/video/", "protocol/wire/wire_error.hpp"}},
       {"protocol/nmea",
        {"protocol/quantity/", "protocol/wire/wire_error.hpp", "protocol/wire/ipv4_endpoint.hpp"}},
+      {"protocol/recording",
+       {"protocol/quantity/", "protocol/video/", "protocol/wire/"}},
+      // Captures of real radars into recordings: all protocols meet here.
+      {"protocol/captures", {"protocol/"}},
       {"protocol/board",
        {"protocol/quantity/", "protocol/wire/wire_error.hpp", "protocol/wire/byte_order.hpp"}},
       // The echo: from loops over cells up to whole spokes.
@@ -108,13 +112,20 @@ const std::vector<Room>& table() {
       {"server/navigation", {"protocol/", "server/core/"}},
       {"server/net",
        {"protocol/", "server/core/", "server/displays/radar_emulation.hpp", "server/navigation/"}},
+      // Video and all that belongs to it, to the disk.
+      {"server/recorder", {"protocol/", "server/core/"}},
+      // A recording in place of radars.
+      {"server/playback", {"protocol/", "server/core/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.
       {"clients/board", {"protocol/", "clients/common/"}},
       {"clients/signals", {"protocol/", "clients/common/"}},
-      {"clients/cli", {"protocol/", "clients/common/", "clients/board/", "clients/signals/"}},
+      {"clients/recording", {"protocol/", "clients/common/"}},
+      {"clients/cli",
+       {"protocol/", "clients/common/", "clients/board/", "clients/signals/",
+        "clients/recording/"}},
       {"clients/examples", {"protocol/", "clients/common/"}},
   };
   return rooms;
@@ -147,11 +158,13 @@ const std::vector<Owned>& owned_headers() {
        "pass the options in as values"},
       {"png.h", {"clients/common/"}, "use clients/common/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},
-      {"zlib.h", {"protocol/asterix/"}, "use protocol/asterix/cat240.hpp"},
+      {"zlib.h",
+       {"protocol/asterix/", "protocol/capture/"},
+       "use protocol/asterix/cat240.hpp or protocol/capture/capture_reader.hpp"},
       {"pcap/", {"protocol/capture/"}, "use protocol/capture/capture_reader.hpp"},
       {"nlohmann/",
-       {"clients/signals/", "protocol/signalk/"},
-       "use clients/signals or protocol/signalk/json.hpp"},
+       {"clients/signals/", "clients/recording/", "protocol/signalk/"},
+       "use clients/signals, clients/recording or protocol/signalk/json.hpp"},
       {"avahi-client/", {"server/net/mdns_advertiser.cpp"}, "use server/net/mdns_advertiser.hpp"},
       {"avahi-common/", {"server/net/mdns_advertiser.cpp"}, "use server/net/mdns_advertiser.hpp"},
       {"spdlog/", {"server/"}, "return the error; the server logs it"},

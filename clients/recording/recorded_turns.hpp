@@ -1,0 +1,64 @@
+// RecordedTurns: the turns of one radar's view in a recording, with what was in force then.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "clients/common/ppi_picture.hpp"
+#include "clients/common/scan.hpp"
+#include "protocol/recording/reader.hpp"
+
+namespace skerry::client {
+
+struct RecordedTurn {
+  std::uint64_t number = 0;  // 1: the first that lies in the part asked for
+  Scan scan;
+  PpiLabels labels;
+};
+
+// Which spokes are wanted.  `to` is not in it.
+struct RecordedPart {
+  std::uint32_t radar = 0;
+  std::uint32_t view = 0;
+  std::optional<UtcTime> from, to;
+};
+
+// Thread: one at a time; the reader outlives it.
+class RecordedTurns {
+ public:
+  // `progress` gets the share read and may give up: then there are no more turns.
+  RecordedTurns(const recording::RecordingReader& reader, const RecordedPart& part,
+                const recording::RecordingReader::Progress& progress = {});
+
+  // The next one, whole or not; the last may have just begun.
+  std::optional<RecordedTurn> next();
+
+  std::uint64_t refused() const { return refused_; }  // spokes that are none
+  const recording::ItemCursor& cursor() const { return cursor_; }
+  bool given_up() const { return given_up_; }
+
+ private:
+  std::optional<Scan> read_one();
+
+  const recording::RecordingReader& reader_;
+  RecordedPart part_;
+  recording::RecordingReader::Progress progress_;
+  recording::ItemCursor cursor_;
+  ScanAssembler assembler_;
+  PpiLabels labels_;
+  std::uint64_t number_ = 0, items_ = 0, refused_ = 0;
+  bool ended_ = false, given_up_ = false;
+};
+
+// Calls `line` with every spoke of that part.  Error: `progress` gave up, or there are none.
+Result<std::uint64_t, recording::RecordingError> each_spoke(
+    const recording::RecordingReader& reader, const RecordedPart& part,
+    const std::function<void(Spoke)>& line,
+    const recording::RecordingReader::Progress& progress = {});
+
+// Why `part` has nothing: which radars and views have spokes.
+std::string no_spokes_text(const recording::Summary& summary, const RecordedPart& part);
+
+}  // namespace skerry::client

@@ -1,0 +1,83 @@
+#include "clients/recording/recording_output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "clients/common/printable_text.hpp"
+
+namespace skerry::client {
+namespace {
+
+std::string already_there(const std::string& path) {
+  return fmt::format("{} exists; give another name, or --force to replace it", printable(path));
+}
+
+}  // namespace
+
+RecordingOutput::RecordingOutput(std::string path, bool replace)
+    : path_(std::move(path)), part_(path_ + ".part"), replace_(replace) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path_, error)) fail(EISDIR);
+  if (!replace_ && std::filesystem::exists(path_, error)) {
+    throw std::runtime_error(already_there(path_));
+  }
+  file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (file_ < 0) fail(errno);
+}
+
+RecordingOutput::~RecordingOutput() {
+  if (file_ < 0) return;
+  ::close(file_);
+  ::unlink(part_.c_str());
+}
+
+void RecordingOutput::fail(int why) const {
+  throw std::runtime_error(
+      fmt::format("cannot write {}: {}", printable(path_), std::strerror(why)));
+}
+
+bool RecordingOutput::write(std::span<const std::uint8_t> bytes) {
+  while (problem_ == 0 && !bytes.empty()) {
+    const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      problem_ = errno;
+      break;
+    }
+    bytes_ += static_cast<std::uint64_t>(written);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return problem_ == 0;
+}
+
+recording::ByteSink RecordingOutput::sink() {
+  return [this](std::span<const std::uint8_t> bytes) { return write(bytes); };
+}
+
+void RecordingOutput::commit() {
+  if (problem_ != 0) fail(problem_);
+  if (::close(std::exchange(file_, -1)) != 0) {
+    const int why = errno;
+    ::unlink(part_.c_str());
+    fail(why);
+  }
+  // Without --force, what came to be there meanwhile is not overwritten.
+  const int done =
+      replace_ ? std::rename(part_.c_str(), path_.c_str())
+               : ::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE);
+  if (done == 0) return;
+  const int why = errno;
+  ::unlink(part_.c_str());
+  if (why == EEXIST) throw std::runtime_error(already_there(path_));
+  fail(why);
+}
+
+}  // namespace skerry::client

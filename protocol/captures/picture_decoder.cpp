@@ -1,0 +1,73 @@
+#include "protocol/captures/picture_decoder.hpp"
+
+#include "protocol/asterix/cat240.hpp"
+#include "protocol/garmin/xhd_packet.hpp"
+#include "protocol/navico/frame.hpp"
+#include "protocol/navico/little_endian.hpp"
+#include "protocol/raymarine/quantum_report.hpp"
+#include "protocol/raymarine/rd_packets.hpp"
+
+namespace skerry::captures {
+namespace {
+
+using Octets = std::span<const std::uint8_t>;
+
+bool is_navico_frame(Octets payload) {
+  return payload.size() >= navico::kFrameHeader + navico::kSpokeOctets && payload[0] == 1 &&
+         navico::read_le<std::uint16_t>(payload, 6) == navico::kSpokeCells / 2 &&
+         payload.size() == navico::kFrameHeader + payload[5] * navico::kSpokeOctets;
+}
+
+// The SAC and SIC of the first video record; nothing if it is no CAT240 datagram with one.
+std::optional<std::uint16_t> cat240_source(Octets payload) {
+  if (payload.size() < 8 || payload[0] != kCat240) return std::nullopt;
+  const auto records = decode_cat240(payload);
+  if (!records) return std::nullopt;
+  for (const Cat240Record& record : *records) {
+    if (record.video) {
+      return static_cast<std::uint16_t>(record.source.sac << 8 | record.source.sic);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PictureKey> picture_of(const capture::Datagram& datagram) {
+  const Octets payload = datagram.payload;
+  if (payload.size() < 8) return std::nullopt;
+  PictureKey key{Family::navico, datagram.from.address, datagram.to, 0};
+  if (is_navico_frame(payload)) return key;
+  const auto type = navico::read_le<std::uint32_t>(payload, 0);
+  if (type == static_cast<std::uint32_t>(garmin::Type::spoke)) {
+    key.family = Family::garmin;
+  } else if (type == raymarine::kQuantumSpokeType) {
+    key.family = Family::quantum;
+  } else if (type == raymarine::kRdSpokesType) {
+    key.family = Family::rd;
+  } else if (const auto source = cat240_source(payload)) {
+    key.family = Family::cat240;
+    key.source = *source;
+  } else {
+    return std::nullopt;
+  }
+  return key;
+}
+
+std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits) {
+  switch (traits.key.family) {
+    case Family::navico:
+      return make_navico_picture(traits);
+    case Family::garmin:
+      return make_garmin_picture(traits);
+    case Family::quantum:
+      return make_quantum_picture(traits);
+    case Family::rd:
+      return make_rd_picture(traits);
+    case Family::cat240:
+      break;
+  }
+  return make_cat240_picture(traits);
+}
+
+}  // namespace skerry::captures
