@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -111,6 +112,14 @@ std::string same_file(const Json& recorded, const std::string& instead) {
 }
 
 }  // namespace
+
+std::string scenario_text(const std::string& path) {
+  if (path.empty()) return default_scenario_yaml();
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+  return text;
+}
 
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
                                                  const ChartFiles& files) {

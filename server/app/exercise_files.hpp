@@ -16,6 +16,10 @@ struct ChartFiles {
   std::string elevation;
 };
 
+// The YAML of a scenario file, or of the built-in one for an empty path.
+// Error: std::runtime_error naming the file.
+std::string scenario_text(const std::string& path);
+
 // "scenario.yaml" and "charts.json".  The latter has path, size and a digest (SHA-256 of the size,
 // the first and the last MiB) of each chart named, and of the GSHHG file that stands behind them.
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
