@@ -1,5 +1,7 @@
 #include "protocol/recording/item_cursor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -23,7 +25,7 @@ void ItemCursor::Impl::seek(std::int64_t time) {
 
 // The one whose item comes last of all stands at the heap's bottom.
 bool ItemCursor::Impl::later(const Source& a, const Source& b) {
-  return std::tie(a.time, a.chunk->number, a.offset) > std::tie(b.time, b.chunk->number, b.offset);
+  return std::tie(a.time, a.chunk_number, a.offset) > std::tie(b.time, b.chunk_number, b.offset);
 }
 
 void ItemCursor::Impl::push(Source source) {
@@ -31,38 +33,81 @@ void ItemCursor::Impl::push(Source source) {
   std::push_heap(heap_.begin(), heap_.end(), later);
 }
 
-void ItemCursor::Impl::release(const std::shared_ptr<OpenChunk>& chunk) {
-  if (--chunk->sources == 0) open_bytes_ -= chunk->data->memory();
+void ItemCursor::Impl::note(RecordingError damage) {
+  ++damaged_;
+  damage_ = std::move(damage);
 }
 
 void ItemCursor::Impl::open_next_chunk() {
   const std::uint32_t number = recording_->by_start[next_chunk_++];
   if (recording_->reach(number) < not_before_ || !recording_->has(number, topics_)) return;
   auto data = recording_->chunk(number, topics_);
-  if (!data) {
-    ++damaged_;
-    damage_ = data.error();
-    return;
-  }
-  if ((*data)->entries().empty()) return;
+  if (!data) return note(data.error());
   auto chunk = std::make_shared<OpenChunk>();
   chunk->data = *std::move(data);
   chunk->number = number;
   open_bytes_ += chunk->data->memory();
-  const auto entries = chunk->data->entries();
   // Packed spokes may be later than their message.
-  const std::int64_t from = not_before_ - std::min(not_before_, recording_->packed_span);
+  const std::int64_t from =
+      not_before_ > 0 ? not_before_ - std::min(not_before_, recording_->packed_span) : 0;
+  const auto entries = chunk->data->entries();
   const auto first = std::lower_bound(
       entries.begin(), entries.end(), from,
       [](const ChunkData::Entry& entry, std::int64_t time) { return entry.time < time; });
-  chunk->sources = 1;
   continue_chunk(chunk, static_cast<std::size_t>(first - entries.begin()));
 }
 
 void ItemCursor::Impl::continue_chunk(const std::shared_ptr<OpenChunk>& chunk, std::size_t entry) {
   const auto entries = chunk->data->entries();
-  if (entry >= entries.size()) return release(chunk);
-  push({entries[entry].time, entries[entry].offset, entry, chunk});
+  if (entry >= entries.size()) {
+    open_bytes_ -= chunk->data->memory();
+    return;
+  }
+  push({entries[entry].time, chunk->number, entries[entry].offset, chunk, entry, nullptr, {}});
+}
+
+void ItemCursor::Impl::open_packed(const Source& message) {
+  const ChunkData& data = *message.chunk->data;
+  const ChunkData::Entry& entry = data.entries()[message.entry];
+  const auto fail = [&](std::string text) {
+    note(recording_->file.error(recording_->index.chunks[message.chunk_number].offset,
+                                fmt::format("{} octets into the chunk: {}", entry.offset, text)));
+  };
+  if (open_bytes_ + entry.size > kMaxOpenBytes) return fail("too many packed messages at a time");
+  auto unpacker = SpokeUnpacker::open(data.bytes_of(entry));
+  if (!unpacker) return fail(unpacker.error());
+  Source source{entry.time,
+                message.chunk_number,
+                entry.offset,
+                nullptr,
+                0,
+                std::move(unpacker.value()),
+                data.kind_of(entry).topic};
+  open_bytes_ += source.packed->memory();
+  continue_packed(std::move(source));
+}
+
+void ItemCursor::Impl::continue_packed(Source source) {
+  // Those before what is sought are passed over here, not by way of the heap.
+  while (source.packed->next()) {
+    if (source.packed->time() < std::max(not_before_, source.time)) continue;
+    source.time = source.packed->time();
+    return push(std::move(source));
+  }
+  open_bytes_ -= source.packed->memory();
+  if (source.packed->broken()) {
+    note(recording_->file.error(
+        recording_->index.chunks[source.chunk_number].offset,
+        fmt::format("{} octets into the chunk: the packed spokes cannot be read", source.offset)));
+  }
+}
+
+void ItemCursor::Impl::go_on(const Source& given) {
+  if (given.packed) {
+    continue_packed(given);
+  } else {
+    continue_chunk(given.chunk, given.entry + 1);
+  }
 }
 
 // Opens the chunks that may hold what comes next.
@@ -79,26 +124,22 @@ void ItemCursor::Impl::open_chunks() {
 }
 
 std::optional<Item> ItemCursor::Impl::next() {
-  if (given_) {
-    const Source source = *std::exchange(given_, std::nullopt);
-    continue_chunk(source.chunk, source.entry + 1);
-  }
+  if (given_) go_on(*std::exchange(given_, std::nullopt));
   while (true) {
     open_chunks();
     if (heap_.empty()) return std::nullopt;
     std::pop_heap(heap_.begin(), heap_.end(), later);
-    Source source = std::move(heap_.back());
+    given_ = std::move(heap_.back());
     heap_.pop_back();
-    const ChunkData& data = *source.chunk->data;
-    const ChunkData::Entry& entry = data.entries()[source.entry];
+    if (given_->packed) return Item{given_->topic, utc_of(given_->time), given_->packed->bytes()};
+    const ChunkData& data = *given_->chunk->data;
+    const ChunkData::Entry& entry = data.entries()[given_->entry];
     const ChannelKind& kind = data.kind_of(entry);
-    if (kind.packed || source.time < not_before_) {
-      continue_chunk(source.chunk, source.entry + 1);
-      continue;
+    if (!kind.packed && entry.time >= not_before_) {
+      return Item{kind.topic, utc_of(entry.time), data.bytes_of(entry)};
     }
-    const Item item{kind.topic, utc_of(entry.time), data.bytes_of(entry)};
-    given_ = std::move(source);
-    return item;
+    if (kind.packed) open_packed(*given_);
+    go_on(*std::exchange(given_, std::nullopt));
   }
 }
 

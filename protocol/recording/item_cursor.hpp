@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocol/recording/open_recording.hpp"
+#include "protocol/recording/packed_spokes.hpp"
 #include "protocol/recording/reader.hpp"
 
 namespace skerry::recording {
@@ -30,29 +31,36 @@ class ItemCursor::Impl {
   struct OpenChunk {
     std::shared_ptr<const ChunkData> data;
     std::uint32_t number = 0;  // in the file
-    std::size_t sources = 0;   // that still read it
   };
-  // An item that may be next, and where what follows it is.
+  // An item that may be next: a message of a chunk, or a spoke of a packed message.  What follows
+  // it there comes in its place when it has been given.
   struct Source {
     std::int64_t time = 0;
-    std::uint32_t offset = 0;
+    std::uint32_t chunk_number = 0;
+    std::uint32_t offset = 0;          // of the message in the chunk
+    std::shared_ptr<OpenChunk> chunk;  // of a packed message: none
     std::size_t entry = 0;
-    std::shared_ptr<OpenChunk> chunk;
+    std::shared_ptr<SpokeUnpacker> packed;
+    Topic topic;  // of the packed message
   };
 
   static bool later(const Source& a, const Source& b);
   void push(Source source);
-  void release(const std::shared_ptr<OpenChunk>& chunk);
   void open_chunks();
   void open_next_chunk();
+  void note(RecordingError damage);
+  // Puts what comes at, or after, the entry into the heap.
   void continue_chunk(const std::shared_ptr<OpenChunk>& chunk, std::size_t entry);
+  void open_packed(const Source& message);
+  void continue_packed(Source source);
+  void go_on(const Source& given);
 
   std::shared_ptr<const OpenRecording> recording_;
   std::set<Topic> topics_;
   std::vector<Source> heap_;     // of the items that may be next
   std::optional<Source> given_;  // whose item the caller has
   std::size_t next_chunk_ = 0;   // in by_start
-  std::size_t open_bytes_ = 0;
+  std::size_t open_bytes_ = 0;   // of chunks and packed messages
   std::int64_t not_before_ = std::numeric_limits<std::int64_t>::min();
   std::uint64_t damaged_ = 0;
   std::optional<RecordingError> damage_;

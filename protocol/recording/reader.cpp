@@ -4,6 +4,7 @@
 
 #include "protocol/recording/item_cursor.hpp"
 #include "protocol/recording/open_recording.hpp"
+#include "protocol/recording/packed_spokes.hpp"
 
 namespace skerry::recording {
 namespace {
@@ -24,6 +25,38 @@ Result<FileIndex, RecordingError> index_of(const InputFile& file,
     found.value().damage = beginning ? summary.error() : beginning.error();
   }
   return found;
+}
+
+struct Last {
+  std::int64_t time = 0;  // ns since 1970
+  std::vector<std::uint8_t> bytes;
+};
+
+// The last spoke of the message that is not after `until`.
+std::optional<Last> last_of_packed(std::span<const std::uint8_t> message, std::int64_t until) {
+  const auto unpacker = SpokeUnpacker::open(message);
+  if (!unpacker) return std::nullopt;
+  SpokeUnpacker& spokes = **unpacker;
+  std::optional<Last> last;
+  while (spokes.next() && spokes.time() <= until) {
+    last.emplace(Last{spokes.time(), {spokes.bytes().begin(), spokes.bytes().end()}});
+  }
+  return last;
+}
+
+// The last item of the chunk that is not after `until`.
+std::optional<Last> last_of(const ChunkData& chunk, std::int64_t until) {
+  const auto entries = chunk.entries();
+  auto after = std::upper_bound(
+      entries.begin(), entries.end(), until,
+      [](std::int64_t t, const ChunkData::Entry& entry) { return t < entry.time; });
+  for (; after != entries.begin(); --after) {
+    const ChunkData::Entry& entry = *std::prev(after);
+    const auto bytes = chunk.bytes_of(entry);
+    if (!chunk.kind_of(entry).packed) return Last{entry.time, {bytes.begin(), bytes.end()}};
+    if (auto last = last_of_packed(bytes, until)) return last;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -88,16 +121,10 @@ std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topi
     if ((last && recording.reach(number) < last_time) || !recording.has(number, topics)) continue;
     const auto chunk = recording.chunk(number, topics);
     if (!chunk) continue;
-    const auto entries = (*chunk)->entries();
-    const auto after = std::upper_bound(
-        entries.begin(), entries.end(), until,
-        [](std::int64_t t, const ChunkData::Entry& entry) { return t < entry.time; });
-    if (after == entries.begin()) continue;
-    const ChunkData::Entry& entry = *std::prev(after);
-    if (last && entry.time <= last_time) continue;
-    const auto bytes = (*chunk)->bytes_of(entry);
-    last.emplace(bytes.begin(), bytes.end());
-    last_time = entry.time;
+    if (auto found = last_of(**chunk, until); found && (!last || found->time > last_time)) {
+      last = std::move(found->bytes);
+      last_time = found->time;
+    }
   }
   return last;
 }

@@ -43,6 +43,7 @@ TEST(Recording, ComesBackByteForByteWithEveryOption) {
     const auto reader = RecordingReader::open(path);
     ASSERT_TRUE(reader.ok()) << reader.error().to_string();
     const Summary& summary = reader->summary();
+    EXPECT_EQ(summary.compact, options.compact);
     EXPECT_FALSE(summary.damage) << summary.damage->to_string();
 
     EXPECT_EQ(summary.begin, items.front().time);
