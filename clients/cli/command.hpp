@@ -27,8 +27,10 @@ Command make_status_command(CLI::App& app);
 Command make_snapshot_command(CLI::App& app);
 Command make_dump_command(CLI::App& app);
 Command make_set_command(CLI::App& app);
+Command make_play_command(CLI::App& app);
 Command make_coast_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
+Command make_recording_command(CLI::App& app);
 
 // Where the server is and how long it may be silent.
 struct ServerPlace {

@@ -1,9 +1,9 @@
 // skerry: looks at and controls a running skerryd from the command line.
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
 #include <exception>
+#include <vector>
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
@@ -23,13 +23,16 @@ int run(int argc, char** argv) {
       "  skerry snapshot -o radar.png\n"
       "  skerry dump --count 5\n"
       "  skerry set --range 6 --gain 60\n"
+      "  skerry play exercise.mcap\n"
+      "  skerry recording info exercise.mcap\n"
       "  skerry coast fit --place bergen\n"
       "  skerry board scope\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
-  const std::array<Command, 6> commands = {make_status_command(app), make_snapshot_command(app),
-                                           make_dump_command(app),   make_set_command(app),
-                                           make_coast_command(app),  make_board_command(app)};
+  const std::vector<Command> commands = {make_status_command(app), make_snapshot_command(app),
+                                         make_dump_command(app),   make_set_command(app),
+                                         make_play_command(app),   make_coast_command(app),
+                                         make_board_command(app),  make_recording_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

@@ -49,14 +49,17 @@ recording::Attachment import_notes(const ImportReport& report, const std::string
   for (std::size_t i = 0; i < report.radars.size(); ++i) {
     radars += (i == 0 ? "" : ",\n") + radar_text(i, report.radars[i]);
   }
-  return {
-      .name = kImportNotes,
-      .media_type = "application/json",
-      .time = time,
-      .bytes = fmt::format("{{\"capture\": {}, \"datagrams\": {}, \"incomplete\": {},\n"
-                           "  \"damage\": {},\n  \"radars\": [\n{}\n  ]}}\n",
-                           quoted(capture), report.capture.datagrams, report.capture.incomplete,
-                           report.damage ? quoted(report.damage->to_string()) : "null", radars)};
+  return {.name = kImportNotes,
+          .media_type = "application/json",
+          .time = time,
+          .bytes = fmt::format(
+              "{{\"capture\": {}, \"datagrams\": {}, \"incomplete\": {},\n"
+              "  \"damage\": {},\n  \"radars\": [\n{}\n  ]}}\n",
+              quoted(capture), report.capture.datagrams, report.capture.incomplete,
+              report.damage
+                  ? quoted(fmt::format("byte {}: {}", report.damage->offset, report.damage->text))
+                  : "null",
+              radars)};
 }
 
 }  // namespace skerry::captures

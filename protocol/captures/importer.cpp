@@ -40,6 +40,15 @@ void add_event(RecordingWriter& writer, UtcTime time, recording::Event::Kind kin
   add_message(writer, {Kind::event, 0, 0}, time, event);
 }
 
+// Of a file, without its folders; protobuf wants UTF-8, and names of files may be anything.
+std::string label_of(const std::string& name) {
+  std::string label = name.substr(name.find_last_of('/') + 1);
+  for (char& c : label) {
+    if (c < 0x20 || c > 0x7E) c = '?';
+  }
+  return label;
+}
+
 wire::Hello hello_of(const std::vector<SurveyedPicture>& pictures, const std::string& name) {
   wire::Hello hello;
   hello.set_protocol_version(kProtocolVersion);
@@ -212,7 +221,8 @@ Result<ImportReport, RecordingError> import_capture(const CapturePass& pass,
     }
     return Failure{nothing_found(survey, name, *surveyed)};
   }
-  Importer importer(survey, name, writer);
+  const std::string label = label_of(name);
+  Importer importer(survey, label, writer);
   const auto counts = pass([&](const capture::Datagram& each) { importer.take(each); }, half(0.5));
   ImportReport report = importer.finish();
   report.left_out = survey.left_out();
@@ -223,7 +233,7 @@ Result<ImportReport, RecordingError> import_capture(const CapturePass& pass,
   }
   if (progress && !progress(1.0)) return Failure{RecordingError{name, 0, "given up"}};
   add_event(writer, survey.end(), recording::Event::STOPPED, 0, 0, "the capture ends");
-  writer.attach(import_notes(report, name, std::max(survey.begin(), UtcTime{})));
+  writer.attach(import_notes(report, label, std::max(survey.begin(), UtcTime{})));
   return report;
 }
 
