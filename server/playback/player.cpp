@@ -156,7 +156,11 @@ void Player::step(int turns) {
   std::unique_lock lock(mutex_);
   const UtcTime here = goal_.value_or(paused_at_);
   lock.unlock();
-  const auto found = turns_.empty() ? std::nullopt : turns_.front().turn_from(here, turns);
+  // By the first radar that turns here: one in standby may be silent to the end.
+  const auto turning = std::find_if(turns_.begin(), turns_.end(),
+                                    [&](TurnFinder& finder) { return finder.turns_at(here); });
+  TurnFinder& finder = turning == turns_.end() ? turns_.front() : *turning;
+  const auto found = finder.turn_from(here, turns);
   const UtcTime there = found.value_or(turns > 0 ? end_ : begin_);
   lock.lock();
   goal_ = there;
@@ -299,7 +303,6 @@ void Player::rest(const std::stop_token& stop) {
 bool Player::somebody_joined(UtcTime here) {
   const std::uint64_t readers = joins();
   const bool now = readers > std::exchange(joins_seen_, readers);
-  if (turns_.empty()) return false;
   // One who joined while it ran, within the last turn, has a part of the picture.
   const Duration turn = seconds_as_duration(60.0 / radars_.radars.front().info.rpm());
   const bool lately = joined_at_ > here - turn;

@@ -35,6 +35,11 @@ std::optional<TurnFinder::Seen> TurnFinder::first_from(UtcTime time) {
   return next();
 }
 
+bool TurnFinder::turns_at(UtcTime place) {
+  const auto spoke = first_from(place - kSlowestTurn);
+  return spoke && spoke->time <= place + kSlowestTurn;
+}
+
 UtcTime TurnFinder::turn_before(UtcTime place) {
   std::vector<Seen> seen;
   for (Duration window = turn_ * 5 / 4;; window = kSlowestTurn) {

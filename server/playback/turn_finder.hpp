@@ -18,6 +18,9 @@ class TurnFinder {
   // `rpm`: about how fast it turns, for the first guess; 5 .. 60.
   TurnFinder(const recording::RecordingReader& reader, recording::Topic topic, double rpm);
 
+  // Whether it turns there: a spoke within the slowest turn before or after.
+  bool turns_at(UtcTime place);
+
   // From where on one whole turn lies before `place`: what a console has to be sent to show its
   // picture as of then.  `place` itself where no spokes came just before.
   UtcTime turn_before(UtcTime place);

@@ -184,6 +184,34 @@ TEST(PlaybackHost, StepsByTurnsAndStandsStill) {
   await([&] { return played.state().position_s() == played.state().length_s(); });
 }
 
+TEST(PlaybackHost, StepsByARadarThatTurnsWhereTheFirstIsSilent) {
+  RecordedScene scene{.turns = 40, .radars = {0, 1}};
+  scene.change = [](Spoke& spoke) { return spoke.header.radar == 1 || spoke.header.scan < 1004; };
+  Played played(scene, kPaused);
+  played.host.start();
+  played.seek(60.0);
+  played.step(1);
+  await([&] { return played.state().position_s() == 62.0; });
+}
+
+TEST(PlaybackHost, SeeksWhileItSeeks) {
+  Played played({.turns = 40}, kPaused);
+  played.host.start();
+  for (int i = 0; i < 50; ++i) {
+    played.seek(i % 2 == 0 ? 70.0 : 4.0 + i * 0.5);
+    EXPECT_EQ(played.state().position_s(), i % 2 == 0 ? 70.0 : 4.0 + i * 0.5) << "the goal";
+    if (i % 7 == 0) std::this_thread::sleep_for(10ms);
+  }
+  played.seek(50.0);
+  await([&] {
+    const auto spokes = played.watched.spokes();
+    return !spokes.empty() &&
+           spokes.back().header.utc == recorded_spoke(played.scene, 0, 0, 25 * 256 - 1).header.utc;
+  });
+  EXPECT_EQ(played.state().position_s(), 50.0);
+  Played::expect_growing(played.watched.spokes());
+}
+
 TEST(PlaybackHost, PausesAndGoesOnWithoutALoss) {
   Played played({.turns = 4, .turn = 500ms});
   played.host.start();
