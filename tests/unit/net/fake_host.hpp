@@ -83,6 +83,8 @@ class FakeHost : public RadarHost {
   std::shared_ptr<FakeBoard> board;
   BoardPortPtr find_board(std::uint32_t radar) override { return radar == 0 ? board : nullptr; }
 
+  UtcTime begin_utc{std::chrono::seconds(1'795'000'000)};  // of spoke 0
+
   // What records and plays, if the test has something that does.
   RecordingPort* recorder = nullptr;
   PlaybackPort* player = nullptr;
@@ -186,7 +188,7 @@ class FakeHost : public RadarHost {
     spoke.header.index = static_cast<std::uint32_t>(sequence % kSpokesPerTurn);
     spoke.header.geometry = {.spokes_per_turn = kSpokesPerTurn, .cells = kCells, .bits = 8};
     spoke.header.scenario_time = ScenarioTime(kSpokeTime * static_cast<std::int64_t>(sequence));
-    spoke.header.utc = UtcTime(Duration(1'795'000'000'000'000'000 + sequence * 1000));
+    spoke.header.utc = begin_utc + Duration(sequence * 1000);
     spoke.cells.resize(kCells);
     std::uint64_t state = sequence * 2 + radar + 1;
     for (auto& cell : spoke.cells) {

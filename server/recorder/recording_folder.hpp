@@ -1,0 +1,67 @@
+// RecordingFolder: the folder a recorder writes into, its lock, and which files there are its own.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "server/core/file_descriptor.hpp"
+
+namespace skerry::server {
+
+// What cannot be done with a file, in words that name it.
+class FolderError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Holds the lock `.skerry-recorder.lock` for as long as it lives: two recorders would remove each
+// other's files.  `.skerry-recorder` lists the files made here, oldest first, one a line.
+// Thread: one at a time; waits for the disk.
+class RecordingFolder {
+ public:
+  // Makes the folder where it is not there.  `folder` absolute.
+  // Error: FolderError if it cannot be made or written, or another recorder has it.
+  explicit RecordingFolder(std::string folder);
+
+  struct NewFile {
+    FileDescriptor file;
+    std::string name;  // without folder
+  };
+  // A file that was not there before: `name`, or, in a series, the next number from `number` on
+  // that is free, which is put there.
+  // Error: FolderError if it cannot be made; with `series` false, if there is one of that name.
+  NewFile create(const std::string& name, std::uint32_t& number, bool series);
+
+  // Removes files of the list, oldest first and never `present`, until all of the list have at most
+  // `keep_bytes` together and none is older than `keep_time`; 0: whatever they have.
+  // What was removed.  A file that took the place of one of the list is not one of it.
+  std::vector<std::string> remove_old(std::uint64_t keep_bytes, std::chrono::seconds keep_time,
+                                      const std::string& present);
+
+  // Whether the file that is open is still the one of that name here.
+  bool has(const FileDescriptor& file, const std::string& name) const;
+  // Bytes free for this process on the folder's disk; nothing if the system does not say.
+  std::optional<std::uint64_t> free_bytes() const;
+  // What is in the folder is on the disk by name.
+  void sync() const;
+  const std::string& path() const { return folder_; }
+
+ private:
+  // A line of the list: "NAME\tIDENTITY".
+  struct Listed {
+    std::string name;
+    std::string identity;  // inode and time of birth
+  };
+  std::vector<Listed> read_list() const;
+  void write_list(const std::vector<Listed>& files) const;
+  void append_to_list(const Listed& file) const;
+
+  std::string folder_;
+  FileDescriptor directory_, lock_;
+};
+
+}  // namespace skerry::server

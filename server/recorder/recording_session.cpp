@@ -1,0 +1,279 @@
+#include "server/recorder/recording_session.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "server/recorder/traffic_message.hpp"
+
+namespace skerry::server {
+namespace {
+
+using recording::Event;
+using recording::Item;
+using recording::Kind;
+using recording::Topic;
+
+constexpr int kSectorsAtOnce = 64;  // of a ring, before others have their turn
+constexpr int kLastRounds = 16;
+constexpr std::chrono::seconds kShipsEvery{1};
+constexpr std::chrono::seconds kRateTime{3};
+// A playback may stand still; what is noted meanwhile is of about that time.
+constexpr std::chrono::seconds kStandstill{1};
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+// What time it is where the video comes from.
+UtcTime present(RadarHost& host) {
+  if (const PlaybackPort* playback = host.playback()) {
+    const wire::PlaybackState state = playback->state();
+    if (!state.current_timestamps()) {
+      return UtcTime(Duration(static_cast<std::int64_t>(state.begin_utc_ns())) +
+                     seconds_as_duration(state.position_s()));
+    }
+  }
+  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+}
+
+}  // namespace
+
+RecordingSession::RecordingSession(RadarHost& host, const RecorderConfig& config, DiskWriter& disk,
+                                   Plan plan, const std::function<void()>& wake, Steady now)
+    : host_(host),
+      disk_(disk),
+      plan_(std::move(plan)),
+      begun_(now),
+      now_(now),
+      clock_(present(host), now,
+             host.playback() == nullptr ? Duration::max() : Duration(kStandstill)),
+      writer_(config, disk, additions()) {
+  for (const std::uint32_t radar : plan_.radars) {
+    if (VideoChannelPtr channel = host_.find_channel(radar, 0)) {
+      readers_.push_back(
+          std::make_unique<RingReader>(radar, 0, std::move(channel), config.format, wake));
+    }
+  }
+  writer_.begin(plan_.name, now);
+  add_event(Event::STARTED,
+            fmt::format("by {}: radars {}{}", plan_.origin, fmt::join(plan_.radars, ", "),
+                        plan_.inputs_only ? ", inputs only" : ""));
+}
+
+SeriesWriter::Additions RecordingSession::additions() {
+  return {.file_begins = [this] { begin_file(); },
+          .chunk_ends =
+              [this] {
+                const ExerciseInputs* exercise = host_.exercise();
+                if (exercise == nullptr) return;
+                inputs_in_file_ = inputs_in_chunks_;
+                add_inputs();
+                inputs_in_chunks_ = inputs_next_;
+                for (const std::string& input : exercise->reached()) {
+                  writer_.add({{Kind::input}, item_time(), bytes_of(input)});
+                }
+              },
+          .chunk_lost =
+              [this] {
+                state_is_lost_ = true;
+                inputs_next_ = inputs_in_chunks_ = inputs_in_file_;
+              }};
+}
+
+void RecordingSession::begin_file() {
+  wire::Hello hello = host_.hello();
+  auto* radars = hello.mutable_radars();
+  radars->erase(std::remove_if(radars->begin(), radars->end(),
+                               [&](const wire::RadarInfo& info) {
+                                 return std::find(plan_.radars.begin(), plan_.radars.end(),
+                                                  info.radar()) == plan_.radars.end();
+                               }),
+                radars->end());
+  file_begins_ = true;
+  const UtcTime now = item_time();
+  add({Kind::hello}, now, hello);
+  if (const ExerciseInputs* exercise = host_.exercise()) {
+    for (const ExerciseDocument& document : exercise->documents()) {
+      writer_.attach({document.name, document.media_type, now, document.bytes});
+    }
+  }
+  inputs_next_ = inputs_in_chunks_ = inputs_in_file_ = 0;
+  add_inputs();
+  add_changes(true);
+  add_ships();
+  file_begins_ = false;
+}
+
+UtcTime RecordingSession::item_time() const {
+  return file_begins_ ? clock_.before() : clock_.at(now_);
+}
+
+void RecordingSession::add(const Topic& topic, UtcTime time,
+                           const google::protobuf::MessageLite& message) {
+  message.SerializeToString(&bytes_);
+  writer_.add({topic, time, bytes_of(bytes_)});
+}
+
+void RecordingSession::add_inputs() {
+  const ExerciseInputs* exercise = host_.exercise();
+  if (exercise == nullptr) return;
+  for (const std::string& input : exercise->since(inputs_next_)) {
+    writer_.add({{Kind::input}, item_time(), bytes_of(input)});
+    ++inputs_next_;
+  }
+}
+
+void RecordingSession::add_changes(bool all) {
+  if (plan_.inputs_only) return;
+  const std::uint64_t settings = host_.settings_version(), world = host_.world_version();
+  const UtcTime now = item_time();
+  if (all || settings != settings_version_) {
+    for (const auto& reader : readers_) {
+      add({Kind::settings, reader->radar(), reader->view()}, now,
+          host_.settings(reader->radar(), reader->view()));
+    }
+  }
+  if (all || world != world_version_) add({Kind::world}, now, host_.world());
+  settings_version_ = settings;
+  world_version_ = world;
+}
+
+void RecordingSession::add_ships() {
+  if (plan_.inputs_only) return;
+  ships_told_ = now_;
+  for (const std::uint32_t radar : plan_.radars) {
+    add({Kind::own_ship, radar}, item_time(), host_.own_ship(radar));
+  }
+  add({Kind::traffic}, item_time(), traffic_message(host_.traffic()));
+}
+
+void RecordingSession::add_event(Event::Kind kind, std::string text, const RingReader* of,
+                                 std::uint64_t count) {
+  Event event;
+  event.set_kind(kind);
+  event.set_text(std::move(text));
+  event.set_count(count);
+  if (of != nullptr) {
+    event.set_radar(of->radar());
+    event.set_view(of->view());
+  }
+  event.SerializeToString(&bytes_);
+  writer_.keep({{Kind::event}, item_time(), bytes_of(bytes_)});
+}
+
+bool RecordingSession::step(Steady now) {
+  now_ = now;
+  writer_.look_at_clock(now, clock_.at(now));
+  const bool more = take_spokes();
+  add_inputs();
+  add_changes(std::exchange(state_is_lost_, false));
+  if (now - ships_told_ >= kShipsEvery) add_ships();
+  writer_.look_at_clock(now, clock_.at(now));
+  keep_rate(now);
+  return more;
+}
+
+bool RecordingSession::take_spokes() {
+  bool more = false;
+  for (const auto& reader : readers_) {
+    int taken = 0;
+    for (; taken < kSectorsAtOnce; ++taken) {
+      const EncodedSectorPtr sector = reader->take();
+      if (sector == nullptr) break;
+      take_sector(*reader, *sector);
+    }
+    more = more || taken == kSectorsAtOnce;
+  }
+  return more;
+}
+
+void RecordingSession::take_sector(RingReader& reader, const EncodedSector& sector) {
+  if (const std::uint64_t lost = reader.newly_lost()) {
+    lost_in_rings_ += lost;
+    add_event(Event::LOST, "overwritten before they were taken", &reader, lost);
+  }
+  std::size_t begin = sector.begin;
+  const std::span<const std::uint8_t> bytes(sector.bytes);
+  for (const std::uint32_t end : sector.spoke_ends) {
+    const auto spoke = framed_spoke(bytes.subspan(begin, end - begin));
+    begin = end;
+    if (!spoke) continue;
+    const UtcTime time = clock_.saw(spoke->utc, now_);
+    if (!plan_.inputs_only) {
+      writer_.add_spoke({Kind::spoke, reader.radar(), reader.view()}, time, spoke->bytes);
+      continue;
+    }
+    ++spokes_hashed_;
+    if (const auto checkpoint = checkpoints_.add(reader.radar(), reader.view(), *spoke)) {
+      checkpoint->SerializeToString(&bytes_);
+      writer_.keep({{Kind::input}, item_time(), bytes_of(bytes_)});
+    }
+  }
+}
+
+void RecordingSession::mark(const std::string& name, Steady now) {
+  now_ = now;
+  ++marks_;
+  add_event(Event::MARK, name.empty() ? fmt::format("mark {}", marks_) : name);
+}
+
+void RecordingSession::log(int level, const std::string& text, Steady now) {
+  now_ = now;
+  recording::Log line;
+  line.set_level(static_cast<std::uint32_t>(level));
+  line.set_text(text);
+  add({Kind::log}, clock_.at(now), line);
+}
+
+void RecordingSession::control_changed(const std::string& text, Steady now) {
+  now_ = now;
+  add_event(Event::CONTROL, text);
+}
+
+void RecordingSession::stop(const std::string& origin, Steady now) {
+  now_ = now;
+  for (int round = 0; round < kLastRounds && take_spokes(); ++round) continue;
+  while (const auto checkpoint = checkpoints_.take()) {
+    checkpoint->SerializeToString(&bytes_);
+    writer_.keep({{Kind::input}, item_time(), bytes_of(bytes_)});
+  }
+  add_event(Event::STOPPED, "by " + origin);
+  writer_.end(clock_.at(now));
+}
+
+void RecordingSession::keep_rate(Steady now) {
+  if (!written_.empty() && now - written_.back().first < std::chrono::milliseconds(250)) return;
+  written_.emplace_back(now, disk_.state().total_bytes);
+  while (written_.size() > 2 && now - written_.front().first > kRateTime) written_.pop_front();
+}
+
+wire::RecorderState RecordingSession::state(Steady now) const {
+  const DiskState disk = disk_.state();
+  wire::RecorderState state;
+  state.set_phase(disk.failed    ? wire::RecorderState::FAILED
+                  : disk.is_full ? wire::RecorderState::DISK_FULL
+                                 : wire::RecorderState::RECORDING);
+  state.set_file(disk.file);
+  state.set_file_bytes(disk.file_bytes);
+  state.set_total_bytes(disk.total_bytes);
+  state.set_free_bytes(disk.free_bytes);
+  state.set_problem(disk.problem);
+  state.set_seconds(std::chrono::duration<double>(now - begun_).count());
+  if (written_.size() > 1) {
+    const auto& [from, from_bytes] = written_.front();
+    const auto& [to, to_bytes] = written_.back();
+    state.set_bytes_per_second(static_cast<double>(to_bytes - from_bytes) /
+                               std::chrono::duration<double>(to - from).count());
+  }
+  const std::uint64_t dropped = writer_.spokes_dropped() + disk.spokes_lost;
+  const std::uint64_t given = plan_.inputs_only ? spokes_hashed_ : writer_.spokes();
+  state.set_spokes(given - std::min(given, dropped));
+  state.set_spokes_lost(lost_in_rings_ + dropped);
+  state.set_marks(marks_);
+  state.set_inputs_only(plan_.inputs_only);
+  return state;
+}
+
+}  // namespace skerry::server
