@@ -6,28 +6,35 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <string>
 
 #include "server/app/charts.hpp"
 #include "server/app/coast_rules.hpp"
+#include "server/app/exercise_files.hpp"
+#include "server/app/log_tap.hpp"
 #include "server/app/options.hpp"
 #include "server/app/radar_config.hpp"
 #include "server/app/radar_server.hpp"
+#include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
 #include "server/net/net_server.hpp"
+#include "server/playback/playback_host.hpp"
+#include "server/recorder/recorder.hpp"
 #include "server/world/scenario.hpp"
 
 namespace {
 
 using namespace skerry::server;
 
-void greet(const Options& options, const NetServer& net, const RadarServer& radars) {
+void greet(const Options& options, const NetServer& net, const std::string& what) {
   const std::string& host = options.net.bind;
   std::fprintf(stderr,
-               "%s: %u radars on the air\n"
+               "%s: %s\n"
                "  web console      http://%s:%u/\n"
                "  native protocol  tcp %s:%u\n",
-               kServerName, radars.radar_count(), host.c_str(), net.http_port(), host.c_str(),
+               kServerName, what.c_str(), host.c_str(), net.http_port(), host.c_str(),
                net.tcp_port());
   for (const UdpDestination& d : options.net.udp) {
     std::fprintf(stderr, "  native datagrams udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
@@ -52,7 +59,70 @@ void greet(const Options& options, const NetServer& net, const RadarServer& rada
   }
 }
 
-int run(const Options& options) {
+// Until here Ctrl-C ends the program at once, however long a chart or a recording takes.  From here
+// on the main thread alone waits for it; every other thread inherits the block.
+sigset_t block_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+void await(const sigset_t& signals) {
+  int signal = 0;
+  sigwait(&signals, &signal);
+  spdlog::info("stopping on signal {}", signal);
+}
+
+// A recorder that also has the lines of the log, while it lives.
+class LoggingRecorder {
+ public:
+  LoggingRecorder(RadarHost& host, const RecorderConfig& config, LogTap& tap)
+      : recorder(host, config), tap_(tap) {
+    tap_.set(&recorder);
+  }
+  ~LoggingRecorder() { tap_.set(nullptr); }
+  LoggingRecorder(const LoggingRecorder&) = delete;
+  LoggingRecorder& operator=(const LoggingRecorder&) = delete;
+
+  Recorder recorder;
+
+ private:
+  LogTap& tap_;
+};
+
+int run_playback(const Options& options, LogTap& tap) {
+  const auto playback = open_playback(options.playback);
+  const std::string what = description_of(*playback);
+  if (options.check_only) {
+    std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
+    return 0;
+  }
+  const sigset_t signals = block_signals();
+  LoggingRecorder logging(*playback, options.recorder, tap);
+  playback->set_recording(&logging.recorder);
+  NetServer net(*playback, options.net, web_files());
+  net.start();
+  playback->start();
+  logging.recorder.start();
+  greet(options, net, "playback of " + what);
+  await(signals);
+  playback->stop();
+  logging.recorder.stop();
+  net.stop();
+  return 0;
+}
+
+int run(const Options& options, LogTap& tap) {
+  if (!options.verify.empty()) {
+    return verify({options.verify,
+                   options.verify_video,
+                   {options.charts, options.elevation},
+                   options.workers});
+  }
+  if (!options.playback.file.empty()) return run_playback(options, tap);
   const auto scenario =
       options.scenario.empty() ? default_scenario() : load_scenario(options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
@@ -62,23 +132,21 @@ int run(const Options& options) {
     std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
     return 0;
   }
-  // Until here Ctrl-C ends the program at once, however long a chart takes.  From here on the main
-  // thread alone waits for it; every other thread inherits the block.
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  RadarServer radars(scenario, std::move(chart), options.workers);
+  const sigset_t signals = block_signals();
+  RadarServer radars(
+      scenario, std::move(chart), options.workers,
+      exercise_documents(scenario_text(options.scenario), {options.charts, options.elevation}));
+  LoggingRecorder logging(radars, options.recorder, tap);
+  radars.set_recording(&logging.recorder);
   NetServer net(radars, options.net, web_files());
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
   net.start();
   radars.start();
-  greet(options, net, radars);
-  int signal = 0;
-  sigwait(&signals, &signal);
-  spdlog::info("stopping on signal {}", signal);
+  logging.recorder.start();
+  greet(options, net, std::to_string(radars.radar_count()) + " radars on the air");
+  await(signals);
   radars.stop();
+  logging.recorder.stop();
   net.stop();
   return 0;
 }
@@ -89,12 +157,14 @@ int main(int argc, char** argv) {
   signal(SIGPIPE, SIG_IGN);
   // What protobuf has to say of bytes from outside is in the replies and counters.
   google::protobuf::SetLogHandler(nullptr);
+  const auto tap = std::make_shared<LogTap>();
   spdlog::set_default_logger(spdlog::stderr_color_mt("skerryd"));
+  spdlog::default_logger()->sinks().push_back(tap);
   try {
     const auto options = read_options(argc, argv);
     if (!options) return 0;
     spdlog::set_level(spdlog::level::from_str(options->log_level));
-    return run(*options);
+    return run(*options, *tap);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "skerryd: %s\n", error.what());
     return 2;

@@ -8,6 +8,7 @@
 
 #include "server/app/config.pb.h"
 #include "server/app/outputs.hpp"
+#include "server/app/recorder_options.hpp"
 #include "server/app/version.hpp"
 #include "server/config/yaml_message.hpp"
 
@@ -26,6 +27,9 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --output navico_halo:radar=1,interface_address=192.0.2.7,dual_range=true
   skerryd --output cat240:port=8601,spokes=720,cells=512,bits=4,compressed=true
   skerryd --output nmea0183:port=10110 --input nmea0183:port=10111
+  skerryd --record --record-roll-minutes 60 --record-keep-gib 100
+  skerryd --play exercise.mcap --play-loop  a recording in place of radars
+  skerryd --verify exercise.mcap            make its video again from what it was given, compare
   skerryd --config server.yaml              everything from a file; the command line wins
 
 Every stream goes to loopback until told otherwise.  Then look at http://127.0.0.1:7480/ or run
@@ -73,6 +77,7 @@ void apply_file(const app::ServerConfig& file, Options& options) {
   if (file.has_max_connections()) net.max_connections = file.max_connections();
   if (file.has_workers()) options.workers = file.workers();
   if (file.has_signalk()) apply_signalk(file.signalk(), net.signalk);
+  if (file.has_playback()) apply_playback(file.playback(), options.playback);
 }
 
 // Streams that are asked for stand in place of the usual one of their kind.
@@ -130,6 +135,9 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   std::vector<std::string> udp, cat240, sweeps, charts, outputs, inputs;
   std::uint16_t tcp_port = 0, http_port = 0;
   std::size_t workers = 0;
+  PlaybackOptions playback;
+  RecorderOptions recorder;
+  std::string verify, verify_video;
   bool no_udp = false, no_cat240 = false, no_signalk = false, print_ports = false, check = false;
   cli.add_option("--config", config, "configuration file (YAML)");
   cli.add_option("--scenario", scenario, "scenario file (YAML); the built-in Bergen without");
@@ -163,6 +171,13 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
   cli.add_flag("--print-ports", print_ports, "print 'tcp PORT http PORT' once listening");
   cli.add_flag("--check", check, "read configuration, scenario and charts, start nothing");
+  add_playback_options(cli, playback);
+  add_recorder_options(cli, recorder);
+  cli.add_option("--verify", verify,
+                 "make the video of a recorded exercise again from its inputs, compare, and end")
+      ->type_name("FILE");
+  cli.add_option("--video", verify_video, "with --verify: write that video to a recording")
+      ->type_name("FILE");
   try {
     cli.parse(argc, argv);
   } catch (const CLI::Success& done) {
@@ -179,7 +194,17 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
     load_yaml_file(config, file);
     apply_file(file, options);
   }
+  if (!playback.file.empty()) options.playback = playback;
+  options.recorder = recorder_config(file.recorder(), recorder);
+  options.verify = verify;
+  options.verify_video = verify_video;
+  if (verify.empty() && !verify_video.empty()) {
+    throw std::runtime_error("--video: of which recording? give it with --verify FILE");
+  }
   if (!scenario.empty()) options.scenario = scenario;
+  if (!scenario.empty() && !playback.file.empty()) {
+    throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
+  }
   if (!charts.empty()) options.charts = charts;
   if (!elevation.empty()) options.elevation = elevation;
   if (!bind.empty()) options.net.bind = bind;

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "server/app/playback_options.hpp"
 #include "server/net/net_config.hpp"
+#include "server/recorder/recorder_config.hpp"
 
 namespace skerry::server {
 
@@ -16,11 +18,15 @@ struct Options {
   std::vector<std::string> charts;
   std::string elevation;  // file or folder; empty: the relief is synthetic
   NetConfig net;
+  RecorderConfig recorder;
+  PlaybackOptions playback;                  // its file is empty where radars run
   std::size_t workers = 0;                   // helping threads per radar
   std::size_t board_ring_bytes = 16u << 20;  // of each board's ring in shared memory
   std::string log_level = "info";
   bool print_ports = false;  // one line "tcp PORT http PORT" on standard output once listening
   bool check_only = false;   // read everything, start nothing
+  std::string verify;        // a recording whose video is made again; empty: none
+  std::string verify_video;  // where that goes; empty: it is only compared
 };
 
 // Reads the command line and the files it names.  Nothing is returned when --help or --version was

@@ -10,6 +10,7 @@
 #include "server/core/process_memory.hpp"
 #include "server/playback/play_request.hpp"
 #include "server/playback/recorded_values.hpp"
+#include "server/playback/same_settings.hpp"
 #include "server/playback/sendable_text.hpp"
 
 namespace skerry::server {
@@ -105,6 +106,7 @@ wire::Reply PlaybackHost::apply(const wire::Set& set, const std::string& origin)
     return reply(wire::Reply::UNKNOWN,
                  fmt::format("radar {} has no view {}", set.radar(), set.view()));
   }
+  if (is_so_already(set, settings(set.radar(), set.view()))) return reply(wire::Reply::OK);
   if (!view->opened || !is_reach_alone(set)) {
     spdlog::debug("{}: a change of a playback was refused", origin);
     return reply(wire::Reply::REFUSED,

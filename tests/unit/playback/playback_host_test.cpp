@@ -323,6 +323,14 @@ TEST(PlaybackHost, WhatWasRecordedCannotBeChanged) {
   set.set_gain(50.0);
   EXPECT_EQ(played.host.apply(set, "console").code(), wire::Reply::REFUSED);
   EXPECT_THAT(played.host.apply(set, "console").text(), HasSubstr("playback"));
+  set.set_gain(played.host.settings(0, 0).gain());
+  set.set_transmit(true);
+  EXPECT_EQ(played.host.apply(set, "display").code(), wire::Reply::OK) << "so it is already";
+  set.set_course_deg(0.0);
+  EXPECT_EQ(played.host.apply(set, "display").code(), wire::Reply::REFUSED);
+  set.Clear();
+  set.set_transmit(false);
+  EXPECT_EQ(played.host.apply(set, "display").code(), wire::Reply::REFUSED);
   set.Clear();
   set.set_instrumented_range_m(10'000.0);
   EXPECT_EQ(played.host.apply(set, "console").code(), wire::Reply::REFUSED) << "of the shared view";
