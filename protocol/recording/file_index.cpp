@@ -156,10 +156,10 @@ std::int64_t time_of(std::uint64_t ns) {
 void FileIndex::add(const mcap::Channel& channel) {
   const auto kind = channel_named(channel.topic);
   if (!kind || channel.encoding != "protobuf") return;
+  // Where the names are ours no schema is asked for: it may be the one that was damaged.
   const auto schema = schemas.find(channel.schema);
-  // A schema that was damaged is not missed where the names are ours.
-  const bool ours =
-      schema != schemas.end() ? schema->second == schema_name(*kind) : profile == kProfile;
+  const bool ours = profile == kProfile ||
+                    (schema != schemas.end() && schema->second == schema_name(*kind));
   if (ours) channels[channel.id] = *kind;
 }
 

@@ -45,12 +45,16 @@ struct FileIndex {
   std::map<std::uint16_t, std::uint64_t> messages;  // by channel
   std::vector<RecordPlace> attachments;
   bool whole = false;  // as its summary says
+  // By a search: what belongs to no record, or to a chunk that cannot be read.
+  std::uint64_t chunks_unreadable = 0;
+  std::uint64_t bytes_unreadable = 0;
   std::optional<RecordingError> damage;
 
   std::span<const std::uint16_t> channels_of(const ChunkPlace& chunk) const {
     return std::span(chunk_channels).subspan(chunk.first_channel, chunk.channels);
   }
-  // Takes a channel of ours; those of others, or of another schema than its name has, are left out.
+  // Takes a channel of ours.  Those of others are left out; so are, in files that are not of our
+  // profile, those of another schema than their name has.
   void add(const mcap::Channel& channel);
 };
 

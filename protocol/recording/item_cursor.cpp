@@ -33,16 +33,23 @@ void ItemCursor::Impl::push(Source source) {
   std::push_heap(heap_.begin(), heap_.end(), later);
 }
 
-void ItemCursor::Impl::note(RecordingError damage) {
-  ++damaged_;
+void ItemCursor::Impl::note(std::uint32_t chunk_number, RecordingError damage) {
+  damaged_chunks_.insert(chunk_number);
   damage_ = std::move(damage);
+}
+
+void ItemCursor::Impl::note(std::uint32_t chunk_number, std::uint32_t offset,
+                            const std::string& text) {
+  note(chunk_number,
+       recording_->file.error(recording_->index.chunks[chunk_number].offset,
+                              fmt::format("{} octets into the chunk: {}", offset, text)));
 }
 
 void ItemCursor::Impl::open_next_chunk() {
   const std::uint32_t number = recording_->by_start[next_chunk_++];
   if (recording_->reach(number) < not_before_ || !recording_->has(number, topics_)) return;
   auto data = recording_->chunk(number, topics_);
-  if (!data) return note(data.error());
+  if (!data) return note(number, data.error());
   auto chunk = std::make_shared<OpenChunk>();
   chunk->data = *std::move(data);
   chunk->number = number;
@@ -69,9 +76,8 @@ void ItemCursor::Impl::continue_chunk(const std::shared_ptr<OpenChunk>& chunk, s
 void ItemCursor::Impl::open_packed(const Source& message) {
   const ChunkData& data = *message.chunk->data;
   const ChunkData::Entry& entry = data.entries()[message.entry];
-  const auto fail = [&](std::string text) {
-    note(recording_->file.error(recording_->index.chunks[message.chunk_number].offset,
-                                fmt::format("{} octets into the chunk: {}", entry.offset, text)));
+  const auto fail = [&](const std::string& text) {
+    note(message.chunk_number, entry.offset, text);
   };
   if (open_bytes_ + entry.size > kMaxOpenBytes) return fail("too many packed messages at a time");
   auto unpacker = SpokeUnpacker::open(data.bytes_of(entry));
@@ -96,9 +102,7 @@ void ItemCursor::Impl::continue_packed(Source source) {
   }
   open_bytes_ -= source.packed->memory();
   if (source.packed->broken()) {
-    note(recording_->file.error(
-        recording_->index.chunks[source.chunk_number].offset,
-        fmt::format("{} octets into the chunk: the packed spokes cannot be read", source.offset)));
+    note(source.chunk_number, source.offset, "the packed spokes cannot be read");
   }
 }
 
@@ -108,6 +112,13 @@ void ItemCursor::Impl::go_on(const Source& given) {
   } else {
     continue_chunk(given.chunk, given.entry + 1);
   }
+}
+
+std::uint64_t ItemCursor::Impl::bytes_damaged() const {
+  std::uint64_t bytes = 0;
+  for (const std::uint32_t number : damaged_chunks_)
+    bytes += recording_->index.chunks[number].length;
+  return bytes;
 }
 
 // Opens the chunks that may hold what comes next.

@@ -24,8 +24,9 @@ class ItemCursor::Impl {
 
   std::optional<Item> next();
   void seek(std::int64_t time_ns);
-  std::uint64_t chunks_damaged() const { return damaged_; }
+  std::uint64_t chunks_damaged() const { return damaged_chunks_.size(); }
   std::optional<RecordingError> damage() const { return damage_; }
+  std::uint64_t bytes_damaged() const;  // of the damaged chunks' records
 
  private:
   struct OpenChunk {
@@ -48,7 +49,8 @@ class ItemCursor::Impl {
   void push(Source source);
   void open_chunks();
   void open_next_chunk();
-  void note(RecordingError damage);
+  void note(std::uint32_t chunk_number, RecordingError damage);
+  void note(std::uint32_t chunk_number, std::uint32_t offset, const std::string& text);
   // Puts what comes at, or after, the entry into the heap.
   void continue_chunk(const std::shared_ptr<OpenChunk>& chunk, std::size_t entry);
   void open_packed(const Source& message);
@@ -62,7 +64,7 @@ class ItemCursor::Impl {
   std::size_t next_chunk_ = 0;   // in by_start
   std::size_t open_bytes_ = 0;   // of chunks and packed messages
   std::int64_t not_before_ = std::numeric_limits<std::int64_t>::min();
-  std::uint64_t damaged_ = 0;
+  std::set<std::uint32_t> damaged_chunks_;  // numbers in the file
   std::optional<RecordingError> damage_;
 };
 

@@ -6,6 +6,27 @@
 #include "protocol/recording/packed_spokes.hpp"
 
 namespace skerry::recording {
+namespace {
+
+// The summary's, or what a search finds.  Error: it is no recording, or was given up.
+Result<FileIndex, RecordingError> index_of(const InputFile& file,
+                                           const RecordingReader::Progress& progress) {
+  const auto beginning = read_beginning(file);
+  auto summary = read_summary(file);
+  if (summary) {
+    if (!beginning) summary.value().damage = beginning.error();
+    return summary;
+  }
+  if (!beginning && beginning.error().offset == 0) return Failure{beginning.error()};
+  auto found = search(file, progress);
+  if (!found) return found;
+  if (!found.value().damage) {
+    found.value().damage = beginning ? summary.error() : beginning.error();
+  }
+  return found;
+}
+
+}  // namespace
 
 OpenRecording::OpenRecording(InputFile the_file, FileIndex the_index)
     : file(std::move(the_file)), index(std::move(the_index)) {
@@ -37,6 +58,18 @@ bool OpenRecording::has(std::size_t number, const std::set<Topic>& topics) const
 std::size_t OpenRecording::first_reaching(std::int64_t time) const {
   return static_cast<std::size_t>(std::lower_bound(reaches.begin(), reaches.end(), time) -
                                   reaches.begin());
+}
+
+Result<std::shared_ptr<const OpenRecording>, RecordingError> open_recording(
+    const std::string& path, const RecordingReader::Progress& progress) {
+  auto file = InputFile::open(path);
+  if (!file) return Failure{file.error()};
+  auto index = index_of(*file, progress);
+  if (!index) return Failure{index.error()};
+  const auto recording =
+      std::make_shared<OpenRecording>(std::move(file.value()), std::move(index.value()));
+  if (auto error = summarise(recording, progress)) return Failure{*std::move(error)};
+  return std::shared_ptr<const OpenRecording>(recording);
 }
 
 }  // namespace skerry::recording

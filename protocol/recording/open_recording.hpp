@@ -41,5 +41,8 @@ struct OpenRecording {
 // Makes the summary.  Error: given up.
 std::optional<RecordingError> summarise(const std::shared_ptr<OpenRecording>& recording,
                                         const RecordingReader::Progress& progress);
+// As RecordingReader::open().
+Result<std::shared_ptr<const OpenRecording>, RecordingError> open_recording(
+    const std::string& path, const RecordingReader::Progress& progress);
 
 }  // namespace skerry::recording

@@ -121,6 +121,7 @@ std::uint64_t SpokeForecast::of(std::size_t field, const SpokeNumbers& spoke) co
 
 bool SpokePacker::add(std::span<const std::uint8_t> spoke, std::uint64_t time_ns) {
   if (!message_.ParseFromArray(spoke.data(), static_cast<int>(spoke.size()))) return false;
+  message_.DiscardUnknownFields();
   serialise(message_, again_);
   if (!std::equal(again_.begin(), again_.end(), spoke.begin(), spoke.end()) ||
       message_.utc_ns() != time_ns) {

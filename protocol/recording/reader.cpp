@@ -9,24 +9,6 @@
 namespace skerry::recording {
 namespace {
 
-// The summary's, or what a search finds.  Error: it is no recording, or was given up.
-Result<FileIndex, RecordingError> index_of(const InputFile& file,
-                                           const RecordingReader::Progress& progress) {
-  const auto beginning = read_beginning(file);
-  auto summary = read_summary(file);
-  if (summary) {
-    if (!beginning) summary.value().damage = beginning.error();
-    return summary;
-  }
-  if (!beginning && beginning.error().offset == 0) return Failure{beginning.error()};
-  auto found = search(file, progress);
-  if (!found) return found;
-  if (!found.value().damage) {
-    found.value().damage = beginning ? summary.error() : beginning.error();
-  }
-  return found;
-}
-
 struct Last {
   std::int64_t time = 0;  // ns since 1970
   std::vector<std::uint8_t> bytes;
@@ -74,14 +56,9 @@ RecordingReader::~RecordingReader() = default;
 
 Result<RecordingReader, RecordingError> RecordingReader::open(const std::string& path,
                                                               const Progress& progress) {
-  auto file = InputFile::open(path);
-  if (!file) return Failure{file.error()};
-  auto index = index_of(*file, progress);
-  if (!index) return Failure{index.error()};
-  const auto recording =
-      std::make_shared<OpenRecording>(std::move(file.value()), std::move(index.value()));
-  if (auto error = summarise(recording, progress)) return Failure{*std::move(error)};
-  return RecordingReader(std::make_shared<const Impl>(recording));
+  auto recording = open_recording(path, progress);
+  if (!recording) return Failure{recording.error()};
+  return RecordingReader(std::make_shared<const Impl>(std::move(recording.value())));
 }
 
 const Summary& RecordingReader::summary() const { return impl_->recording->summary; }

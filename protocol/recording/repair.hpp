@@ -11,8 +11,8 @@
 namespace skerry::recording {
 
 struct RepairReport {
-  std::uint64_t chunks_kept = 0;     // copied as they are
-  std::uint64_t chunks_damaged = 0;  // left out
+  std::uint64_t chunks_kept = 0;     // whose items were copied
+  std::uint64_t chunks_damaged = 0;  // of which nothing or not all was
   std::uint64_t bytes_left_out = 0;  // of the old file
   std::uint64_t items = 0;           // of the new one
   bool was_whole = false;            // nothing was wrong with the old one

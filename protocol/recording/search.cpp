@@ -38,15 +38,17 @@ class Search {
         if (place->op == Op::footer) offset += sizeof(mcap::kMagic);
         continue;
       }
+      end_chunk(false);
       const std::uint64_t next = next_chunk(offset + 1);
       if (next == 0) return Failure{file_.error(offset, "given up")};
       note(offset,
            next < file_.size()
                ? fmt::format("no record can be read here; the next chunk is at byte {}", next)
                : "no record can be read here, and no chunk follows");
+      index_.bytes_unreadable += next - offset;
       offset = next;
     }
-    end_chunk();
+    end_chunk(false);
     return std::move(index_);
   }
 
@@ -128,13 +130,13 @@ class Search {
 
   void take(const RecordPlace& place) {
     if (place.op == Op::chunk) {
-      end_chunk();
+      end_chunk(true);
       begin_chunk(place);
     } else if (place.op == Op::message_index) {
       if (chunk_) take_message_index(place);
     } else if (place.op == Op::schema) {
       if (const auto schema = mcap::read_schema(content(place))) {
-        index_.schemas[schema->id] = schema->name;
+        index_.schemas.emplace(schema->id, schema->name);
       }
     } else if (place.op == Op::channel) {
       if (const auto channel = mcap::read_channel(content(place))) index_.add(*channel);
@@ -190,8 +192,9 @@ class Search {
     });
   }
 
-  // Takes the chunk into the index.  What its index says must fit it and be known; else it is read.
-  void end_chunk() {
+  // Takes the chunk into the index.  What its index says must fit it and be known, and be all: what
+  // comes next is whole.  Else the chunk is read.
+  void end_chunk(bool indexed) {
     if (!chunk_) return;
     ChunkPlace chunk = *chunk_;
     chunk_.reset();
@@ -199,9 +202,14 @@ class Search {
         index_.chunk_channels.size() + channels_.size() > kMaxChunkChannels) {
       return note(chunk.offset, "there are more chunks than can be kept in mind");
     }
-    if (channels_.empty() || start_ != chunk.start || end_ != chunk.end || !all_known()) {
+    if (!indexed || channels_.empty() || start_ != chunk.start || end_ != chunk.end ||
+        !all_known()) {
       const auto data = ChunkData::read(file_, chunk, index_);
-      if (!data) return note(data.error().offset, data.error().text);
+      if (!data) {
+        ++index_.chunks_unreadable;
+        index_.bytes_unreadable += chunk.length;
+        return note(data.error().offset, data.error().text);
+      }
       for (const mcap::Channel& channel : (*data)->channels()) {
         index_.add(channel);
         if (!index_.channels.contains(channel.id)) others_.insert(channel.id);

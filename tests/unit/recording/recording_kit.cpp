@@ -55,8 +55,9 @@ Spoke spoke(std::uint32_t number, std::uint32_t radar, std::uint32_t view, std::
   return made;
 }
 
-Kept spoke_item(std::uint32_t number, std::uint32_t radar, std::uint32_t view) {
-  const Spoke made = spoke(number, radar, view);
+Kept spoke_item(std::uint32_t number, std::uint32_t radar, std::uint32_t view,
+                std::uint32_t cells) {
+  const Spoke made = spoke(number, radar, view, cells);
   wire::Spoke message;
   to_message(made, message);
   return kept({Kind::spoke, radar, view}, made.header.utc, message);

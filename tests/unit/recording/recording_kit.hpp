@@ -30,7 +30,8 @@ UtcTime at(double seconds);  // after an instant of 2026
 // A spoke as a simulated radar's: a coast that moves little from spoke to spoke, and noise.
 Spoke spoke(std::uint32_t number, std::uint32_t radar = 0, std::uint32_t view = 0,
             std::uint32_t cells = 256, std::uint32_t bits = 8);
-Kept spoke_item(std::uint32_t number, std::uint32_t radar = 0, std::uint32_t view = 0);
+Kept spoke_item(std::uint32_t number, std::uint32_t radar = 0, std::uint32_t view = 0,
+                std::uint32_t cells = 256);
 Kept hello_item();
 Kept event_item(double seconds, const std::string& mark);
 
