@@ -8,7 +8,10 @@
 
 namespace skerry::server {
 
-ChangeLog::ChangeLog() : sink_([](const std::string& line) { spdlog::info("{}", line); }) {}
+ChangeLog::ChangeLog()
+    : sink_([](const std::string& line) {
+        spdlog::default_logger()->clone(kControlLogger)->info("{}", line);
+      }) {}
 
 void ChangeLog::add(const std::string& origin, const std::string& place,
                     const ControlChange& change, Clock::time_point now) {

@@ -12,6 +12,9 @@
 
 namespace skerry::server {
 
+// The logger whose lines say which control was changed; its sinks are those of the server's log.
+inline constexpr const char* kControlLogger = "controls";
+
 // A line for every change, but at most one in kQuietTime for each control and origin: a display
 // whose knob is turned, or a sender gone wild, changes a control a thousand times a second.  What
 // comes within that time is put together in one line that says from what to what and how many

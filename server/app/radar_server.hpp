@@ -33,6 +33,10 @@ class RadarServer : public RadarHost {
   // this host's clients know the server by.  Before start(); without, there are none.
   void name_shared_rings(std::uint16_t tcp_port, std::size_t bytes);
 
+  // What records it; before start(), and as long as this lives.
+  void set_recording(RecordingPort* recorder) { recorder_ = recorder; }
+  RecordingPort* recording() override { return recorder_; }
+
   // Scenario time 0 is now.
   void start();
   void stop();
@@ -70,6 +74,7 @@ class RadarServer : public RadarHost {
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
   bool is_shipmate(std::uint32_t radar, std::uint32_t of) const;
+  RecordingPort* recorder_ = nullptr;
   std::string scenario_name_;
   mutable Timeline timeline_;  // to look at a tick is to make it
   Latest<Epoch> epoch_;        // none before start()
