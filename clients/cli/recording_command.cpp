@@ -123,7 +123,8 @@ Command make_recording_command(CLI::App& app) {
   const std::array commands = {
       make_recording_info_command(*command),   make_recording_cut_command(*command),
       make_recording_cat_command(*command),    make_recording_export_command(*command),
-      make_recording_import_command(*command), make_recording_verify_command(*command)};
+      make_recording_import_command(*command), make_recording_repair_command(*command),
+      make_recording_verify_command(*command)};
   return {command, [commands] {
             for (const Command& each : commands) {
               if (each.app->parsed()) return each.run();

@@ -1,5 +1,6 @@
 // skerry recording repair.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -20,11 +21,13 @@ int run_repair(const RepairOptions& options) {
   if (same_file(options.file, options.output)) {
     return report("a file is not repaired in place; give another name with -o");
   }
-  std::error_code error;
-  if (options.force) std::filesystem::remove(options.output, error);
+  // What is replaced stays until the new one is whole.
+  const std::string beside = options.output + fmt::format(".repaired-{}", ::getpid());
+  const std::string& to = options.force ? beside : options.output;
   ProgressBar bar("repairing");
-  const auto done = recording::repair(options.file, options.output, bar.function());
+  const auto done = recording::repair(options.file, to, bar.function());
   if (!done) return report(done.error());
+  if (options.force) std::filesystem::rename(beside, options.output);
   if (done->was_whole) fmt::print(stderr, "skerry: nothing was wrong with it\n");
   write_out(fmt::format("{}: {} items in {} chunks; left out: {} damaged chunks, {} bytes\n",
                         printable(options.output), done->items, done->chunks_kept,

@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -23,14 +25,18 @@ std::string already_there(const std::string& path) {
 }  // namespace
 
 RecordingOutput::RecordingOutput(std::string path, bool replace)
-    : path_(std::move(path)), part_(path_ + ".part"), replace_(replace) {
+    : path_(std::move(path)), part_(path_ + ".part-XXXXXX"), replace_(replace) {
   std::error_code error;
   if (std::filesystem::is_directory(path_, error)) fail(EISDIR);
   if (!replace_ && std::filesystem::exists(path_, error)) {
     throw std::runtime_error(already_there(path_));
   }
-  file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
+  file_ = ::mkostemp(part_.data(), O_CLOEXEC);
   if (file_ < 0) fail(errno);
+  // mkostemp() makes it for its owner alone; others may read recordings as they may other files.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(file_, 0666 & ~mask);
 }
 
 RecordingOutput::~RecordingOutput() {

@@ -8,7 +8,7 @@
 
 namespace skerry::client {
 
-// Writes into PATH.part and puts it in place by commit().  Without commit() nothing is left.
+// Writes into PATH.part-XXXXXX and puts it in place by commit().  Without commit() nothing is left.
 // Errors: std::runtime_error that names the file: `path` exists and `replace` is false, there is no
 // such folder, the disk is full, ...
 class RecordingOutput {
