@@ -7,7 +7,8 @@ import { NAUTICAL_MILE_M } from './view_geometry.js';
 const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
-  // events: hello(hello), settings(settings), ownShip(ownShip), world(world), reply(reply, text, refused).
+  // events: hello(hello), settings(settings), ownShip(ownShip), world(world), recorder(state),
+  // playback(state), reply(reply, text, refused).
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -43,6 +44,8 @@ export class RadarConsole {
       else if (message.settings) this.#takeSettings(message.settings);
       else if (message.ownShip) this.#takeOwnShip(message.ownShip);
       else if (message.world) { this.world = message.world; this.events.world(message.world); }
+      else if (message.recorder) this.events.recorder(message.recorder);
+      else if (message.playback) this.events.playback(message.playback);
       else if (message.reply) this.#takeReply(message.reply);
     }
   }

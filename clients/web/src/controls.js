@@ -63,7 +63,7 @@ export function bindKeys(actions) {
     if (event.ctrlKey || event.altKey || event.metaKey || $('help').open) return;
     const field = event.target.closest?.('input, select');
     const arrow = event.key.startsWith('Arrow');
-    if (field && (arrow || field.matches('[type=number], [type=password]') ||
+    if (field && (arrow || field.matches('[type=number], [type=password], [type=text]') ||
                   (field.matches('select') && /^[a-z0-9]$/i.test(event.key)))) return;
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     if (!action) return;

@@ -43,3 +43,27 @@ export function rateOfTurn(degMin) {
   const size = Math.abs(degMin).toFixed(1);
   return size === '0.0' ? '0.0' : `${size} ${degMin < 0 ? 'port' : 'stbd'}`;
 }
+
+// 0:00, 1:02:03; whole seconds.
+export function duration(seconds) {
+  if (!Number.isFinite(seconds)) return NONE;
+  const whole = Math.floor(Math.max(0, seconds) + 1e-6);
+  const two = (n) => String(n).padStart(2, '0');
+  const hours = Math.floor(whole / 3600), minutes = Math.floor(whole / 60) % 60;
+  return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
+}
+
+// Powers of 1000, as disks are sold.
+export function bytes(count) {
+  if (!Number.isFinite(count)) return NONE;
+  const units = ['B', 'kB', 'MB', 'GB', 'TB'];
+  let value = count, unit = 0;
+  while (value >= 999.5 && unit < units.length - 1) { value /= 1000; unit += 1; }
+  return `${unit === 0 || value >= 99.5 ? value.toFixed(0) : value.toFixed(1)} ${units[unit]}`;
+}
+
+// Date and time of an instant, UTC; milliseconds since 1970.
+export function utcClock(ms) {
+  const at = new Date(ms);
+  return Number.isNaN(at.getTime()) ? NONE : at.toISOString().slice(0, 19).replace('T', ' ') + ' UTC';
+}

@@ -10,9 +10,11 @@ import { REFUSED } from './messages.js';
 import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
 import { echoColourTable, PALETTES } from './palette.js';
+import { Playback } from './playback.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
+import { Recording } from './recording.js';
 import { Rate } from './stream_stats.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
@@ -49,9 +51,14 @@ const set = (values) => {
 const receiver = new ReceiverControls(set);
 const instructor = new Instructor(set, () => radar.ownShip);
 const locks = new Locks(set);
+const notify = (text, kind) => notices.show(text, kind);
+const recording = new Recording((record) => connection.record(record, token), notify);
+const playback = new Playback((change) => connection.playback(change, token), notify, seconds);
 
 const radar = new RadarConsole(renderer.maxRows, {
   hello: (hello) => {
+    recording.greet(hello.canRecord);
+    playback.greet(hello.playback);
     receiver.setScales(hello.rangeScalesNm);
     const named = (r) => [r.ownShip, r.name].filter(Boolean).join(' · ');
     $('radar').replaceChildren(...hello.radars.map((r) => new Option(named(r), r.radar)));
@@ -62,10 +69,14 @@ const radar = new RadarConsole(renderer.maxRows, {
   settings: (settings) => { receiver.takeSettings(settings); locks.take(settings); },
   ownShip: (ownShip) => locks.takeOwnShip(ownShip),
   world: (world) => instructor.take(world),
+  recorder: (state) => recording.take(state),
+  playback: (state) => playback.take(state),
   reply: (reply, text, refused) => {
     if (takeSubscription(reply)) return;
     receiver.takeReply(reply);
     instructor.takeReply(reply);
+    recording.takeReply(reply);
+    playback.takeReply(reply);
     if (reply.code !== 0) notices.show(text);
     if (refused) $('access').hidden = false;
   },
@@ -154,8 +165,9 @@ function draw() {
   view.upDeg = picture.headUp && headingDeg !== null ? headingDeg : 0;
   view.rangeM = radar.rangeM();
   markers.view = view;
-  const turnS = radar.turnS();
-  const held = radar.heldAfter !== null;
+  const turnS = radar.turnS() / playback.rate;
+  // A picture that stands still does not fade.
+  const held = radar.heldAfter !== null || playback.isPaused;
   renderer.draw(radar.store, view, {
     palette, turnS,
     nowS: held ? Math.min(nowS, radar.lastSpokeS) : nowS,
@@ -186,7 +198,8 @@ function alarmText() {
     return radar.hello ? 'Connection lost' : 'No connection to the server';
   }
   if (radar.inStandby) return 'Standby';
-  const turns = (seconds() - radar.lastSpokeS) / radar.turnS();
+  if (connection.state === 'live' && playback.isPaused) return '';
+  const turns = (seconds() - radar.lastSpokeS) / Math.max(0.5, radar.turnS() / playback.rate);
   if (connection.state === 'live' && radar.spoke && turns > 0.75) return 'No video';
   if (radar.heldAfter !== null && radar.spoke && turns > 0.1) return 'Picture held';
   return '';
@@ -203,6 +216,7 @@ function showReadouts() {
     scan: radar.spoke?.scan ?? null, rpm: radar.isTurning(seconds()) ? radar.turnRate.rpm() : null,
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
+  playback.showPosition();
   const alarm = alarmText();
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
@@ -248,6 +262,7 @@ bindKeys({
   g: (event) => receiver.stepGain(event.shiftKey ? -1 : 1),
   e: () => markers.toggle('ebl'), v: () => markers.toggle('vrm'),
   r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),
+  k: () => playback.toggle(), ',': () => playback.step(-1), '.': () => playback.step(1), m: () => recording.mark(''),
   '?': () => $('help').showModal(),
   ArrowLeft: (event) => markers.turnEbl(-step(event, 1)), ArrowRight: (event) => markers.turnEbl(step(event, 1)),
   ArrowUp: (event) => markers.moveVrm(step(event, 0.01)), ArrowDown: (event) => markers.moveVrm(-step(event, 0.01)),
@@ -256,5 +271,5 @@ bindKeys({
 new ResizeObserver(layOut).observe($('display'));
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback });
 requestAnimationFrame(frame);

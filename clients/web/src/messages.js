@@ -25,6 +25,7 @@ const RadarInfo = message({
 const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
+  6: ['canRecord', 'bool'], 7: ['playback', 'bool'],
 });
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
@@ -63,9 +64,20 @@ const OwnShip = message({
   7: ['rateOfTurnDegMin', 'double'], 8: ['orderedCourseDeg', 'double'], 9: ['orderedSpeedKn', 'double'],
   16: ['driven', 'bool'],
 });
+const RecorderState = message({
+  1: ['phase', 'uint32'], 2: ['file', 'string'], 3: ['folder', 'string'], 4: ['fileBytes', 'uint64'], 5: ['totalBytes', 'uint64'],
+  6: ['seconds', 'double'], 7: ['bytesPerSecond', 'double'], 8: ['freeBytes', 'uint64'], 9: ['spokes', 'uint64'],
+  10: ['spokesLost', 'uint64'], 11: ['marks', 'uint32'], 12: ['problem', 'string'], 13: ['inputsOnly', 'bool'],
+});
+const PlaybackMark = message({ 1: ['positionS', 'double'], 2: ['name', 'string'] });
+const PlaybackState = message({
+  1: ['file', 'string'], 2: ['beginUtcNs', 'fixed64'], 3: ['lengthS', 'double'], 4: ['positionS', 'double'],
+  5: ['playing', 'bool'], 6: ['rate', 'double'], 7: ['loop', 'bool'], 8: ['marks', [PlaybackMark]],
+  9: ['currentTimestamps', 'bool'], 10: ['problem', 'string'],
+});
 const ServerMessage = message({
   1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', Settings],
-  6: ['ownShip', OwnShip], 7: ['world', World],
+  6: ['ownShip', OwnShip], 7: ['world', World], 10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
 });
 
 // Calls take(serverMessage) for every frame of one WebSocket message. What is whole before an error
@@ -80,7 +92,8 @@ export function decodeFrames(bytes, take) {
     }
     const decoded = ServerMessage.decode(new Reader(bytes, reader.at, end));
     if (decoded.spoke) checkSpoke(decoded.spoke, at);
-    for (const part of [decoded.settings, decoded.ownShip, decoded.world,
+    for (const part of [decoded.settings, decoded.ownShip, decoded.world, decoded.recorder, decoded.playback,
+                        ...(decoded.playback?.marks ?? []),
                         ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? []),
                         ...(decoded.settings?.blankedSectors?.sectors ?? [])]) {
       if (part) checkFinite(part, at);
@@ -192,4 +205,23 @@ export function encodeSet(request, radar, view, values, token = '') {
   for (const name of values.unlock ?? []) writer.string(36, name);
   if (values.world) writer.bytes(18, encodeWorld(values.world));
   return frame(request, 3, writer.finish());
+}
+
+// record: action (0 start, 1 stop, 2 mark) and, if there is one, name.
+export function encodeRecord(request, { action, name }, token = '') {
+  const writer = new Writer().uint32(1, action);
+  if (name) writer.string(2, name);
+  if (token) writer.string(5, token);
+  return frame(request, 9, writer.finish());
+}
+
+const PLAYBACK_FIELDS = {
+  playing: [1, 'uint32'], positionS: [2, 'double'], stepTurns: [4, 'sint32'], rate: [5, 'double'], loop: [6, 'uint32'],
+};
+
+// change: any of the names above; what is absent stays as it is.
+export function encodePlayback(request, change, token = '') {
+  const writer = write(new Writer(), PLAYBACK_FIELDS, change);
+  if (token) writer.string(7, token);
+  return frame(request, 10, writer.finish());
 }

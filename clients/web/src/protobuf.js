@@ -230,6 +230,10 @@ export class Writer {
     return this.varint(field * 8 + VARINT).varint(value);
   }
 
+  sint32(field, value) {
+    return this.uint32(field, value < 0 ? -2 * value - 1 : 2 * value);
+  }
+
   double(field, value) {
     this.varint(field * 8 + FIXED64);
     const bytes = new Uint8Array(8);

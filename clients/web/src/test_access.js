@@ -13,7 +13,7 @@
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -37,6 +37,8 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       ownShip: radar.ownShip,
     }),
     settings: () => radar.settings,
+    recorder: () => recording.state,
+    playback: () => playback.state,
     world: () => radar.world,
     lastScan: () => radar.scans.last,
     get ppi() {

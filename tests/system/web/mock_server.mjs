@@ -25,8 +25,9 @@ export class MockServer {
   constructor(options = {}) {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
-      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false,
+      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, recorder: null, playback: null,
     }, options);
+    // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
     this.settings = {
@@ -114,6 +115,7 @@ export class MockServer {
     socket.on('message', (data) => this.#take(client, data));
     this.#send(client, { hello: {
       protocolVersion: 1, server: 'mock 1.0', scenario: 'closed form', rangeScalesNm: RANGES_NM,
+      canRecord: this.recorder !== null, playback: this.playback !== null,
       radars: this.ships.map((ownShip, radar) => ({
         radar, name: 'X-band', ownShip, spokesPerTurn: this.spokes, cells: this.cells, bits: this.bits,
         rpm: this.rpm, beamWidthDeg: 1.2,
@@ -138,6 +140,7 @@ export class MockServer {
       this.#sendSettings(client);
       this.#send(client, { world: this.world });
       this.#ownShip();
+      this.showStates();
     } else if (message.kind === 'set') {
       if (this.refuse) { reply(this.refuse.code, this.refuse.text); return; }
       const take = (names, from, into) => {
@@ -154,6 +157,41 @@ export class MockServer {
       }
       reply(0);
       this.change({});
+    } else if (message.kind === 'record') {
+      this.#record(message.record, reply);
+    } else if (message.kind === 'playback') {
+      this.#control(message.playback, reply);
+    }
+  }
+
+  #record({ action, name }, reply) {
+    if (this.refuse) return reply(this.refuse.code, this.refuse.text);
+    if (action === 0) Object.assign(this.recorder, { phase: 1, file: `${name || 'now'}.mcap` });
+    else if (action === 1) this.recorder.phase = 0;
+    else if (this.recorder.phase === 0) return reply(4, 'nothing is being recorded');
+    else this.recorder.marks += 1;
+    reply(0);
+    return this.showStates();
+  }
+
+  #control(change, reply) {
+    if (this.refuse) return reply(this.refuse.code, this.refuse.text);
+    for (const name of ['playing', 'positionS', 'rate', 'loop']) {
+      if (change[`_${name}`]) this.playback[name] = change[name];
+    }
+    if (change._stepTurns) Object.assign(this.playback, { playing: false, positionS: this.playback.positionS + (change.stepTurns * 60) / this.rpm });
+    reply(0);
+    return this.showStates();
+  }
+
+  // Of recorder and playback, changed by `recorder` and `playback`.
+  showStates({ recorder = {}, playback = {} } = {}) {
+    if (this.recorder) Object.assign(this.recorder, recorder);
+    if (this.playback) Object.assign(this.playback, playback);
+    for (const client of this.clients) {
+      if (client.radar === null) continue;
+      if (this.recorder) this.#send(client, { recorder: this.recorder });
+      if (this.playback) this.#send(client, { playback: this.playback });
     }
   }
 
@@ -196,7 +234,7 @@ export class MockServer {
     if (due - this.made > this.spokes / 4) {
       this.made = due - (due % BATCH);
     }
-    if (this.radarSettings.standby) { this.made = due - (due % BATCH); return; }
+    if (this.radarSettings.standby || this.playback?.playing === false) { this.made = due - (due % BATCH); return; }
     while (due - this.made >= BATCH) {
       const batch = [];
       for (let i = 0; i < BATCH; ++i) {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import protobuf from 'protobufjs';
-import { decodeFrames, encodeSet, encodeSubscribe, MAX_FRAME } from '../../../../clients/web/src/messages.js';
+import { decodeFrames, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, MAX_FRAME } from '../../../../clients/web/src/messages.js';
 import { WireError } from '../../../../clients/web/src/protobuf.js';
 import { ClientMessage, ServerMessage } from '../mock_server.mjs';
 import { random } from '../random.mjs';
@@ -190,4 +190,29 @@ test('a world is read whole, and refused with a number that is none', () => {
   const [{ world }] = decode(frame({ world: { seaState: 3.5, sideLobes: true, rain: [{ id: 4, rateMmH: 8 }] } }));
   assert.deepEqual([world.seaState, world.sideLobes, world.interference, world.rain[0].id, world.rain[0].rateMmH], [3.5, true, false, 4, 8]);
   refused(frame({ world: { rain: [{ id: 1, radiusNm: NaN }] } }), 'out_of_range');
+});
+
+test('what is asked of recorder and playback is what protobuf reads', () => {
+  const record = (values, token) => ClientMessage.decodeDelimited(encodeRecord(7, values, token));
+  assert.equal(record({ action: 0 }).request, 7);
+  assert.equal(record({ action: 0 }).kind, 'record');
+  assert.deepEqual({ ...record({ action: 2, name: 'man overboard ü' }, 'secret').record }, { action: 2, name: 'man overboard ü', radars: [], token: 'secret' });
+  const playback = (values, token) => ClientMessage.decodeDelimited(encodePlayback(8, values, token)).playback;
+  assert.deepEqual({ ...playback({}) }, {});
+  for (const turns of [-1000, -1, 0, 1, 1000]) assert.equal(playback({ stepTurns: turns }).stepTurns, turns);
+  assert.deepEqual({ ...playback({ playing: false, positionS: 12.25, rate: 0.1, loop: true }, 't') },
+    { playing: false, positionS: 12.25, rate: 0.1, loop: true, token: 't' });
+});
+
+test('states of recorder and playback are read as protobuf wrote them', () => {
+  const recorder = { phase: 2, file: 'a.mcap', folder: '/var', fileBytes: 5e12, totalBytes: 6e12, seconds: 1.5, bytesPerSecond: 2e6,
+    freeBytes: 7, spokes: 8, spokesLost: 9, marks: 10, problem: 'full', inputsOnly: true };
+  const playback = { file: 'b.mcap', beginUtcNs: protobuf.util.Long.fromString('1790000000000000000'), lengthS: 60, positionS: 12.5, playing: true, rate: 10,
+    loop: true, marks: [{ positionS: 3, name: 'first' }, { positionS: 4, name: '' }], currentTimestamps: true, problem: 'byte 7' };
+  const [first, second] = decode(Buffer.concat([frame({ recorder }), frame({ playback })]));
+  assert.deepEqual({ ...first.recorder }, recorder);
+  assert.deepEqual({ ...second.playback, beginUtcNs: null, marks: second.playback.marks.map((m) => ({ ...m })) }, { ...playback, beginUtcNs: null });
+  assert.ok(Math.abs(second.playback.beginUtcNs - 1.79e18) <= 512);
+  refused(frame({ playback: { lengthS: NaN } }), 'out_of_range');
+  refused(frame({ playback: { marks: [{ positionS: Infinity }] } }), 'out_of_range');
 });
