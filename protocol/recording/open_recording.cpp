@@ -1,6 +1,7 @@
 #include "protocol/recording/open_recording.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "protocol/recording/packed_spokes.hpp"
@@ -43,6 +44,12 @@ OpenRecording::OpenRecording(InputFile the_file, FileIndex the_index)
     furthest = std::max(furthest, reach(number));
     reaches.push_back(furthest);
   }
+}
+
+std::int64_t OpenRecording::reach(std::size_t number) const {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  const std::int64_t end = index.chunks[number].end;
+  return end > kMost - packed_span ? kMost : end + packed_span;
 }
 
 bool OpenRecording::has(std::size_t number, const std::set<Topic>& topics) const {

@@ -26,7 +26,7 @@ struct OpenRecording {
   bool has(std::size_t number, const std::set<Topic>& topics) const;
   // How far a chunk's items reach, packed spokes included, which may be later than their message;
   // ns since 1970.
-  std::int64_t reach(std::size_t number) const { return index.chunks[number].end + packed_span; }
+  std::int64_t reach(std::size_t number) const;
   // The first of by_start that may, or whose successors may, hold something of `time` or later.
   std::size_t first_reaching(std::int64_t time) const;
 
