@@ -1,0 +1,130 @@
+// Recorded exercises are made again from what they were given: the running server, its recorder and
+// `skerry recording verify`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "tests/system/receive.hpp"
+#include "tests/system/small_scenario.hpp"
+
+namespace skerry::system_test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr unsigned kChanges = 50;
+
+// Of an exercise; SKERRY_EXERCISE_S sets another.
+double seconds_of_exercise() {
+  const char* said = std::getenv("SKERRY_EXERCISE_S");
+  return said != nullptr ? std::stod(said) : 6.0;
+}
+
+// A change of what consoles and instructors may change.
+wire::Set change(unsigned number, std::mt19937& random) {
+  const auto below = [&](unsigned end) {
+    return std::uniform_int_distribution<unsigned>(0, end - 1)(random);
+  };
+  wire::Set set;
+  set.set_radar(below(3));
+  switch (number % 7) {
+    case 0:
+      set.set_gain(below(101));
+      break;
+    case 1:
+      set.set_range_nm(std::array{0.75, 1.5, 3.0, 6.0, 12.0}[below(5)]);
+      break;
+    case 2:
+      set.set_course_deg(below(360));
+      set.set_speed_kn(below(40));
+      break;
+    case 3:
+      set.mutable_world()->set_sea_state(below(7));
+      break;
+    case 4:
+      set.set_transmit(number % 2 == 0);
+      break;
+    case 5:
+      set.set_rotation_rpm(30.0 + below(31));
+      break;
+    default:
+      set.set_sea(below(101));
+      set.set_rain(below(101));
+      set.set_interference_rejection(below(101));
+  }
+  return set;
+}
+
+class RecordedExercise : public testing::TestWithParam<bool> {
+ protected:
+  static wire::Record request(wire::Record::Action action) {
+    wire::Record record;
+    record.set_action(action);
+    return record;
+  }
+};
+
+TEST_P(RecordedExercise, IsMadeAgainBitForBit) {
+  const bool inputs_only = GetParam();
+  const TempFolder folder;
+  const std::string recordings = folder.path("recordings");
+  RunningServer server(
+      {"--scenario", folder.write("small.yaml", small_scenario()), "--record-folder", recordings});
+  client::SpokeClient client = connected(server);
+  wire::Record start = request(wire::Record::START);
+  start.set_name("exercise");
+  start.set_inputs_only(inputs_only);
+  const auto started = client.record(start, kAnswerTime);
+  ASSERT_TRUE(started) << started.error().text;
+  ASSERT_EQ(started->code(), wire::Reply::OK) << started->text();
+
+  std::mt19937 random(3);
+  const std::chrono::duration<double> pace(seconds_of_exercise() / kChanges);
+  for (unsigned i = 0; i < kChanges; ++i) {
+    std::this_thread::sleep_for(pace);  // what an exercise is made of
+    const auto reply = client.set(change(i, random), kAnswerTime);
+    ASSERT_TRUE(reply) << reply.error().text;
+    EXPECT_EQ(reply->code(), wire::Reply::OK) << reply->text();
+  }
+  ASSERT_EQ(client.record(request(wire::Record::STOP), kAnswerTime)->code(), wire::Reply::OK);
+  // Finished when the server has ended, or before.
+  EXPECT_EQ(server.stop().code, 0);
+
+  const Ending verified =
+      run({skerry_program(), "recording", "verify", recordings + "/exercise.mcap", "--video",
+           folder.path("again.mcap")});
+  std::printf("%s", verified.out.c_str());
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("\nidentical\n"));
+  EXPECT_THAT(verified.out, HasSubstr(inputs_only ? "checkpoints" : "compared byte by byte, 0"));
+  // The video made again is a recording like any other, and verifies itself.
+  const Ending again = run({skerryd_program(), "--verify", folder.path("again.mcap")});
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+  EXPECT_THAT(again.out, HasSubstr("compared byte by byte, 0 different"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, RecordedExercise, testing::Values(false, true),
+                         [](const auto& of) { return of.param ? "Inputs" : "Video"; });
+
+TEST(Verify, SaysWhatCannotBeMadeAgain) {
+  const TempFolder folder;
+  const auto refused = [&](const std::string& file, const std::string& reason) {
+    const Ending ending = run({skerry_program(), "recording", "verify", file});
+    EXPECT_EQ(ending.code, 2) << ending.out;
+    EXPECT_THAT(ending.err, HasSubstr(reason));
+    EXPECT_THAT(ending.err, HasSubstr(file));
+  };
+  refused(folder.path("none.mcap"), "No such file");
+  refused(folder.write("garbage.mcap", std::string(1000, 'x')), "byte 0");
+  refused(folder.write("empty.mcap", ""), "byte 0");
+}
+
+}  // namespace
+}  // namespace skerry::system_test
