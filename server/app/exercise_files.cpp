@@ -15,6 +15,7 @@
 
 #include "echo/chart/gshhg_reader.hpp"
 #include "server/app/coast_rules.hpp"
+#include "server/app/control_ranges.hpp"
 #include "server/app/radar_config.hpp"
 #include "server/app/world_change.hpp"
 #include "server/replay/recorded_exercise.hpp"
@@ -168,7 +169,9 @@ ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& 
   }
   plan.coast = coast_rules(plan.scenario);
   plan.changer = [](const wire::WorldChange& change, ScenarioTime now, Environment& environment) {
-    return !change_environment(change, now, environment);
+    wire::Set set;
+    *set.mutable_world() = change;
+    return !refusal_of(set) && !change_environment(change, now, environment);
   };
   return plan;
 }

@@ -14,6 +14,9 @@ using recording::Input;
 using recording::RecordingError;
 
 constexpr std::uint32_t kMostRadars = 64;
+constexpr int kMostViews = 32;
+// Four years of the fastest radar.
+constexpr std::uint64_t kMostSpokes = std::uint64_t{1} << 40;
 
 // Sorts an input to where it belongs; why not, if it does not.
 class Sorter {
@@ -35,7 +38,7 @@ class Sorter {
         return std::nullopt;
       case Input::kReached: {
         if (!known(input.reached().radar())) return kNoRadar;
-        if (input.reached().first() > UINT64_MAX / 2) return "a radar's spokes end beyond all time";
+        if (input.reached().first() > kMostSpokes) return "a radar's spokes end beyond all time";
         RadarInputs& inputs = radar(input.reached().radar());
         inputs.end = std::max(inputs.end, input.reached().first() + SectorMaker::kSectorSpokes);
         return std::nullopt;
@@ -81,6 +84,9 @@ class Sorter {
     if (!known(taken.radar())) return kNoRadar;
     if (taken.first() % SectorMaker::kSectorSpokes != 0) {
       return fmt::format("inputs from spoke {} on, which begins no sector", taken.first());
+    }
+    if (taken.views_size() > kMostViews) {
+      return fmt::format("{} views of a radar; there can be {}", taken.views_size(), kMostViews);
     }
     RadarInputs& inputs = radar(taken.radar());
     if (taken.warm_up()) {

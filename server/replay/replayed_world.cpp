@@ -14,6 +14,15 @@ ScenarioTime time_of(std::uint64_t tick) {
   return ScenarioTime(static_cast<std::int64_t>(tick) * World::kTick);
 }
 
+// When something was given that holds from the tick on.  Error: std::invalid_argument.
+ScenarioTime near(std::uint64_t tick, std::int64_t scenario_ns) {
+  const ScenarioTime when{Duration(scenario_ns)};
+  if (when < ScenarioTime{} || when > time_of(tick)) {
+    throw std::invalid_argument("its own time is not before that of the tick");
+  }
+  return when;
+}
+
 }  // namespace
 
 ReplayedWorld::ReplayedWorld(const scenario::Scenario& scenario,
@@ -46,11 +55,12 @@ void ReplayedWorld::give(const WorldInput& given) {
                       order.has_speed_kn() ? std::optional(order.speed_kn()) : std::nullopt);
     } else if (given.input.has_fix()) {
       const recording::Input::Fix& fix = given.input.fix();
-      timeline_.drive(fix.own_ship(), fix_of(fix), ScenarioTime(Duration(fix.scenario_ns())));
+      timeline_.drive(fix.own_ship(), fix_of(fix), near(given.tick, fix.scenario_ns()));
     } else {
       const recording::Input::Environment& told = given.input.environment();
       Environment environment = *timeline_.environment();
-      if (!changer_(told.change(), ScenarioTime(Duration(told.scenario_ns())), environment)) {
+      const ScenarioTime when = near(given.tick, told.scenario_ns());
+      if (!changer_(told.change(), when, environment)) {
         throw std::invalid_argument("a change of the world is refused");
       }
       timeline_.set_environment(std::move(environment));

@@ -123,6 +123,10 @@ TEST_F(Replay, ShowsAnotherSeed) {
 
 TEST_F(Replay, MissesSpokesThatWereNeverMade) {
   const RecordedParts shorter = with([](recording::Input& input) {
+    if (input.has_fix()) input.mutable_fix()->set_scenario_ns(INT64_MAX);
+    return true;
+  }));
+  refuses(with([](recording::Input& input) {
     if (input.has_reached()) input.mutable_reached()->set_first(input.reached().first() / 32 * 16);
     return true;
   });
@@ -160,6 +164,26 @@ TEST_F(Replay, RefusesInputsThatContradictEachOther) {
   }));
   refuses(with([](recording::Input& input) {
     if (input.has_order()) input.mutable_order()->set_own_ship(77);
+    return true;
+  }));
+  refuses(with([](recording::Input& input) {
+    if (input.has_environment()) {
+      input.mutable_environment()->mutable_change()->set_sea_state(1e300);
+    }
+    return true;
+  }));
+  refuses(with([](recording::Input& input) {
+    if (input.has_environment()) input.mutable_environment()->set_scenario_ns(INT64_MIN);
+    return true;
+  }));
+  refuses(with([](recording::Input& input) {
+    if (input.has_reached()) input.mutable_reached()->set_first(std::uint64_t{1} << 62);
+    return true;
+  }));
+  refuses(with([](recording::Input& input) {
+    if (input.has_taken() && input.taken().views_size() > 0) {
+      for (int i = 0; i < 100; ++i) *input.mutable_taken()->add_views() = input.taken().views(0);
+    }
     return true;
   }));
   RecordedParts nothing = *parts_;
