@@ -28,6 +28,7 @@ Command make_snapshot_command(CLI::App& app);
 Command make_dump_command(CLI::App& app);
 Command make_set_command(CLI::App& app);
 Command make_play_command(CLI::App& app);
+Command make_record_command(CLI::App& app);
 Command make_coast_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
 Command make_recording_command(CLI::App& app);

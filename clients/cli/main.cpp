@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
       "  skerry snapshot -o radar.png\n"
       "  skerry dump --count 5\n"
       "  skerry set --range 6 --gain 60\n"
+      "  skerry record start\n"
       "  skerry play exercise.mcap\n"
       "  skerry recording info exercise.mcap\n"
       "  skerry coast fit --place bergen\n"
@@ -31,8 +32,9 @@ int run(int argc, char** argv) {
       "command line cannot be understood.\n");
   const std::vector<Command> commands = {make_status_command(app), make_snapshot_command(app),
                                          make_dump_command(app),   make_set_command(app),
-                                         make_play_command(app),   make_coast_command(app),
-                                         make_board_command(app),  make_recording_command(app)};
+                                         make_play_command(app),   make_record_command(app),
+                                         make_coast_command(app),  make_board_command(app),
+                                         make_recording_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

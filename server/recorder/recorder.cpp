@@ -105,6 +105,11 @@ wire::Reply Recorder::begin(const wire::Record& record, const std::string& origi
   }
   wanted_ = true;
   marks_ = 0;
+  state_.Clear();
+  state_.set_folder(config_.folder);
+  state_.set_phase(wire::RecorderState::RECORDING);
+  state_.set_inputs_only(record.inputs_only());
+  ++version_;
   orders_.push_back(std::move(order));
   return {};
 }
@@ -234,6 +239,7 @@ void Recorder::carry_out(Order order, std::chrono::steady_clock::time_point now)
       session_->stop(order.origin, now);
       show(session_->state(now));
       session_.reset();
+      finishing_ = true;
       spdlog::info("recorder: stopped by {}", order.origin);
       break;
     }
@@ -265,17 +271,16 @@ void Recorder::look_at_session(std::chrono::steady_clock::time_point now) {
 
 // What was recorded is on its way to the disk, or there.
 void Recorder::look_at_disk() {
+  if (!finishing_) return;
   const DiskState disk = disk_.state();
   wire::RecorderState state = this->state();
-  if (state.phase() == wire::RecorderState::OFF || state.phase() == wire::RecorderState::FAILED) {
-    return;
-  }
   state.set_file(disk.file);
   state.set_file_bytes(disk.file_bytes);
   state.set_total_bytes(disk.total_bytes);
   state.set_free_bytes(disk.free_bytes);
   state.set_problem(disk.problem);
   if (!disk.is_busy) {
+    finishing_ = false;
     state.set_bytes_per_second(0);
     state.set_phase(disk.failed ? wire::RecorderState::FAILED : wire::RecorderState::OFF);
   }

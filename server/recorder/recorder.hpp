@@ -81,7 +81,9 @@ class Recorder final : public RecordingPort {
   std::uint64_t version_ = 1;
   std::atomic<bool> records_{false};
 
-  std::unique_ptr<RecordingSession> session_;  // the recorder's thread
+  // The recorder's thread.
+  std::unique_ptr<RecordingSession> session_;
+  bool finishing_ = false;  // the session is over, its file is not
   std::thread thread_;
 };
 

@@ -55,7 +55,11 @@ bool comes_true(const std::function<bool()>& done) {
 }
 
 bool reaches(const RecordingPort& recorder, wire::RecorderState::Phase phase) {
-  return comes_true([&] { return recorder.state().phase() == phase; });
+  return comes_true([&] {
+    const wire::RecorderState state = recorder.state();
+    return state.phase() == phase &&
+           (phase != wire::RecorderState::RECORDING || !state.file().empty());
+  });
 }
 
 wire::Record record_of(wire::Record::Action action, const std::string& name) {
