@@ -158,8 +158,8 @@ void FileIndex::add(const mcap::Channel& channel) {
   if (!kind || channel.encoding != "protobuf") return;
   // Where the names are ours no schema is asked for: it may be the one that was damaged.
   const auto schema = schemas.find(channel.schema);
-  const bool ours = profile == kProfile ||
-                    (schema != schemas.end() && schema->second == schema_name(*kind));
+  const bool ours =
+      profile == kProfile || (schema != schemas.end() && schema->second == schema_name(*kind));
   if (ours) channels[channel.id] = *kind;
 }
 

@@ -75,7 +75,7 @@ Result<std::shared_ptr<const OpenRecording>, RecordingError> open_recording(
   if (!index) return Failure{index.error()};
   const auto recording =
       std::make_shared<OpenRecording>(std::move(file.value()), std::move(index.value()));
-  if (auto error = summarise(recording, progress)) return Failure{*std::move(error)};
+  if (auto error = summarise(*recording, progress)) return Failure{*std::move(error)};
   return std::shared_ptr<const OpenRecording>(recording);
 }
 

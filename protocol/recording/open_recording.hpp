@@ -39,7 +39,7 @@ struct OpenRecording {
 };
 
 // Makes the summary.  Error: given up.
-std::optional<RecordingError> summarise(const std::shared_ptr<OpenRecording>& recording,
+std::optional<RecordingError> summarise(OpenRecording& recording,
                                         const RecordingReader::Progress& progress);
 // As RecordingReader::open().
 Result<std::shared_ptr<const OpenRecording>, RecordingError> open_recording(

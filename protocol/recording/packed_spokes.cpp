@@ -184,6 +184,14 @@ void SpokePacker::finish(Bytes& out) {
   doppler_.clear();
 }
 
+std::uint32_t packed_count(std::span<const std::uint8_t> message) {
+  // As it is written: the count first.
+  constexpr std::uint8_t kCountTag = 1 << 3;
+  if (message.empty() || message[0] != kCountTag) return 0;
+  std::size_t offset = 1;
+  return static_cast<std::uint32_t>(varint_at(message, offset).value_or(0));
+}
+
 Result<std::unique_ptr<SpokeUnpacker>, std::string> SpokeUnpacker::open(
     std::span<const std::uint8_t> message) {
   PackedSpokes packed;

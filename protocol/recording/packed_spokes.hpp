@@ -66,6 +66,9 @@ class SpokePacker {
   Bytes again_;
 };
 
+// How many spokes a serialised PackedSpokes says it has; 0 if it is none.
+std::uint32_t packed_count(std::span<const std::uint8_t> message);
+
 // Gives them back one by one.  Bounded: it holds as many octets as the message, and a spoke.
 // Thread: one at a time.
 class SpokeUnpacker {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "protocol/recording/file_builder.hpp"
-#include "protocol/recording/item_cursor.hpp"
 #include "protocol/recording/open_recording.hpp"
+#include "protocol/recording/packed_spokes.hpp"
 #include "protocol/recording/recording.pb.h"
 
 namespace skerry::recording {
@@ -59,48 +59,79 @@ void take(const Contents& contents, Summary& summary) {
   summary.end = std::max(utc_of(contents.end_utc_ns()), summary.begin);
 }
 
-// Without Contents: numbers from the index, marks and what is packed from the chunks themselves.
-std::optional<RecordingError> count(std::shared_ptr<OpenRecording> recording,
-                                    const RecordingReader::Progress& progress) {
-  Summary& summary = recording->summary;
-  std::set<Topic> to_read{{Kind::event}};
-  for (const auto& [id, kind] : recording->index.channels) {
-    if (kind.packed) {
-      to_read.insert(kind.topic);
+// Without Contents: numbers from the index, and marks and what is packed from the chunks
+// themselves.
+class Counting {
+ public:
+  Counting(OpenRecording& recording, const RecordingReader::Progress& progress)
+      : recording_(recording), summary_(recording.summary), progress_(progress) {}
+
+  // Error: given up.
+  std::optional<RecordingError> run() {
+    const FileIndex& index = recording_.index;
+    for (const auto& [id, kind] : index.channels) {
+      if (kind.packed || kind.topic.kind == Kind::event) to_read_.insert(kind.topic);
     }
-  }
-  for (const auto& [id, kind] : recording->index.channels) {
-    const auto messages = recording->index.messages.find(id);
-    if (messages == recording->index.messages.end() || to_read.contains(kind.topic)) continue;
-    summary.items[kind.topic] += messages->second;
-  }
-  const auto& chunks = recording->index.chunks;
-  if (chunks.empty()) return std::nullopt;
-  summary.begin = utc_of(static_cast<std::uint64_t>(chunks[recording->by_start.front()].start));
-  for (const ChunkPlace& chunk : chunks) {
-    summary.end = std::max(summary.end, utc_of(static_cast<std::uint64_t>(chunk.end)));
+    for (const auto& [id, kind] : index.channels) {
+      const auto messages = index.messages.find(id);
+      if (messages != index.messages.end() && !to_read_.contains(kind.topic)) {
+        summary_.items[kind.topic] += messages->second;
+      }
+    }
+    if (index.chunks.empty()) return std::nullopt;
+    summary_.begin = utc_of(start_of(recording_.by_start.front()));
+    for (const ChunkPlace& chunk : index.chunks) end_ = std::max(end_, chunk.end);
+    std::uint64_t read = 0;
+    for (std::size_t number = 0; number < index.chunks.size() && !to_read_.empty(); ++number) {
+      if (!recording_.has(number, to_read_)) continue;
+      take_chunk(number);
+      if (progress_ && ++read % 16 == 0 &&
+          !progress_(static_cast<double>(number) / static_cast<double>(index.chunks.size()))) {
+        return recording_.file.error(index.chunks[number].offset, "given up");
+      }
+    }
+    summary_.end = utc_of(static_cast<std::uint64_t>(end_));
+    return std::nullopt;
   }
 
-  ItemCursor::Impl cursor(recording, to_read);
-  std::uint64_t read = 0;
-  const double length = std::max(in_seconds(summary.end - summary.begin), 1e-9);
-  while (const auto item = cursor.next()) {
-    if (progress && ++read % 4096 == 0 &&
-        !progress(std::clamp(in_seconds(item->time - summary.begin) / length, 0.0, 1.0))) {
-      return recording->file.error(0, "given up");
-    }
-    ++summary.items[item->topic];
-    summary.end = std::max(summary.end, item->time);
-    if (item->topic.kind != Kind::event || summary.marks.size() >= kMaxMarks) continue;
-    Event event;
-    if (event.ParseFromArray(item->bytes.data(), static_cast<int>(item->bytes.size())) &&
-        event.kind() == Event::MARK) {
-      summary.marks.push_back({item->time, event.text()});
+ private:
+  std::uint64_t start_of(std::size_t number) const {
+    return static_cast<std::uint64_t>(recording_.index.chunks[number].start);
+  }
+
+  void take_chunk(std::size_t number) {
+    const auto chunk = recording_.chunk(number, to_read_);
+    if (!chunk) return note(summary_, chunk.error());
+    for (const ChunkData::Entry& entry : (*chunk)->entries()) {
+      const ChannelKind& kind = (*chunk)->kind_of(entry);
+      const auto bytes = (*chunk)->bytes_of(entry);
+      summary_.items[kind.topic] += kind.packed ? packed_count(bytes) : 1;
+      // Only the last of them are unpacked: they may reach beyond all other items.
+      if (kind.packed && recording_.reach(number) > end_) take_end(bytes);
+      if (kind.topic.kind == Kind::event) take_mark(entry.time, bytes);
     }
   }
-  if (cursor.damage()) note(summary, *cursor.damage());
-  return std::nullopt;
-}
+
+  void take_end(std::span<const std::uint8_t> packed) {
+    const auto unpacker = SpokeUnpacker::open(packed);
+    while (unpacker && (*unpacker)->next()) end_ = std::max(end_, (*unpacker)->time());
+  }
+
+  void take_mark(std::int64_t time, std::span<const std::uint8_t> bytes) {
+    Event event;
+    if (summary_.marks.size() < kMaxMarks &&
+        event.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) &&
+        event.kind() == Event::MARK) {
+      summary_.marks.push_back({utc_of(static_cast<std::uint64_t>(time)), event.text()});
+    }
+  }
+
+  OpenRecording& recording_;
+  Summary& summary_;
+  const RecordingReader::Progress& progress_;
+  std::set<Topic> to_read_;
+  std::int64_t end_ = 0;  // ns since 1970
+};
 
 std::string compression_name(const OpenRecording& recording) {
   Bytes bytes;
@@ -116,21 +147,21 @@ std::string compression_name(const OpenRecording& recording) {
 
 }  // namespace
 
-std::optional<RecordingError> summarise(const std::shared_ptr<OpenRecording>& recording,
+std::optional<RecordingError> summarise(OpenRecording& recording,
                                         const RecordingReader::Progress& progress) {
-  Summary& summary = recording->summary;
-  const FileIndex& index = recording->index;
-  summary.file = recording->file.path();
-  summary.file_bytes = recording->file.size();
+  Summary& summary = recording.summary;
+  const FileIndex& index = recording.index;
+  summary.file = recording.file.path();
+  summary.file_bytes = recording.file.size();
   summary.damage = index.damage;
   summary.chunks = index.chunks.size();
   for (const ChunkPlace& chunk : index.chunks) summary.uncompressed_bytes += chunk.uncompressed;
-  summary.compact = recording->packed_span > 0;
-  summary.compression = index.chunks.empty() ? "none" : compression_name(*recording);
-  const auto contents = read_attachments(*recording);
+  summary.compact = recording.packed_span > 0;
+  summary.compression = index.chunks.empty() ? "none" : compression_name(recording);
+  const auto contents = read_attachments(recording);
   if (contents && index.whole) {
     take(*contents, summary);
-  } else if (auto error = count(recording, progress)) {
+  } else if (auto error = Counting(recording, progress).run()) {
     return error;
   }
   std::stable_sort(summary.marks.begin(), summary.marks.end(),

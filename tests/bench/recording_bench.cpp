@@ -186,6 +186,16 @@ void ratios(const std::vector<RecordedTurn>& turns, const TemporaryFile& file) {
   fmt::print("\n");
 }
 
+// What it takes to find the chunks of a file that was not finished.
+void search(const TemporaryFile& file, std::uint64_t file_bytes) {
+  if (::truncate(file.path().c_str(), static_cast<off_t>(file_bytes - 100)) != 0) std::abort();
+  const double begun = seconds();
+  const auto reader = RecordingReader::open(file.path());
+  if (!reader) throw std::runtime_error(reader.error().to_string());
+  fmt::print("cut short: {} chunks found in {:.1f} ms\n\n", reader->summary().chunks,
+             1e3 * (seconds() - begun));
+}
+
 void seeks(const RecordedTurn& turn, const TemporaryFile& file, std::uint64_t bytes) {
   WriterOptions options;
   options.compression = Compression::none;
@@ -220,8 +230,9 @@ void seeks(const RecordedTurn& turn, const TemporaryFile& file, std::uint64_t by
     if (!item) break;
     read += item->bytes.size();
   }
-  fmt::print("read in order: {:.0f} MB/s\n\n",
+  fmt::print("read in order: {:.0f} MB/s\n",
              static_cast<double>(read) / (seconds() - begun) * 1e-6);
+  search(file, summary.file_bytes);
 }
 
 void quick_writer(benchmark::State& state) {
