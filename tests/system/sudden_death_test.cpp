@@ -277,5 +277,48 @@ TEST_F(SuddenDeath, ADiskThatHasRoomAgainIsRecordedToAgain) {
   EXPECT_EQ(file.events(recording::Event::MARK)[0].text(), "while full");
 }
 
+// Others may fill the disk between a look at it and a write.
+TEST_F(SuddenDeath, WhatWasTakenWaitsForADiskThatOthersFilled) {
+  const SmallDisk disk(folder_.path("disk"));
+  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  const std::string ballast = folder_.path("disk/ballast");
+  server::RecorderConfig config;
+  config.folder = folder_.path("disk");
+  config.reserve_bytes = 0;
+  config.max_queue = 16 << 20;
+  server::DiskWriter writer(config);
+  const auto fill = [&] {
+    std::ofstream file(ballast);
+    while (file << std::string(4096, 'x') << std::flush) continue;
+  };
+  const Bytes chunk(500'000, 7);
+  const auto is_done = [&] { return !writer.state().is_busy; };
+
+  writer.begin("waits");
+  ASSERT_EQ(writer.take(chunk, 10), server::DiskWriter::Taken::yes);
+  ASSERT_TRUE(server::comes_true(is_done));
+  fill();
+  // Until the writer has looked, it takes what it has no room for.
+  if (writer.take(chunk, 10) == server::DiskWriter::Taken::yes) {
+    ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
+    EXPECT_EQ(writer.take(chunk, 10), server::DiskWriter::Taken::no_room);
+    std::filesystem::remove(ballast);
+    ASSERT_TRUE(server::comes_true(is_done));
+    EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), 2 * chunk.size());
+    EXPECT_TRUE(server::comes_true(
+        [&] { return writer.take({}, 0) == server::DiskWriter::Taken::yes; }));
+    EXPECT_FALSE(writer.state().is_full);
+    fill();
+  }
+  // The end does not wait: the file then has none, and says so.
+  const std::uint64_t size = std::filesystem::file_size(folder_.path("disk/waits.mcap"));
+  writer.take_end(chunk);
+  writer.end();
+  ASSERT_TRUE(server::comes_true(is_done));
+  EXPECT_NE(writer.state().problem.find("skerry recording repair"), std::string::npos);
+  EXPECT_FALSE(writer.state().failed);
+  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), size);
+}
+
 }  // namespace
 }  // namespace skerry::system_test

@@ -250,6 +250,32 @@ TEST_F(Recording, GoesOnInAnotherFileWhereItsOwnWasTakenAway) {
             recorder().state().spokes());
 }
 
+TEST(SlowRecording, TellsEverySpokeThatWasOverwritten) {
+  const ScratchFolder folder;
+  RecordedHost host(1, 4);
+  RecorderConfig config;
+  config.folder = folder.path();
+  config.reserve_bytes = 0;
+  Recorder recorder(host, config);
+  recorder.start();
+  recorder.record(record_of(wire::Record::START, "a"), "test");
+  ASSERT_TRUE(reaches(recorder, State::RECORDING));
+  // Many times as fast as a ring of four sectors can be read.
+  ASSERT_TRUE(comes_true([&] {
+    for (int i = 0; i < 100; ++i) host.publish();
+    return recorder.state().spokes_lost() > 5000;
+  }));
+  recorder.record(record_of(wire::Record::STOP), "test");
+  ASSERT_TRUE(reaches(recorder, State::OFF));
+  const wire::RecorderState state = recorder.state();
+  EXPECT_EQ(state.spokes() + state.spokes_lost(), host.published());
+  const Recorded file = recorded(folder.path("a.mcap"));
+  std::uint64_t told = 0;
+  for (const Event& event : file.events(Event::LOST)) told += event.count();
+  EXPECT_EQ(told, state.spokes_lost());
+  EXPECT_EQ(file.of(Kind::spoke).size(), state.spokes());
+}
+
 TEST_F(Recording, OfInputsAloneHasNoVideoButItsDigest) {
   host_.has_exercise = true;
   host_.inputs.add("before");
