@@ -26,10 +26,14 @@ class ImportCaptures : public testing::TestWithParam<Capture> {
     got_ = imported(unpack_radar_capture(GetParam().file));
   }
   const std::vector<Spoke>& spokes() { return got_.spokes[0]; }
+  void expect_cells_and_ranges();
+  void expect_growth();
+  void expect_identity();
   Imported got_;
 };
 
-TEST_P(ImportCaptures, CellsRangesAndTimesAreTheCaptures) {
+// Cells and ranges are the capture's.
+void ImportCaptures::expect_cells_and_ranges() {
   const ExpectedDecode expected = expected_decode(GetParam().file);
   ASSERT_EQ(got_.spokes.size(), 1u);
   DecodedCells cells;
@@ -65,7 +69,8 @@ TEST_P(ImportCaptures, CellsRangesAndTimesAreTheCaptures) {
   EXPECT_EQ(static_cast<std::uint64_t>(unknown), counts.range_unknown);
 }
 
-TEST_P(ImportCaptures, SequenceScanAndTimeGrow) {
+// Sequence, scan and time grow, and gaps are told of.
+void ImportCaptures::expect_growth() {
   std::uint64_t missing = 0, jumps = 0;
   for (std::size_t i = 1; i < spokes().size(); ++i) {
     const SpokeHeader &before = spokes()[i - 1].header, &now = spokes()[i].header;
@@ -83,7 +88,8 @@ TEST_P(ImportCaptures, SequenceScanAndTimeGrow) {
   EXPECT_GE(turns + 2, expected_decode(GetParam().file).azimuth_wraps);
 }
 
-TEST_P(ImportCaptures, HelloAndSettingsTellWhatTheRadarIs) {
+// Hello and settings tell what the radar is.
+void ImportCaptures::expect_identity() {
   ASSERT_EQ(got_.hello.radars_size(), 1);
   const wire::RadarInfo& info = got_.hello.radars(0);
   EXPECT_EQ(info.name(), GetParam().name);
@@ -95,6 +101,12 @@ TEST_P(ImportCaptures, HelloAndSettingsTellWhatTheRadarIs) {
   EXPECT_EQ(got_.settings[0].range_nm(), spokes()[0].header.range_scale.in_nautical_miles());
   ASSERT_EQ(got_.summary.attachments.size(), 1u);
   EXPECT_EQ(got_.summary.attachments[0].name, "import.json");
+}
+
+TEST_P(ImportCaptures, ComeBackAsAnIndependentDecoderReadsThem) {
+  expect_cells_and_ranges();
+  expect_growth();
+  expect_identity();
 }
 
 INSTANTIATE_TEST_SUITE_P(
