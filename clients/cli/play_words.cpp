@@ -64,10 +64,11 @@ Result<PlayWords, std::string> parse_play_words(std::string_view line) {
   }
   words.what = PlayWords::What::ask;
   if (verb == "seek" || verb == "mark") {
-    const auto place = recording::parse_position(rest);
+    const auto place =
+        recording::parse_position(verb == "mark" ? "mark:" + std::string(rest) : std::string(rest));
     if (!place) return Failure{place.error()};
-    if (verb == "mark" || place->is_mark()) {
-      request.set_mark(place->is_mark() ? place->mark : std::string(rest));
+    if (place->is_mark()) {
+      request.set_mark(place->mark);
     } else {
       request.set_position_s(in_seconds(place->since_begin));
     }
@@ -98,6 +99,7 @@ std::string play_words_help() {
   return "  play                 go on\n"
          "  pause                stand still\n"
          "  seek PLACE           90, 1:30, 0:01:30.5 or a mark's name\n"
+         "  mark NAME            the same, where a name looks like a time\n"
          "  rate R               times the recorded pace, 0.1 to 100\n"
          "  loop on|off          from the begin again at the end\n"
          "  step [N], back [N]   so many turns of the antenna on or back, then stand still\n"

@@ -15,7 +15,7 @@ struct PlayWords {
   wire::Playback request;  // to ask for
 };
 
-// play, pause, seek PLACE (a mark's name among them), rate R, loop on|off, step [N], back [N],
+// play, pause, seek PLACE, mark NAME, rate R, loop on|off, step [N], back [N],
 // state, marks, help, quit; nothing at all is state.  Numbers' ranges are the server's to check.
 // Error: what was not understood, and what was expected.
 Result<PlayWords, std::string> parse_play_words(std::string_view line);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "protocol/wire/spoke_message.hpp"
 
@@ -25,7 +26,7 @@ void PieceReader::seek(UtcTime time) {
 
 std::optional<Piece> PieceReader::read() {
   while (const auto item = cursor_.next()) {
-    Piece piece{item->time, item->topic, {}, {}};
+    Piece piece{item->time, item->topic, {}, {}, {}};
     if (is_of_a_radar(item->topic.kind)) piece.topic.radar = played_.at(item->topic.radar);
     if (item->topic.kind != Kind::spoke) {
       piece.bytes.assign(item->bytes.begin(), item->bytes.end());
@@ -42,23 +43,22 @@ std::optional<Piece> PieceReader::read() {
     // The topic is what the reader was asked for.
     piece.spokes.back().header.radar = piece.topic.radar;
     piece.spokes.back().header.view = piece.topic.view;
-    // Pace and place are those of the file's index, which a hostile spoke may contradict.
-    piece.spokes.back().header.utc = item->time;
+    // Pace and place are those of the file's index, which a spoke's own time may contradict.
+    piece.times.push_back(item->time);
     return piece;
   }
   return std::nullopt;
 }
 
-void PieceReader::make_ready(std::vector<Spoke>& spokes) {
-  if (spokes.empty()) return;
-  const SpokeHeader& last = spokes.back().header;
-  ready_.push_back({last.utc, {Kind::spoke, last.radar, last.view}, std::move(spokes), {}});
-  spokes.clear();
+void PieceReader::make_ready(Piece& gathered) {
+  if (gathered.spokes.empty()) return;
+  gathered.time = gathered.times.back();
+  ready_.push_back(std::exchange(gathered, {}));
 }
 
 void PieceReader::make_all_ready() {
   const std::size_t before = ready_.size();
-  for (auto& [view, spokes] : pending_) make_ready(spokes);
+  for (auto& [view, gathered] : pending_) make_ready(gathered);
   std::stable_sort(ready_.begin() + static_cast<std::ptrdiff_t>(before), ready_.end(),
                    [](const Piece& a, const Piece& b) { return a.time < b.time; });
 }
@@ -76,15 +76,18 @@ std::optional<Piece> PieceReader::next(std::optional<UtcTime> until) {
       if (ready_.empty()) return std::nullopt;
       continue;
     }
-    for (auto& [view, spokes] : pending_) {
-      if (!spokes.empty() && spokes.front().header.utc + span_ <= held_->time) make_ready(spokes);
+    for (auto& [view, gathered] : pending_) {
+      const bool waits = !gathered.spokes.empty() && gathered.times.front() + span_ <= held_->time;
+      if (waits) make_ready(gathered);
     }
     if (held_->topic.kind != Kind::spoke) {
       ready_.push_back(*std::move(held_));
     } else {
-      auto& spokes = pending_[{held_->topic.radar, held_->topic.view}];
-      spokes.push_back(std::move(held_->spokes.front()));
-      if (spokes.size() == kMostSpokes) make_ready(spokes);
+      Piece& gathered = pending_[{held_->topic.radar, held_->topic.view}];
+      gathered.topic = held_->topic;
+      gathered.spokes.push_back(std::move(held_->spokes.front()));
+      gathered.times.push_back(held_->time);
+      if (gathered.spokes.size() == kMostSpokes) make_ready(gathered);
     }
     held_.reset();
   }

@@ -20,6 +20,7 @@ struct Piece {
   UtcTime time{};          // when it is due: that of the item, or of the last spoke
   recording::Topic topic;  // with the playback's number of the radar, the recording's of the view
   std::vector<Spoke> spokes;        // of Kind::spoke; the same numbers
+  std::vector<UtcTime> times;       // when each of them is due: their own, unless the file differs
   std::vector<std::uint8_t> bytes;  // of the others
 };
 
@@ -48,15 +49,15 @@ class PieceReader {
 
   // The next item that can be read, as a piece of one.
   std::optional<Piece> read();
-  void make_ready(std::vector<Spoke>& spokes);
+  void make_ready(Piece& gathered);
   void make_all_ready();
 
   std::map<std::uint32_t, std::uint32_t> played_;  // radars, by recorded number
   recording::ItemCursor cursor_;
   Duration span_ = std::chrono::milliseconds(40);
   std::deque<Piece> ready_;
-  std::map<ViewKey, std::vector<Spoke>> pending_;
-  std::optional<Piece> held_;  // read, but not yet taken in
+  std::map<ViewKey, Piece> pending_;  // spokes of less than a sector
+  std::optional<Piece> held_;         // read, but not yet taken in
   std::uint64_t unreadable_ = 0;
   std::string first_unreadable_;
   wire::Spoke message_;

@@ -251,10 +251,10 @@ void Player::play(Piece& piece) {
     std::unique_lock lock(mutex_);
     const PlayClock clock = clock_;
     lock.unlock();
-    for (Spoke& spoke : piece.spokes) {
-      const Duration since = clock.due(spoke.header.utc) - began_;
-      spoke.header.utc = began_utc_ + since;
-      spoke.header.scenario_time = ScenarioTime(std::max(Duration::zero(), since));
+    for (std::size_t i = 0; i < piece.spokes.size(); ++i) {
+      const Duration since = clock.due(piece.times[i]) - began_;
+      piece.spokes[i].header.utc = began_utc_ + since;
+      piece.spokes[i].header.scenario_time = ScenarioTime(std::max(Duration::zero(), since));
     }
   }
   state_.take(piece.spokes.back().header);

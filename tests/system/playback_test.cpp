@@ -12,6 +12,8 @@
 
 #include "clients/common/datagram_socket.hpp"
 #include "protocol/asterix/cat240.hpp"
+#include "protocol/recording/reader.hpp"
+#include "protocol/wire/spoke_message.hpp"
 #include "tests/system/display_kit.hpp"
 #include "tests/system/receive.hpp"
 #include "tests/system/small_scenario.hpp"
@@ -20,6 +22,7 @@
 namespace skerry::system_test {
 namespace {
 
+using namespace std::chrono_literals;
 using server::recorded_spoke;
 using server::RecordedFile;
 using server::RecordedScene;
@@ -50,7 +53,7 @@ class Playback : public testing::Test {
 };
 
 TEST_F(Playback, AConsoleSeesThatItIsOneAndGetsEverySpokeInOrder) {
-  const RecordedScene scene{.turns = 20, .marks = {{std::chrono::seconds(9), "buoy"}}};
+  const RecordedScene scene{.turns = 20, .marks = {{9s, "buoy"}}};
   const RecordedFile file(scene);
   RunningServer server({"--play", file.path(), "--play-paused"});
   client::SpokeClient console = subscribed(server, 0);
@@ -196,7 +199,7 @@ TEST_F(Playback, BadFilesAreNamedWithTheByteAndEndTheServer) {
 }
 
 TEST_F(Playback, IsControlledFromTheCommandLine) {
-  const RecordedScene scene{.turns = 30, .marks = {{std::chrono::seconds(9), "buoy"}}};
+  const RecordedScene scene{.turns = 30, .marks = {{9s, "buoy"}}};
   const RecordedFile file(scene);
   RunningServer server({"--play", file.path(), "--play-paused"});
   const std::string port = std::to_string(server.tcp_port());
@@ -215,12 +218,57 @@ TEST_F(Playback, IsControlledFromTheCommandLine) {
   EXPECT_EQ(say({"fly"}).code, 2);
 }
 
+// The recorder is a reader that keeps up: at the fastest rate it has every spoke, in order.
+TEST_F(Playback, AtAHundredTimesItsPaceNothingIsLostToAFile) {
+  const RecordedScene scene{.spokes_per_turn = 2048, .cells = 512, .turns = 40, .turn = 2500ms};
+  const RecordedFile file(scene);
+  const TempFolder folder;
+  RunningServer server({"--play", file.path(), "--play-paused", "--record-folder",
+                        folder.path("rec"), "--record-reserve-mib", "0"});
+  client::SpokeClient console = connected(server);
+  wire::Record record;
+  record.set_name("again");
+  ASSERT_TRUE(console.record(record, kAnswerTime));
+  await_status(console, [](const wire::Status& status) {
+    return status.recorder().phase() == wire::RecorderState::RECORDING;
+  });
+  wire::Playback fast;
+  fast.set_playing(true);
+  fast.set_rate(100.0);
+  ASSERT_TRUE(console.playback(fast, kAnswerTime));
+  const std::uint64_t spokes = std::uint64_t{scene.turns} * scene.spokes_per_turn;
+  const wire::Status done = await_status(console, [&](const wire::Status& status) {
+    return !status.playback().playing() &&
+           status.recorder().spokes() + status.recorder().spokes_lost() >= spokes;
+  });
+  EXPECT_EQ(done.recorder().spokes_lost(), 0u);
+  record.set_action(wire::Record::STOP);
+  ASSERT_TRUE(console.record(record, kAnswerTime));
+  await_status(console, [](const wire::Status& status) {
+    return status.recorder().phase() == wire::RecorderState::OFF;
+  });
+  const auto again = recording::RecordingReader::open(folder.path("rec/again.mcap"));
+  ASSERT_TRUE(again) << again.error().to_string();
+  auto items = again->items({{recording::Kind::spoke, 0, 0}});
+  wire::Spoke message;
+  for (std::uint64_t n = 0; n < spokes; ++n) {
+    const auto item = items.next();
+    ASSERT_TRUE(item) << n;
+    ASSERT_TRUE(message.ParseFromArray(item->bytes.data(), static_cast<int>(item->bytes.size())));
+    const auto spoke = from_message(message);
+    ASSERT_TRUE(spoke);
+    expect_spoke(scene, *spoke, n);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_FALSE(items.next());
+}
+
 TEST_F(Playback, SkerryPlayStartsAServerOnAFile) {
   const RecordedFile file(RecordedScene{});
   ChildProcess play({skerry_program(), "play", file.path(), "--port", "0", "--http-port", "0",
                      "--no-udp", "--no-cat240", "--loop"});
   // Standard input is at its end: it plays until Ctrl-C.
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  std::this_thread::sleep_for(1500ms);
   play.signal(SIGINT);
   const Ending ending = play.wait();
   EXPECT_EQ(ending.code, 0) << ending.err;
