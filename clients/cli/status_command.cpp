@@ -7,6 +7,7 @@
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/record_words.hpp"
 #include "clients/common/label_text.hpp"
 #include "clients/common/printable_text.hpp"
 
@@ -222,6 +223,14 @@ std::string outputs(const wire::Status& status) {
   return out;
 }
 
+std::string recorder(const wire::Status& status) {
+  const wire::RecorderState& state = status.recorder();
+  if (state.phase() == wire::RecorderState::OFF) return "";
+  std::string out = "\nRECORDER  " + recorder_line(state) + "\n";
+  if (!state.problem().empty()) out += fmt::format("{:>10}{}\n", "", printable(state.problem()));
+  return out;
+}
+
 std::string errors(const wire::Status& status) {
   if (status.errors().empty()) return "no errors\n";
   std::string out = fmt::format("{:>10}  {}\n", "ERRORS", "KIND");
@@ -239,7 +248,7 @@ std::string table(const wire::Status& status, const std::string& place) {
       hours_minutes_seconds(status.scenario_s()), hours_minutes_seconds(status.uptime_s()),
       status.resident_mib(), own_ships(status), radars(status),
       controls(status) + special_controls(status), boards(status), world(status),
-      clients(status) + outputs(status), errors(status));
+      clients(status) + outputs(status) + recorder(status), errors(status));
 }
 
 std::string json(const wire::Status& status) {

@@ -118,9 +118,69 @@ TEST_F(RunningRecorder, AFolderIsOneRecordersAlone) {
 TEST_F(RunningRecorder, StateIsInTheStatusOfTheServer) {
   RunningServer server(arguments());
   ASSERT_EQ(record(server, "start", {"a"}).code, 0);
+  EXPECT_THAT(server.skerry("status").out, HasSubstr("RECORDER  recording"));
   const Ending json = server.skerry("status", {"--json"});
   EXPECT_THAT(json.out, HasSubstr("\"phase\": \"RECORDING\""));
   EXPECT_THAT(record(server, "status", {"--json"}).out, HasSubstr("\"file\": \"a.mcap\""));
+}
+
+// A playback is recorded as it is shown, and that recording has the same spokes.
+TEST_F(RunningRecorder, RecordsAPlayback) {
+  {
+    RunningServer server(arguments({"--record"}));
+    while (record(server, "status").out.find(".mcap") == std::string::npos) continue;
+    EXPECT_EQ(server.skerry("snapshot", {"-o", folder_.path("a.png")}).code, 0);
+    ASSERT_EQ(record(server, "stop").code, 0);
+    ASSERT_EQ(record(server, "start", {"a"}).code, 0);
+    EXPECT_EQ(server.skerry("snapshot", {"-o", folder_.path("b.png")}).code, 0);
+    ASSERT_EQ(record(server, "stop").code, 0);
+  }
+  const std::string original = folder_.path("rec/a.mcap");
+  {
+    RunningServer server({"--play", original, "--play-paused", "--record-folder",
+                          folder_.path("again"), "--record-reserve-mib", "0"});
+    ASSERT_EQ(record(server, "start", {"b"}).code, 0);
+    const Ending ending = run({skerry_program(), "play", "--server", "--port",
+                               std::to_string(server.tcp_port()), "play"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    const auto spokes = [&] {
+      return RecordingReader::open(original)->summary().items.at({Kind::spoke, 0, 0});
+    };
+    const std::string json_spokes = "\"spokes\": \"";
+    for (std::uint64_t taken = 0; taken < spokes();) {
+      const std::string status = record(server, "status", {"--json"}).out;
+      const auto at = status.find(json_spokes);
+      ASSERT_NE(at, std::string::npos) << status;
+      taken = std::stoull(status.substr(at + json_spokes.size()));
+    }
+    ASSERT_EQ(record(server, "stop").code, 0);
+  }
+  const auto again = RecordingReader::open(folder_.path("again/b.mcap"));
+  ASSERT_TRUE(again.ok()) << again.error().to_string();
+  EXPECT_FALSE(again->summary().damage.has_value());
+  EXPECT_GT(again->summary().items.at({Kind::spoke, 0, 0}), 0u);
+  // Its times are those of what was played, not of today.
+  const auto first = RecordingReader::open(original);
+  EXPECT_LT(again->summary().end, first->summary().end + std::chrono::seconds(5));
+}
+
+// What an exercise was given is enough to make its video again.
+TEST_F(RunningRecorder, InputsAloneMakeTheVideoAgain) {
+  {
+    RunningServer server(arguments());
+    const Ending started = record(server, "start", {"inputs", "--inputs-only"});
+    ASSERT_EQ(started.code, 0) << started.err;
+    EXPECT_EQ(server.skerry("set", {"--gain", "63"}).code, 0);
+    EXPECT_EQ(server.skerry("snapshot", {"-o", folder_.path("a.png")}).code, 0);
+    ASSERT_EQ(record(server, "stop").code, 0);
+  }
+  const std::string file = folder_.path("rec/inputs.mcap");
+  const auto reader = RecordingReader::open(file);
+  ASSERT_TRUE(reader.ok()) << reader.error().to_string();
+  EXPECT_EQ(count(reader->summary(), Kind::spoke), 0u);
+  EXPECT_LT(reader->summary().file_bytes, 100'000u);
+  const Ending verified = run({skerry_program(), "recording", "verify", file});
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
 }  // namespace
