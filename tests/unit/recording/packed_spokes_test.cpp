@@ -35,8 +35,8 @@ bool add(SpokePacker& packer, const std::string& spoke) {
 
 TEST(CellDifferences, AreUndoneExactly) {
   std::mt19937 random(5);
-  for (const std::size_t width : {1U, 2U, 63U, 64U, 65U, 200U}) {
-    for (const std::size_t count : {1U, 2U, 64U, 67U}) {
+  for (const std::size_t width : {1U, 2U, 7U, 8U, 9U, 63U, 64U, 65U, 200U}) {
+    for (const std::size_t count : {1U, 2U, 7U, 15U, 16U, 17U, 64U, 67U}) {
       Bytes rows(width * count);
       for (auto& octet : rows) octet = static_cast<std::uint8_t>(random() >> (random() % 25));
       Bytes out{42};
