@@ -258,18 +258,20 @@ DiskWriter::Outcome DiskWriter::write(const Bytes& bytes) {
     state_.total_bytes += bytes.size();
     if (free_) *free_ -= std::min<std::uint64_t>(*free_, bytes.size());
   }
-  if (config_.sync == Sync::chunk && !more_waits && ::fdatasync(file_.get()) != 0) {
-    set_problem(fmt::format("{}/{}: cannot be written: {}", config_.folder, state().file,
-                            std::strerror(errno)),
-                true);
-    file_.close();
-    return Outcome::failed;
-  }
-  return Outcome::done;
+  return config_.sync == Sync::chunk && !more_waits ? sync_file() : Outcome::done;
+}
+
+DiskWriter::Outcome DiskWriter::sync_file() {
+  if (!file_.is_open() || ::fdatasync(file_.get()) == 0) return Outcome::done;
+  set_problem(fmt::format("{}/{}: is not known to be on the disk: {}", config_.folder, state().file,
+                          std::strerror(errno)),
+              true);
+  file_.close();
+  return Outcome::failed;
 }
 
 void DiskWriter::close_file() {
-  if (file_.is_open() && config_.sync != Sync::none) ::fdatasync(file_.get());
+  if (config_.sync != Sync::none) sync_file();
   file_.close();
 }
 

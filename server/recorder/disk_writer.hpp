@@ -76,6 +76,7 @@ class DiskWriter {
   Outcome carry_out(Job& job);
   Outcome write(const Bytes& bytes);
   void open_file(bool series);
+  Outcome sync_file();
   void close_file();
   void forget();          // what was; under the lock
   void look_at_folder();  // free space; removes what is old

@@ -127,7 +127,7 @@ void SeriesWriter::look_at_clock(Steady now, UtcTime now_utc) {
   if (in_chunk_ && now - chunk_begun_ >= kChunkTime) flush();
   const bool large = config_.roll_bytes > 0 && writer_->counts().bytes >= config_.roll_bytes;
   const bool long_enough = config_.roll_time.count() > 0 && now - file_begun_ >= config_.roll_time;
-  const bool is_gone = disk_.state().file_is_gone;
+  const bool is_gone = now - file_begun_ >= kGoneAfter && disk_.state().file_is_gone;
   if (!is_gone) next_ordered_ = false;
   if (!large && !long_enough && (!is_gone || next_ordered_)) return;
   if (!flush()) return;  // it has no room, and the next would have none

@@ -26,6 +26,9 @@ class SeriesWriter {
  public:
   using Steady = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::milliseconds kChunkTime{400};
+  // A file that is gone is followed by another so long after it began: whoever takes away each that
+  // is made does not get any number.
+  static constexpr std::chrono::seconds kGoneAfter{2};
   static constexpr std::size_t kChunkBytes = 2u << 20;  // before compression
   static constexpr std::size_t kMaxKept = 10'000;       // items that are given again
 
