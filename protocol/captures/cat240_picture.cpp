@@ -36,14 +36,16 @@ class Cat240Picture : public PictureDecoder {
                                   std::vector<CapturedSpoke>& out) override {
     auto records = decode_cat240(datagram.payload);
     if (!records) return records.error();
+    if (std::any_of(records->begin(), records->end(), [](const Cat240Record& each) {
+          return each.video && !each.video->foreign.empty();
+        })) {
+      return WireError{WireErrorKind::unknown_kind, 0,
+                       "CAT240: cells are compressed in a way only their sender knows"};
+    }
     for (Cat240Record& record : *records) {
       const std::uint16_t source =
           static_cast<std::uint16_t>(record.source.sac << 8 | record.source.sic);
       if (!record.video || source != traits_.key.source) continue;
-      if (!record.video->foreign.empty()) {
-        return WireError{WireErrorKind::unknown_kind, 0,
-                         "CAT240: cells are compressed in a way only their sender knows"};
-      }
       if (record.video->cell_count == 0 || record.video->start_range > kMostLeftOut) continue;
       out.push_back(spoke_of(*record.video, datagram.time));
     }

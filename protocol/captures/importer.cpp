@@ -86,7 +86,11 @@ class RadarWriter {
   const SurveyedPicture& picture() const { return picture_; }
   const FittedCounts& counts() const { return fitter_.counts(); }
 
-  void hear(const capture::Datagram& datagram) { decoder_->hear(datagram); }
+  // Reports count from then on, also where no spokes come: in standby.
+  void hear(const capture::Datagram& datagram) {
+    decoder_->hear(datagram);
+    if (last_) write_settings(*last_, datagram.time);
+  }
 
   void take(const capture::Datagram& datagram, const ShipTrack& ship) {
     captured_.clear();
@@ -105,7 +109,8 @@ class RadarWriter {
     fitter_.finish(fitted_);
     write_fitted();
     if (counts().range_unknown > 0) {
-      add_event(writer_, last_, recording::Event::OTHER, radar_, counts().range_unknown,
+      add_event(writer_, last_ ? last_->utc : UtcTime{}, recording::Event::OTHER, radar_,
+                counts().range_unknown,
                 "spokes that did not tell their range have that of their neighbours");
     }
   }
@@ -113,14 +118,14 @@ class RadarWriter {
  private:
   void write_fitted() {
     for (const Spoke& spoke : fitted_) {
-      write_settings(spoke.header);
+      write_settings(spoke.header, spoke.header.utc);
       writer_.add(spoke);
-      last_ = spoke.header.utc;
+      last_ = spoke.header;
     }
     fitted_.clear();
   }
 
-  void write_settings(const SpokeHeader& header) {
+  void write_settings(const SpokeHeader& header, UtcTime time) {
     wire::Settings settings = decoder_->settings();
     settings.set_radar(radar_);
     settings.set_range_nm(header.range_scale.in_nautical_miles());
@@ -129,7 +134,7 @@ class RadarWriter {
     settings.set_rotation_rpm(picture_.rpm);
     std::string bytes = settings.SerializeAsString();
     if (bytes == written_) return;
-    add_message(writer_, {Kind::settings, radar_, 0}, header.utc, settings);
+    add_message(writer_, {Kind::settings, radar_, 0}, time, settings);
     written_ = std::move(bytes);
   }
 
@@ -141,7 +146,7 @@ class RadarWriter {
   std::string written_;  // the settings last written
   std::vector<CapturedSpoke> captured_;
   std::vector<Spoke> fitted_;
-  UtcTime last_{};
+  std::optional<SpokeHeader> last_;  // written
 };
 
 class Importer {

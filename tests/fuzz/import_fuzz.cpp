@@ -49,8 +49,9 @@ std::uint64_t spokes_of(std::span<const std::uint8_t> capture) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::uint8_t> capture(data, size);
-  recording::RecordingWriter writer([](std::span<const std::uint8_t>) { return true; },
-                                    {.compression = recording::Compression::none});
+  recording::RecordingWriter writer(
+      [](std::span<const std::uint8_t>) { return true; },
+      {.compression = recording::Compression::none, .chunk_bytes = 64 << 10});
   const auto report = captures::import_capture(
       [&](const captures::DatagramSink& sink, const captures::ImportProgress&) {
         return capture::read_capture(capture, sink);

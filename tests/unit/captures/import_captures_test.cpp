@@ -134,6 +134,14 @@ TEST(ImportCaptures, TheTrueHeadingAndPlaceOfTheShipComeAlong) {
   EXPECT_NEAR(got.own_ships.back().latitude_deg(), 58.52958, 0.001);
 }
 
+TEST(ImportCaptures, StandbyIsToldAlthoughNoSpokesCome) {
+  if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
+  const Imported got = imported(unpack_radar_capture("garminxhd_txon_txoff.pcap.gz"));
+  ASSERT_GE(got.settings.size(), 2u);
+  EXPECT_FALSE(got.settings.front().standby());
+  EXPECT_TRUE(got.settings.back().standby());
+}
+
 TEST(ImportCaptures, ARadarOfUnknownMakeIsRefusedWithWhatWasThere) {
   if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
   recording::RecordingWriter writer([](std::span<const std::uint8_t>) { return true; }, {});
