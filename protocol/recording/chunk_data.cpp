@@ -64,9 +64,8 @@ class ChunkParser {
     }
     own_.channels.erase(channel->id);
     own_.add(*channel);
-    known_here_.insert(channel->id);
     numbers_.erase(channel->id);
-    chunk_->channels_.push_back(*std::move(channel));
+    if (known_here_.insert(channel->id).second) chunk_->channels_.push_back(*std::move(channel));
     return true;
   }
 

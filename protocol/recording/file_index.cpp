@@ -62,7 +62,7 @@ class SummaryReader {
     switch (op) {
       case mcap::Op::schema: {
         const auto schema = mcap::read_schema(content_);
-        if (schema) index.schemas[schema->id] = schema->name;
+        if (schema) index.schemas[schema->id] = schema->name.substr(0, kMaxName);
         return schema.has_value();
       }
       case mcap::Op::channel: {
@@ -124,7 +124,6 @@ class SummaryReader {
     return true;
   }
 
-  static constexpr std::size_t kMaxAttachments = 100'000;
   const InputFile& file_;
   FileWindow window_;
   std::uint64_t end_ = 0;

@@ -18,9 +18,12 @@
 namespace skerry::recording {
 
 // A file that says it has more is not believed.
-inline constexpr std::size_t kMaxChunks = 4'000'000;
+inline constexpr std::size_t kMaxChunks = 1'000'000;
 // Channels of all chunks together, for the same reason.
-inline constexpr std::size_t kMaxChunkChannels = 32'000'000;
+inline constexpr std::size_t kMaxChunkChannels = 16'000'000;
+inline constexpr std::size_t kMaxAttachments = 100'000;
+// Octets of a schema's name that are kept; ours are shorter.
+inline constexpr std::size_t kMaxName = 256;
 // Octets of Schema and Channel records, and of what else is read as one record.
 inline constexpr std::size_t kMaxRecord = 1 << 20;
 

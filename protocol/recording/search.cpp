@@ -136,12 +136,12 @@ class Search {
       if (chunk_) take_message_index(place);
     } else if (place.op == Op::schema) {
       if (const auto schema = mcap::read_schema(content(place))) {
-        index_.schemas.emplace(schema->id, schema->name);
+        index_.schemas.emplace(schema->id, schema->name.substr(0, kMaxName));
       }
     } else if (place.op == Op::channel) {
       if (const auto channel = mcap::read_channel(content(place))) index_.add(*channel);
     } else if (place.op == Op::attachment) {
-      index_.attachments.push_back(place);
+      if (index_.attachments.size() < kMaxAttachments) index_.attachments.push_back(place);
     } else if (place.op == Op::header) {
       if (const auto header = mcap::read_header(content(place))) index_.profile = header->profile;
     }

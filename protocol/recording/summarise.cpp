@@ -11,6 +11,9 @@
 namespace skerry::recording {
 namespace {
 
+// Octets of an event that may be a mark: names have at most 100.
+constexpr std::size_t kMaxMarkBytes = 1024;
+
 UtcTime utc_of(std::uint64_t ns) { return UtcTime(Duration(time_of(ns))); }
 
 void note(Summary& summary, RecordingError damage) {
@@ -119,7 +122,7 @@ class Counting {
 
   void take_mark(std::int64_t time, std::span<const std::uint8_t> bytes) {
     Event event;
-    if (summary_.marks.size() < kMaxMarks &&
+    if (summary_.marks.size() < kMaxMarks && bytes.size() <= kMaxMarkBytes &&
         event.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) &&
         event.kind() == Event::MARK) {
       summary_.marks.push_back({utc_of(static_cast<std::uint64_t>(time)), event.text()});

@@ -24,7 +24,8 @@ struct WriterOptions {
 };
 
 // Takes the next bytes of the file, all or none.  False: no room, or an error that the sink knows;
-// the writer then drops that chunk (it counts what was in it) and goes on with the next.
+// the writer then drops that chunk (it counts what was in it), or attachment, and goes on with the
+// next.
 using ByteSink = std::function<bool(std::span<const std::uint8_t>)>;
 
 struct WriterCounts {
@@ -35,9 +36,9 @@ struct WriterCounts {
   std::uint64_t spokes_dropped = 0;  // the same
 };
 
-// Memory: a chunk and its compressed form, and 64 bytes a chunk for the index at the end.
-// Nothing is written but whole records, so that a file cut anywhere reads up to its last whole
-// chunk.  Thread: one at a time.
+// Memory: a chunk and its compressed form (compact: the chunk twice more), and some 150 bytes a
+// chunk for the index at the end. Nothing is written but whole records, so that a file cut anywhere
+// reads up to its last whole chunk.  Thread: one at a time.
 class RecordingWriter {
  public:
   // Writes the beginning at once.
@@ -46,7 +47,8 @@ class RecordingWriter {
   RecordingWriter(RecordingWriter&&) noexcept;
   RecordingWriter& operator=(RecordingWriter&&) noexcept;
 
-  // Any order of times is taken; playback is by time.
+  // Any order of times is taken; playback is by time.  An item of more than kMaxItem is dropped,
+  // and counted.
   void add(const Item& item);
   // The same as an item, from the values.
   void add(const Spoke& spoke);

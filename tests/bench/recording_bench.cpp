@@ -114,6 +114,7 @@ class Turns {
 
 struct Speed {
   double mb_s = 0.0, ratio = 0.0;
+  std::uint64_t items = 0;
 };
 
 Speed write(const RecordedTurn& turn, const WriterOptions& options, const TemporaryFile& file,
@@ -128,7 +129,8 @@ Speed write(const RecordedTurn& turn, const WriterOptions& options, const Tempor
   writer.finish();
   const double took = seconds() - begun;
   return {static_cast<double>(bytes) / took * 1e-6,
-          static_cast<double>(bytes) / static_cast<double>(writer.counts().bytes)};
+          static_cast<double>(bytes) / static_cast<double>(writer.counts().bytes),
+          writer.counts().items};
 }
 
 double best(int times, const std::function<double()>& mb_s) {
@@ -196,15 +198,34 @@ void search(const TemporaryFile& file, std::uint64_t file_bytes) {
              1e3 * (seconds() - begun));
 }
 
-void seeks(const RecordedTurn& turn, const TemporaryFile& file, std::uint64_t bytes) {
-  WriterOptions options;
-  options.compression = Compression::none;
-  write(turn, options, file, bytes);
+// Reads it all and compares it with what was written.
+void compare(const RecordedTurn& turn, RecordingReader& reader, std::uint64_t items) {
+  RecordedTurn expected = turn;
+  const double begun = seconds();
+  auto cursor = reader.items();
+  std::uint64_t read = 0, bytes = 0;
+  while (const auto item = cursor.next()) {
+    RecordedTurn::Spoke& spoke = expected.spokes[read++ % expected.spokes.size()];
+    if (item->time != spoke.time || !std::equal(item->bytes.begin(), item->bytes.end(),
+                                                spoke.bytes.begin(), spoke.bytes.end())) {
+      throw std::runtime_error(fmt::format("item {} is not what was written", read));
+    }
+    bytes += item->bytes.size();
+    delay(spoke, expected.duration);
+  }
+  if (read != items) throw std::runtime_error(fmt::format("{} items of {}", read, items));
+  fmt::print("all {} items are what was written, octet by octet: {:.0f} MB/s\n", read,
+             static_cast<double>(bytes) / (seconds() - begun) * 1e-6);
+}
+
+void seeks(const RecordedTurn& turn, const WriterOptions& options, const TemporaryFile& file,
+           std::uint64_t bytes) {
+  const Speed written = write(turn, options, file, bytes);
   double begun = seconds();
-  const auto reader = RecordingReader::open(file.path());
+  auto reader = RecordingReader::open(file.path());
   if (!reader) throw std::runtime_error(reader.error().to_string());
   const auto& summary = reader->summary();
-  fmt::print("{:.1f} GB, {:.0f} s, {} chunks: opened in {:.1f} ms\n",
+  fmt::print("{}: {:.1f} GB, {:.0f} s, {} chunks: opened in {:.1f} ms\n", name_of(options),
              static_cast<double>(summary.file_bytes) * 1e-9,
              in_seconds(summary.end - summary.begin), summary.chunks, 1e3 * (seconds() - begun));
   std::mt19937_64 random(1);
@@ -222,16 +243,7 @@ void seeks(const RecordedTurn& turn, const TemporaryFile& file, std::uint64_t by
   std::sort(took.begin(), took.end());
   fmt::print("seek to any time: median {:.2f} ms, 99 % {:.2f} ms, longest {:.2f} ms\n",
              took[took.size() / 2], took[took.size() * 99 / 100], took.back());
-  begun = seconds();
-  cursor.seek(summary.begin);
-  std::uint64_t read = 0;
-  while (read < (std::uint64_t{256} << 20)) {
-    const auto item = cursor.next();
-    if (!item) break;
-    read += item->bytes.size();
-  }
-  fmt::print("read in order: {:.0f} MB/s\n",
-             static_cast<double>(read) / (seconds() - begun) * 1e-6);
+  compare(turn, reader.value(), written.items);
   search(file, summary.file_bytes);
 }
 
@@ -253,13 +265,19 @@ int run(int argc, char** argv) {
   const bool large = argc > 1 && std::string_view(argv[1]) == "--large";
   const TemporaryFile file(argc > 2 ? argv[2] : std::filesystem::temp_directory_path().string());
   const RecordedTurn turn = simulated_turn();
+  WriterOptions plain;
+  plain.compression = Compression::none;
+  WriterOptions compact;
+  compact.compression = Compression::zstd;
+  compact.compact = true;
   if (large) {
-    seeks(turn, file, 10'000'000'000);
+    seeks(turn, plain, file, 10'000'000'000);
     return 0;
   }
   floors(file);
   ratios(recorded_turns(), file);
-  seeks(turn, file, 512 << 20);
+  seeks(turn, plain, file, 512 << 20);
+  seeks(turn, compact, file, 512 << 20);
   return 0;
 }
 
