@@ -60,11 +60,15 @@ class Recording : public testing::Test {
 };
 
 TEST_F(Recording, HasEverySpokeOfEveryRadarByteForByte) {
-  for (const auto compression :
-       {recording::Compression::none, recording::Compression::lz4, recording::Compression::zstd}) {
+  using recording::Compression;
+  int number = 0;
+  for (const auto& [compression, compact] :
+       {std::pair(Compression::none, false), std::pair(Compression::lz4, false),
+        std::pair(Compression::zstd, false), std::pair(Compression::zstd, true)}) {
     recorder_.reset();
     config_.compression = compression;
-    const std::string name = "with " + std::to_string(static_cast<int>(compression));
+    config_.compact = compact;
+    const std::string name = "with " + std::to_string(++number);
     const std::uint64_t first = host_.published(0), other_first = host_.published(1);
     begin(name);
     publish(100);
