@@ -208,7 +208,8 @@ void ControlDesk::put_view(RadarUnit& unit, RadarView& view, const echo::ViewCon
   view.set_controls(controls);
   if (before == controls.range_scale) return;
   const RadarView* const operated = view.follows() ? view.followed.get() : &view;
-  for (const RadarViewPtr& other : *unit.views().get()) {
+  const std::shared_ptr<const RadarViews> views = unit.views().get();  // lives as long as the loop
+  for (const RadarViewPtr& other : *views) {
     if (other->followed.get() != operated || other.get() == &view) continue;
     echo::ViewControls theirs = *other->controls.get();
     theirs.instrumented_range_m =

@@ -289,7 +289,8 @@ wire::Status RadarServer::status() const {
     radar->set_scan(counters.scan);
     radar->set_coast_edges(counters.coast_edges);
     *radar->mutable_board() = boards_[index]->state();
-    for (const RadarViewPtr& view : *mount->unit.views().get()) {
+    const std::shared_ptr<const RadarViews> views = mount->unit.views().get();
+    for (const RadarViewPtr& view : *views) {
       for (const auto& [format, spokes] : view->channel.spokes_encoded()) {
         (*radar->mutable_encodes())[format] += spokes;
       }
