@@ -305,8 +305,8 @@ TEST_F(SuddenDeath, WhatWasTakenWaitsForADiskThatOthersFilled) {
     std::filesystem::remove(ballast);
     ASSERT_TRUE(server::comes_true(is_done));
     EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), 2 * chunk.size());
-    EXPECT_TRUE(server::comes_true(
-        [&] { return writer.take({}, 0) == server::DiskWriter::Taken::yes; }));
+    EXPECT_TRUE(
+        server::comes_true([&] { return writer.take({}, 0) == server::DiskWriter::Taken::yes; }));
     EXPECT_FALSE(writer.state().is_full);
     fill();
   }

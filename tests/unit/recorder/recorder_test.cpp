@@ -254,6 +254,20 @@ TEST_F(Recording, GoesOnInAnotherFileWhereItsOwnWasTakenAway) {
             recorder().state().spokes());
 }
 
+TEST_F(Recording, StartedAndStoppedInQuickTurnsMakesAWholeFileEachTime) {
+  std::size_t started = 0;
+  for (int i = 0; i < 20'000 && started < 20; ++i) {
+    const bool begun = ask(wire::Record::START).code() == wire::Reply::OK;
+    started += begun;
+    EXPECT_EQ(ask(wire::Record::STOP).code(), begun ? wire::Reply::OK : wire::Reply::REFUSED);
+    host_.publish();
+  }
+  ASSERT_TRUE(reaches(recorder(), State::OFF));
+  const auto names = folder_.recordings();
+  EXPECT_EQ(names.size(), started);
+  for (const std::string& name : names) EXPECT_TRUE(recorded(folder_.path(name)).is_whole) << name;
+}
+
 TEST(SlowRecording, TellsEverySpokeThatWasOverwritten) {
   const ScratchFolder folder;
   RecordedHost host(1, 4);
