@@ -172,7 +172,8 @@ wire::Status PlaybackHost::status() const {
     about.set_name(radars_.radars[radar].info.name());
     *about.mutable_settings() = settings(radar, 0);
     *about.mutable_own_ship() = own_ship(radar);
-    for (const PlayedViewPtr& view : *views_[radar]->get()) {
+    const auto views = views_[radar]->get();
+    for (const PlayedViewPtr& view : *views) {
       for (const auto& [format, spokes] : view->channel.spokes_encoded()) {
         (*about.mutable_encodes())[format] += spokes;
       }

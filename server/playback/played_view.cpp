@@ -103,7 +103,8 @@ void PlayedViewList::close(std::uint32_t number) {
 void PlayedViewList::hold(std::size_t max_bytes) {
   const std::lock_guard lock(mutex_);
   held_bytes_ = max_bytes;
-  for (const PlayedViewPtr& view : *get()) view->channel.hold(max_bytes);
+  const auto views = get();
+  for (const PlayedViewPtr& view : *views) view->channel.hold(max_bytes);
 }
 
 }  // namespace skerry::server

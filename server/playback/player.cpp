@@ -195,7 +195,8 @@ void Player::begin_at(UtcTime from) {
     state_.take(played, from, found ? *found : first, radars_.played);
   }
   for (const auto& radar : views_) {
-    for (const PlayedViewPtr& view : *radar->get()) view->begin_anew();
+    const auto views = radar->get();
+    for (const PlayedViewPtr& view : *views) view->begin_anew();
   }
 }
 
@@ -258,7 +259,8 @@ void Player::play(Piece& piece) {
     }
   }
   state_.take(piece.spokes.back().header);
-  for (const PlayedViewPtr& view : *views_[piece.topic.radar]->get()) {
+  const auto views = views_[piece.topic.radar]->get();
+  for (const PlayedViewPtr& view : *views) {
     if (view->source == piece.topic.view) view->publish(piece.spokes);
   }
   const std::lock_guard lock(mutex_);
@@ -313,7 +315,8 @@ bool Player::somebody_joined(UtcTime here) {
 std::uint64_t Player::joins() const {
   std::uint64_t joins = 0;
   for (const auto& radar : views_) {
-    for (const PlayedViewPtr& view : *radar->get()) joins += view->channel.joins();
+    const auto views = radar->get();
+    for (const PlayedViewPtr& view : *views) joins += view->channel.joins();
   }
   return joins;
 }

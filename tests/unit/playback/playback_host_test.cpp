@@ -252,11 +252,11 @@ TEST(PlaybackHost, AtTheEndItLoopsIfAskedAndPlaysFromTheBeginIfNot) {
 
 TEST(PlaybackHost, OneWhoJoinsAPausedPlaybackSeesTheLastTurn) {
   Played played({.turns = 20}, kPaused);
+  Watcher late(played.channel(), "late");  // formats are there before it starts
   played.host.start();
   played.seek(10.0);
   await([&] { return played.watched.count() == 256; });
   played.watched.forget();
-  Watcher late(played.channel(), "late");
   late.join();
   await([&] { return late.count() == 256; });
   played.expect_spokes(late.spokes(), 4 * 256);
