@@ -174,6 +174,7 @@ std::optional<wire::Reply> ControlDesk::refusal_by_lock(const wire::Set& set,
 
 void ControlDesk::carry_out(const wire::Set& set, Next& next) {
   RadarUnit& unit = *units_[set.radar()];
+  const auto giving = inputs_ != nullptr ? inputs_->giving() : std::unique_lock<std::mutex>();
   if (next.environment) {
     const std::uint64_t tick = timeline_.set_environment(*std::move(next.environment));
     if (inputs_ != nullptr) inputs_->changed(tick, set.world(), next.environment_time);

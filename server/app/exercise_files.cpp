@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -18,6 +18,7 @@
 #include "server/app/control_ranges.hpp"
 #include "server/app/radar_config.hpp"
 #include "server/app/world_change.hpp"
+#include "server/config/yaml_message.hpp"
 #include "server/replay/recorded_exercise.hpp"
 #include "server/world/scenario.hpp"
 
@@ -86,6 +87,16 @@ Json identity_of(const std::string& path) {
   return {{"path", path}, {"bytes", bytes}, {"digest", digest.hexadecimal()}};
 }
 
+// The same of a chart that a server has opened; what of it cannot be read is no reason not to sail.
+Json told_identity_of(const std::string& path) {
+  try {
+    return identity_of(path);
+  } catch (const std::exception& error) {
+    spdlog::warn("recordings will not know the chart {} again: {}", path, error.what());
+    return {{"path", path}};
+  }
+}
+
 std::string finest_world() {
   try {
     return echo::GshhgReader::find_finest().string();
@@ -103,7 +114,7 @@ std::string same_file(const Json& recorded, const std::string& instead) {
         "the exercise's chart {} is not here; name where it lies now with --chart or --elevation",
         path));
   }
-  if (identity_of(path).at("digest") != recorded.at("digest")) {
+  if (recorded.contains("digest") && identity_of(path).at("digest") != recorded.at("digest")) {
     throw std::runtime_error(fmt::format(
         "chart {} is not the one of the exercise ({} bytes, digest {}); name that with "
         "--chart or --elevation",
@@ -115,21 +126,17 @@ std::string same_file(const Json& recorded, const std::string& instead) {
 }  // namespace
 
 std::string scenario_text(const std::string& path) {
-  if (path.empty()) return default_scenario_yaml();
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-  return text;
+  return path.empty() ? default_scenario_yaml() : read_yaml_file(path);
 }
 
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
                                                  const ChartFiles& files) {
   Json json;
   json["charts"] = Json::array();
-  for (const std::string& chart : files.charts) json["charts"].push_back(identity_of(chart));
-  if (!files.elevation.empty()) json["elevation"] = identity_of(files.elevation);
+  for (const std::string& chart : files.charts) json["charts"].push_back(told_identity_of(chart));
+  if (!files.elevation.empty()) json["elevation"] = told_identity_of(files.elevation);
   if (const std::string world = finest_world(); !world.empty()) {
-    json["world"] = identity_of(world);
+    json["world"] = told_identity_of(world);
   }
   return {{kScenarioDocument, "application/yaml", scenario_yaml},
           {kChartsDocument, "application/json", json.dump(1) + "\n"}};

@@ -17,7 +17,7 @@ struct ChartFiles {
 };
 
 // The YAML of a scenario file, or of the built-in one for an empty path.
-// Error: std::runtime_error naming the file.
+// Error: ConfigError naming the file.
 std::string scenario_text(const std::string& path);
 
 // "scenario.yaml" and "charts.json".  The latter has path, size and a digest (SHA-256 of the size,

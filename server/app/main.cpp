@@ -123,8 +123,9 @@ int run(const Options& options, LogTap& tap) {
                    options.workers});
   }
   if (!options.playback.file.empty()) return run_playback(options, tap);
+  const std::string yaml = scenario_text(options.scenario);
   const auto scenario =
-      options.scenario.empty() ? default_scenario() : load_scenario(options.scenario);
+      parse_scenario(yaml, options.scenario.empty() ? "built-in bergen.yaml" : options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {
     coast_rules(scenario);
@@ -133,9 +134,8 @@ int run(const Options& options, LogTap& tap) {
     return 0;
   }
   const sigset_t signals = block_signals();
-  RadarServer radars(
-      scenario, std::move(chart), options.workers,
-      exercise_documents(scenario_text(options.scenario), {options.charts, options.elevation}));
+  RadarServer radars(scenario, std::move(chart), options.workers,
+                     exercise_documents(yaml, {options.charts, options.elevation}));
   LoggingRecorder logging(radars, options.recorder, tap);
   radars.set_recording(&logging.recorder);
   NetServer net(radars, options.net, web_files());

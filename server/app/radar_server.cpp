@@ -253,6 +253,7 @@ std::optional<std::string> RadarServer::drive(std::uint32_t radar, const OwnShip
   try {
     const std::size_t ship = mount.unit.config().own_ship;
     const ScenarioTime now = instant().time;
+    const auto giving = inputs_.giving();
     const Timeline::Driven driven = timeline_.drive(ship, fix, now);
     inputs_.driven(driven.tick, ship, fix, now);
     if (driven.begins) {

@@ -164,7 +164,7 @@ YamlSource load_yaml(const std::string& text, const std::string& file_name, Mess
   return source;
 }
 
-YamlSource load_yaml_file(const std::string& path, Message& out) {
+std::string read_yaml_file(const std::string& path) {
   const auto refuse = [&](const std::string& why) {
     throw ConfigError(fmt::format("{}: cannot be read: {}", printable(path, 4096), why));
   };
@@ -180,7 +180,11 @@ YamlSource load_yaml_file(const std::string& path, Message& out) {
   if (text.size() > kMaxYamlBytes) {
     refuse(fmt::format("it is too long; allowed: at most {} bytes", kMaxYamlBytes));
   }
-  return load_yaml(text, path, out);
+  return text;
+}
+
+YamlSource load_yaml_file(const std::string& path, Message& out) {
+  return load_yaml(read_yaml_file(path), path, out);
 }
 
 }  // namespace skerry::server

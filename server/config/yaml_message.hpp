@@ -24,6 +24,10 @@ namespace skerry::server {
 YamlSource load_yaml(const std::string& text, const std::string& file_name,
                      google::protobuf::Message& out);
 
+// The text of a file.  Error: ConfigError naming the file and why it cannot be read, or is too
+// long.
+std::string read_yaml_file(const std::string& path);
+
 // The same from a file, which messages name by `path`.
 // Error: also ConfigError if the file cannot be read.
 YamlSource load_yaml_file(const std::string& path, google::protobuf::Message& out);

@@ -14,18 +14,19 @@ struct ExerciseDocument {
   std::string bytes;
 };
 
-// All inputs since scenario time 0 are kept, some kilobytes an hour, so that a recording that begins
-// later has them too.  Thread: any; every function returns at once.
+// All inputs since scenario time 0 are kept, some kilobytes an hour, so that a recording that
+// begins later has them too.  Thread: any; every function returns at once.
 class ExerciseInputs {
  public:
   virtual ~ExerciseInputs() = default;
 
-  // recording::Input messages from number `from` (0: the first) on, in their order.  An input is
-  // there before any spoke that came of it is published: whoever takes spokes first and then
-  // inputs has all that these spokes came of.
+  // recording::Input messages from number `from` (0: the first) on, in their order; at most
+  // kMostAtOnce, so that no radar waits for long: ask until there are none.
+  static constexpr std::size_t kMostAtOnce = 1000;
   virtual std::vector<std::string> since(std::size_t from) const = 0;
-  // How far the inputs are known, one message per radar: the last to be written before a file, or
-  // what was flushed of it, ends.
+  // How far the inputs are known, one message per radar.  All inputs up to there are in what
+  // since() gives from now on: ask for this after spokes were taken and before inputs are, and
+  // write it behind them.
   virtual std::vector<std::string> reached() const = 0;
   // What never changes while the server runs.
   virtual std::vector<ExerciseDocument> documents() const = 0;

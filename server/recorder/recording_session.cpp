@@ -68,10 +68,12 @@ SeriesWriter::Additions RecordingSession::additions() {
               [this] {
                 const ExerciseInputs* exercise = host_.exercise();
                 if (exercise == nullptr) return;
+                // First: what comes between belongs to sectors beyond it.
+                const std::vector<std::string> reached = exercise->reached();
                 inputs_in_file_ = inputs_in_chunks_;
                 add_inputs();
                 inputs_in_chunks_ = inputs_next_;
-                for (const std::string& input : exercise->reached()) {
+                for (const std::string& input : reached) {
                   writer_.add({{Kind::input}, item_time(), bytes_of(input)});
                 }
               },
@@ -119,9 +121,12 @@ void RecordingSession::add(const Topic& topic, UtcTime time,
 void RecordingSession::add_inputs() {
   const ExerciseInputs* exercise = host_.exercise();
   if (exercise == nullptr) return;
-  for (const std::string& input : exercise->since(inputs_next_)) {
-    writer_.add({{Kind::input}, item_time(), bytes_of(input)});
-    ++inputs_next_;
+  for (auto some = exercise->since(inputs_next_); !some.empty();
+       some = exercise->since(inputs_next_)) {
+    for (const std::string& input : some) {
+      writer_.add({{Kind::input}, item_time(), bytes_of(input)});
+      ++inputs_next_;
+    }
   }
 }
 

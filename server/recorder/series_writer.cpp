@@ -9,13 +9,15 @@ using recording::Event;
 using recording::Item;
 using recording::Kind;
 
+constexpr std::size_t kItemHead = 31;  // octets of an MCAP message besides its data
+
 recording::WriterOptions options_of(const RecorderConfig& config) {
   recording::WriterOptions options;
   options.compression = config.compression;
   options.compact = config.compact;
   // Chunks are ended here, so that it is known what is in each; the writer's own bounds are beyond.
   options.chunk_bytes = 4 * SeriesWriter::kChunkBytes;
-  options.chunk_time = std::chrono::hours(24);
+  options.chunk_time = std::chrono::hours(24 * 3650);
   return options;
 }
 
@@ -69,7 +71,7 @@ void SeriesWriter::prepare_chunk() {
 
 void SeriesWriter::note(const Item& item) {
   writer_->add(item);
-  chunk_bytes_ += item.bytes.size();
+  chunk_bytes_ += item.bytes.size() + kItemHead;
 }
 
 void SeriesWriter::add(const Item& item) {

@@ -1,5 +1,6 @@
 #include "server/replay/input_log.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "server/replay/input_messages.hpp"
@@ -149,10 +150,13 @@ void InputLog::end_skipping(Last& last, std::uint32_t radar) {
 std::vector<std::string> InputLog::since(std::size_t from) const {
   const std::lock_guard lock(mutex_);
   if (from >= inputs_.size()) return {};
-  return {inputs_.begin() + static_cast<std::ptrdiff_t>(from), inputs_.end()};
+  const std::size_t end = std::min(inputs_.size(), from + kMostAtOnce);
+  return {inputs_.begin() + static_cast<std::ptrdiff_t>(from),
+          inputs_.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
 std::vector<std::string> InputLog::reached() const {
+  const std::lock_guard giving(giving_);
   std::vector<std::string> messages;
   for (std::size_t radar = 0; radar < last_.size(); ++radar) {
     const std::uint64_t reached = last_[radar]->reached.load(std::memory_order_acquire);

@@ -25,6 +25,10 @@ class InputLog final : public InputSink, public ExerciseInputs {
 
   InputLog(std::size_t radars, std::vector<ExerciseDocument> documents);
 
+  // Held while the world is given something and the log is told of it: a radar may show it before
+  // the log has it, and reached() must not say so in between.
+  std::unique_lock<std::mutex> giving() { return std::unique_lock(giving_); }
+
   void began(UtcTime epoch, const std::string& server);
   // `tick`: the first it holds for.
   void ordered(std::uint64_t tick, std::size_t own_ship, std::optional<double> course_deg,
@@ -62,6 +66,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
 
   const std::vector<ExerciseDocument> documents_;
   std::vector<std::unique_ptr<Last>> last_;
+  mutable std::mutex giving_;  // before mutex_
   mutable std::mutex mutex_;
   std::vector<std::string> inputs_;
   std::size_t bytes_ = 0;

@@ -75,8 +75,8 @@ TEST_P(RecordedExercise, IsMadeAgainBitForBit) {
   const bool inputs_only = GetParam();
   const TempFolder folder;
   const std::string recordings = folder.path("recordings");
-  RunningServer server(
-      {"--scenario", folder.write("small.yaml", small_scenario()), "--record-folder", recordings});
+  RunningServer server({"--scenario", folder.write("small.yaml", small_scenario()),
+                        "--record-folder", recordings, "--record-reserve-mib", "0"});
   client::SpokeClient client = connected(server);
   wire::Record start = request(wire::Record::START);
   start.set_name("exercise");

@@ -201,7 +201,10 @@ RecordedParts run_exercise(unsigned changes, unsigned seed) {
   }
   collector.await_more(64);
   server.stop();
-  parts.inputs = server.exercise()->since(0);
+  for (auto some = server.exercise()->since(0); !some.empty();
+       some = server.exercise()->since(parts.inputs.size())) {
+    parts.inputs.insert(parts.inputs.end(), some.begin(), some.end());
+  }
   for (std::string& reached : server.exercise()->reached()) {
     parts.inputs.push_back(std::move(reached));
   }
