@@ -133,7 +133,7 @@ Command make_record_command(CLI::App& app) {
       "Examples:\n"
       "  skerry record start                     all radars; named by date and time\n"
       "  skerry record start \"watch 3\" --radar 0\n"
-      "  skerry record mark \"collision\"          skerry play --from collision goes there\n"
+      "  skerry record mark \"collision\"          skerry play FILE --from collision goes there\n"
       "  skerry record watch                     a line a second until Ctrl-C\n"
       "  skerry record stop\n"
       "Where recordings go and when old ones are removed is the server's configuration.\n");
@@ -145,14 +145,15 @@ Command make_record_command(CLI::App& app) {
                   "an hour");
   auto* stop = command->add_subcommand("stop", "Ends it, and waits until its file is whole");
   auto* mark = command->add_subcommand("mark", "Marks this moment");
-  mark->add_option("name", options->name, "Of the mark; its number without");
+  mark->add_option("name", options->name, "Of the mark; \"mark N\" without");
   auto* status = command->add_subcommand("status", "Says how it goes");
   status->add_flag("--json", options->json, "The whole answer as JSON");
   auto* watches = command->add_subcommand("watch", "Says so once a second, until Ctrl-C");
   for (CLI::App* each : {start, stop, mark, status, watches}) options->place.add_options(*each);
   for (CLI::App* each : {start, stop, mark}) {
     each->add_option("--token", options->token,
-                     "The server's control token; needed from another host than the server's");
+                     "The server's control token; needed from another host than the server's")
+        ->envname("SKERRY_TOKEN");
   }
   return {command, [=] {
             if (start->parsed()) return ask(*options, wire::Record::START);

@@ -26,8 +26,9 @@ Command make_recording_verify_command(CLI::App& recording) {
   skerry recording verify exercise.mcap
   skerry recording verify inputs.mcap --video exercise.mcap   video of an inputs-only recording
 
-Compares spokes byte by byte, or the hashes that an inputs-only recording has of them.  Exit code: 0
-identical, 1 different or nothing to compare, 2 it cannot be made again.)");
+Compares spokes byte by byte, or the hashes that an inputs-only recording has of them.  Exit code:
+0 identical, or nothing to compare and --video written; 1 different, or nothing to compare; 2 it
+cannot be made again, or the command line is wrong.)");
   return {command, [options]() -> int {
             std::vector<std::string> arguments{"--verify", options->file};
             if (!options->video.empty()) {

@@ -32,7 +32,7 @@ export class Recording {
 
   mark(name) {
     if (!this.isRunning) return;
-    this.#ask({ action: MARK, name: name || `Mark ${this.state.marks + 1}` }, name ? `Marked: ${name}` : 'Marked');
+    this.#ask({ action: MARK, name }, name ? `Marked: ${name}` : 'Marked');
     $('record-mark').value = '';
   }
 
