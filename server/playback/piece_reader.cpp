@@ -27,7 +27,11 @@ void PieceReader::seek(UtcTime time) {
 std::optional<Piece> PieceReader::read() {
   while (const auto item = cursor_.next()) {
     Piece piece{item->time, item->topic, {}, {}, {}};
-    if (is_of_a_radar(item->topic.kind)) piece.topic.radar = played_.at(item->topic.radar);
+    if (is_of_a_radar(item->topic.kind)) {
+      const auto played = played_.find(item->topic.radar);
+      if (played == played_.end()) continue;
+      piece.topic.radar = played->second;
+    }
     if (item->topic.kind != Kind::spoke) {
       piece.bytes.assign(item->bytes.begin(), item->bytes.end());
       return piece;

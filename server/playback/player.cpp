@@ -159,8 +159,11 @@ void Player::step(int turns) {
   // By the first radar that turns here: one in standby may be silent to the end.
   const auto turning = std::find_if(turns_.begin(), turns_.end(),
                                     [&](TurnFinder& finder) { return finder.turns_at(here); });
-  TurnFinder& finder = turning == turns_.end() ? turns_.front() : *turning;
-  const auto found = finder.turn_from(here, turns);
+  std::optional<UtcTime> found;
+  if (!turns_.empty()) {
+    TurnFinder& finder = turning == turns_.end() ? turns_.front() : *turning;
+    found = finder.turn_from(here, turns);
+  }
   const UtcTime there = found.value_or(turns > 0 ? end_ : begin_);
   lock.lock();
   goal_ = there;

@@ -89,17 +89,10 @@ wire::RadarInfo info_of(const recording::RecordingReader& reader, const Recorded
 Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& reader) {
   const recording::Summary& summary = reader.summary();
   std::map<std::uint32_t, std::set<std::uint32_t>> views;  // with spokes, by radar
-  bool any_spokes = false;
   for (const auto& [topic, count] : summary.items) {
     if (!is_of_a_radar(topic.kind) || count == 0) continue;
     auto& of_radar = views[topic.radar];
-    if (topic.kind != Kind::spoke) continue;
-    of_radar.insert(topic.view);
-    any_spokes = true;
-  }
-  if (!any_spokes) {
-    return Failure{fmt::format("{}: there are no spokes in it to play{}", summary.file,
-                               summary.damage ? "; " + summary.damage->to_string() : "")};
+    if (topic.kind == Kind::spoke) of_radar.insert(topic.view);
   }
   RecordedRadars out;
   const std::optional<wire::Hello> hello = reader.hello();
@@ -125,6 +118,14 @@ Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& 
   if (left_out > 0) {
     out.problem =
         fmt::format("{} radars or views more than a playback can have are left out", left_out);
+  }
+  const bool has_video =
+      std::any_of(out.radars.begin(), out.radars.end(),
+                  [](const RecordedRadar& radar) { return !radar.views.empty(); });
+  if (!has_video) {
+    return Failure{fmt::format("{}: there are no spokes in it to play{}{}{}", summary.file,
+                               out.problem.empty() ? "" : "; ", out.problem,
+                               summary.damage ? "; " + summary.damage->to_string() : "")};
   }
   return out;
 }

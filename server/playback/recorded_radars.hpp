@@ -23,7 +23,7 @@ struct RecordedRadar {
 struct RecordedRadars {
   static constexpr std::size_t kMaxRadars = 64, kMaxViews = 32;
 
-  std::vector<RecordedRadar> radars;              // at least one
+  std::vector<RecordedRadar> radars;              // at least one, one of them with views
   std::map<std::uint32_t, std::uint32_t> played;  // by recorded number
   std::string scenario;
   std::string problem;  // what is left out
@@ -31,7 +31,7 @@ struct RecordedRadars {
 
 // Radars are numbered from 0 in their order: consoles and outputs begin with radar 0, which a
 // recording of some radars may lack.  What Hello does not say is told by the first spokes.
-// Error: no spokes, nor anything else of a radar.
+// Error: no spokes of a radar and view that can be played.
 Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& reader);
 
 // Spokes, settings and own ships, whose topics name a radar.

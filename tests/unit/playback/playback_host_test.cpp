@@ -194,6 +194,28 @@ TEST(PlaybackHost, StepsByARadarThatTurnsWhereTheFirstIsSilent) {
   await([&] { return played.state().position_s() == 62.0; });
 }
 
+TEST(PlaybackHost, OfVideoThatCannotBePlayedIsNotMade) {
+  const RecordedFile file(RecordedScene{.views = {70'000}});
+  EXPECT_THROW(PlaybackHost(file.open(), {}, "test"), std::runtime_error);
+}
+
+TEST(Player, WithoutVideoAStepGoesToTheEnd) {
+  const RecordedFile file(RecordedScene{});
+  const recording::RecordingReader reader = file.open();
+  RecordedRadars radars;
+  radars.radars.emplace_back().info.set_rpm(24.0);
+  radars.played[0] = 0;
+  Player::RadarViews views;
+  views.push_back(std::make_unique<PlayedViewList>(std::vector<std::uint32_t>{}, 0, 16));
+  PlayedState state;
+  Player player(reader, radars, views, state, kPaused);
+  player.start();
+  player.order({.steps = 1});
+  await([&] { return player.standing().place == reader.summary().end; });
+  player.order({.steps = -1});
+  await([&] { return player.standing().place == reader.summary().begin; });
+}
+
 TEST(PlaybackHost, SeeksWhileItSeeks) {
   Played played({.turns = 40}, kPaused);
   played.host.start();
