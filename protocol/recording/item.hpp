@@ -31,10 +31,14 @@ struct Topic {
   friend constexpr auto operator<=>(const Topic&, const Topic&) = default;
 };
 
+// What a reader gives lies between 1970 and here, in 2223: some 38 years can be added to it without
+// an overflow.  A file may say more, which becomes this.
+inline constexpr UtcTime kLatestTime{Duration(8'000'000'000'000'000'000)};
+
 // `bytes` are the protobuf message alone, without framing.
 struct Item {
   Topic topic;
-  UtcTime time{};  // of a spoke, its utc_ns
+  UtcTime time{};  // of a spoke, its utc_ns; at most kLatestTime where it was read
   std::span<const std::uint8_t> bytes;
 };
 

@@ -159,7 +159,11 @@ ItemCursor::ItemCursor(ItemCursor&&) noexcept = default;
 ItemCursor& ItemCursor::operator=(ItemCursor&&) noexcept = default;
 ItemCursor::~ItemCursor() = default;
 
-std::optional<Item> ItemCursor::next() { return impl_->next(); }
+std::optional<Item> ItemCursor::next() {
+  auto item = impl_->next();
+  if (item) item->time = std::clamp(item->time, UtcTime(), kLatestTime);
+  return item;
+}
 void ItemCursor::seek(UtcTime time) { impl_->seek(time.time_since_epoch().count()); }
 std::uint64_t ItemCursor::chunks_damaged() const { return impl_->chunks_damaged(); }
 std::optional<RecordingError> ItemCursor::damage() const { return impl_->damage(); }

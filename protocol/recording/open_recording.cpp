@@ -27,6 +27,8 @@ Result<FileIndex, RecordingError> index_of(const InputFile& file,
   return found;
 }
 
+UtcTime bounded(UtcTime time) { return std::clamp(time, UtcTime(), kLatestTime); }
+
 }  // namespace
 
 OpenRecording::OpenRecording(InputFile the_file, FileIndex the_index)
@@ -76,6 +78,10 @@ Result<std::shared_ptr<const OpenRecording>, RecordingError> open_recording(
   const auto recording =
       std::make_shared<OpenRecording>(std::move(file.value()), std::move(index.value()));
   if (auto error = summarise(*recording, progress)) return Failure{*std::move(error)};
+  Summary& made = recording->summary;
+  made.begin = bounded(made.begin);
+  made.end = bounded(made.end);
+  for (Mark& mark : made.marks) mark.time = bounded(mark.time);
   return std::shared_ptr<const OpenRecording>(recording);
 }
 

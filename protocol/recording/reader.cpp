@@ -82,7 +82,9 @@ ItemCursor RecordingReader::items(const std::vector<Topic>& topics) const {
 std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topic& topic,
                                                                       UtcTime time) const {
   const OpenRecording& recording = *impl_->recording;
-  const std::int64_t until = time.time_since_epoch().count();
+  // What a file has later than kLatestTime is given as of then.
+  const std::int64_t until =
+      (time < kLatestTime ? time : UtcTime::max()).time_since_epoch().count();
   const std::set<Topic> topics{topic};
   std::optional<std::vector<std::uint8_t>> last;
   std::int64_t last_time = 0;

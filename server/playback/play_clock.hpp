@@ -27,6 +27,7 @@ class PlayClock {
 
  private:
   // A file may say any time: what lies further off than this is as far as makes no difference.
+  // That much after recording::kLatestTime can still be told.
   static constexpr double kFarthest = 1e18;  // ns, 31 years
   static Duration scaled(Duration time, double factor) {
     const double ns = static_cast<double>(time.count()) * factor;

@@ -10,6 +10,9 @@ constexpr int kGuesses = 12;
 constexpr Duration kSlowestTurn = std::chrono::milliseconds(12'500);
 constexpr std::size_t kMostSpokes = 200'000;  // looked at in one go: a file may say anything
 
+// Far more than lie in any recording, so few that their time cannot overflow.
+constexpr std::int32_t kMostTurns = 10'000'000;
+
 std::int32_t turns_between(std::uint32_t from, std::uint32_t to) {
   return static_cast<std::int32_t>(to - from);
 }
@@ -83,7 +86,7 @@ std::optional<UtcTime> TurnFinder::turn_from(UtcTime place, int turns) {
 
 std::optional<UtcTime> TurnFinder::begin_of(std::uint32_t scan, Seen near) {
   for (int guess = 0; guess < kGuesses; ++guess) {
-    const std::int32_t ahead = turns_between(near.scan, scan);
+    const std::int32_t ahead = std::clamp(turns_between(near.scan, scan), -kMostTurns, kMostTurns);
     // Somewhere in the turn before; exact from there.
     const UtcTime wanted =
         near.time + turn_ * (ahead - 1) - (ahead <= 0 ? turn_ / 2 : Duration::zero());

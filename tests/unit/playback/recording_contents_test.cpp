@@ -68,6 +68,29 @@ TEST(RecordedRadars, AFileWithoutSpokesIsRefusedInWords) {
   EXPECT_THAT(radars.error(), HasSubstr("no spokes"));
 }
 
+TEST(RecordedRadars, AFileWhoseOnlyVideoCannotBePlayedIsRefusedInWords) {
+  const RecordedFile high_view(RecordedScene{.views = {70'000}});
+  const RecordingReader one = high_view.open();
+  ASSERT_FALSE(one.summary().items.empty());
+  const auto of_one = radars_of(one);
+  ASSERT_FALSE(of_one.ok());
+  EXPECT_THAT(of_one.error(), HasSubstr("no spokes"));
+  EXPECT_THAT(of_one.error(), HasSubstr("1 radars or views more"));
+
+  // Only a radar beyond those that are played has a view that could be.
+  const RecordedFile many([](recording::RecordingWriter& writer) {
+    const RecordedScene scene;
+    for (std::uint32_t radar = 0; radar < RecordedRadars::kMaxRadars; ++radar) {
+      writer.add(recorded_spoke(scene, radar, 70'000, 0));
+    }
+    writer.add(recorded_spoke(scene, RecordedRadars::kMaxRadars, 0, 0));
+  });
+  const RecordingReader reader = many.open();
+  const auto of_many = radars_of(reader);
+  ASSERT_FALSE(of_many.ok());
+  EXPECT_THAT(of_many.error(), HasSubstr("65 radars or views more"));
+}
+
 TEST(PieceReader, GivesEverySpokeOnceInItsOrderInSectors) {
   const RecordedScene scene{.turns = 3, .radars = {0, 1}};
   const RecordedFile file(scene);
@@ -140,6 +163,13 @@ TEST(PieceReader, LeavesOutWhatIsNoSpokeAndSaysSo) {
   EXPECT_THAT(pieces.problem(), HasSubstr("2 spokes cannot be read"));
 }
 
+TEST(PieceReader, LeavesOutRadarsThatAreNotPlayed) {
+  const RecordedFile file(RecordedScene{.turns = 1});
+  const RecordingReader reader = file.open();
+  PieceReader pieces(reader, RecordedRadars{});
+  while (const auto piece = pieces.next()) EXPECT_FALSE(is_of_a_radar(piece->topic.kind));
+}
+
 class Turns : public testing::Test {
  protected:
   TurnFinder finder(double rpm = 30.0) { return {reader_, {Kind::spoke, 0, 0}, rpm}; }
@@ -192,6 +222,35 @@ TEST(TurnFinder, ATurnThatBeganInStandbyBeginsWithTheFirstVideo) {
   EXPECT_EQ(turns.turn_from(kRecordedAt + 62s, -5), kRecordedAt + 60s);
   EXPECT_EQ(turns.turn_from(kRecordedAt + 18s, 1), kRecordedAt + 60s);
   EXPECT_EQ(turns.turn_before(kRecordedAt + 50s), kRecordedAt + 50s) << "an empty screen";
+}
+
+// What a file may say of times and scans; the build with UBSan looks on.
+TEST(TurnFinder, TimesAndScansBeyondAllBoundsDoNotOverflow) {
+  RecordedScene scene{.spokes_per_turn = 128, .turns = 4};
+  scene.change = [](Spoke& spoke) {
+    const std::int64_t after = (spoke.header.utc - kRecordedAt).count();
+    const auto most = std::numeric_limits<std::int64_t>::max();
+    spoke.header.utc = UtcTime(Duration(most - 8'000'000'000 + after));
+    spoke.header.scan = (spoke.header.scan - 1000) * 0x40000000U;
+    return true;
+  };
+  const RecordedFile file(scene);
+  const RecordingReader reader = file.open();
+  EXPECT_EQ(reader.summary().end, recording::kLatestTime);
+  EXPECT_TRUE(reader.last_before({Kind::spoke, 0, 0}, recording::kLatestTime));
+  TurnFinder turns(reader, {Kind::spoke, 0, 0}, 5.0);
+  EXPECT_TRUE(turns.turns_at(reader.summary().end));
+  for (const int steps : {-1000, -1, 1, 1000}) {
+    for (const UtcTime place : {reader.summary().begin, reader.summary().end}) {
+      const auto found = turns.turn_from(place, steps);
+      EXPECT_LE(found.value_or(place), recording::kLatestTime);
+    }
+  }
+  PieceReader pieces(reader, radars_in(reader));
+  pieces.set_span(4s);
+  std::size_t spokes = 0;
+  while (const auto piece = pieces.next()) spokes += piece->spokes.size();
+  EXPECT_EQ(spokes, 4u * 128);
 }
 
 TEST(PlayedState, ShipsSailOnBetweenItems) {
