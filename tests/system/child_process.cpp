@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace skerry::system_test {
@@ -109,6 +110,22 @@ std::optional<std::string> ChildProcess::read_line() {
   std::string line = unread_.substr(0, end);
   unread_.erase(0, end + 1);
   return line;
+}
+
+void ChildProcess::await_error_text(const std::string& text) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  for (bool ended = false;;) {
+    const std::string err = text_of_file(folder_.path("err"));
+    if (err.find(text) != std::string::npos) return;
+    if (ended || std::chrono::steady_clock::now() > deadline) {
+      throw std::runtime_error("the program has not written \"" + text + "\" but:\n" + err);
+    }
+    // Once more what it has written after it ended; wait() still finds how.
+    siginfo_t info{};
+    ended = ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+            info.si_pid == pid_;
+    if (!ended) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
 void ChildProcess::signal(int number) {

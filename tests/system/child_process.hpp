@@ -53,6 +53,10 @@ class ChildProcess {
   // Error: std::runtime_error after kPatience.
   std::optional<std::string> read_line();
 
+  // Until it has written `text` to standard error.
+  // Error: std::runtime_error after kPatience, or once it has ended without that.
+  void await_error_text(const std::string& text);
+
   void signal(int number);
   // The end of the program, which must come by itself or by a signal sent before.
   // Error: std::runtime_error after kPatience.

@@ -268,7 +268,7 @@ TEST_F(Playback, SkerryPlayStartsAServerOnAFile) {
   ChildProcess play({skerry_program(), "play", file.path(), "--port", "0", "--http-port", "0",
                      "--no-udp", "--no-cat240", "--loop"});
   // Standard input is at its end: it plays until Ctrl-C.
-  std::this_thread::sleep_for(1500ms);
+  play.await_error_text("stop with Ctrl-C");
   play.signal(SIGINT);
   const Ending ending = play.wait();
   EXPECT_EQ(ending.code, 0) << ending.err;
