@@ -201,9 +201,12 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   if (verify.empty() && !verify_video.empty()) {
     throw std::runtime_error("--video: of which recording? give it with --verify FILE");
   }
-  if (!scenario.empty()) options.scenario = scenario;
   if (!scenario.empty() && !playback.file.empty()) {
     throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
+  }
+  if (!scenario.empty()) {
+    options.scenario = scenario;
+    options.playback.file.clear();  // of the configuration file
   }
   if (!charts.empty()) options.charts = charts;
   if (!elevation.empty()) options.elevation = elevation;
