@@ -54,17 +54,21 @@ bool InputFile::read_all(std::uint64_t offset, std::size_t size, Bytes& out) con
 }
 
 std::span<const std::uint8_t> FileWindow::at(std::uint64_t offset, std::size_t size) {
-  size = std::min(size, kMaxWindow);
-  if (offset < begin_ || offset + size > begin_ + bytes_.size()) {
+  const auto window = from(offset, size);
+  return window.first(std::min(size, window.size()));
+}
+
+std::span<const std::uint8_t> FileWindow::from(std::uint64_t offset, std::size_t least) {
+  least = std::min(least, kMaxWindow);
+  if (offset < begin_ || offset + least > begin_ + bytes_.size()) {
     if (offset >= file_->size()) return {};
     const auto left = file_->size() - offset;
     bytes_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, kMaxWindow)));
     begin_ = offset;
     bytes_.resize(file_->read(offset, bytes_));
+    bytes_read_ += bytes_.size();
   }
-  const auto window =
-      std::span<const std::uint8_t>(bytes_).subspan(static_cast<std::size_t>(offset - begin_));
-  return window.first(std::min(size, window.size()));
+  return std::span<const std::uint8_t>(bytes_).subspan(static_cast<std::size_t>(offset - begin_));
 }
 
 std::optional<RecordPlace> record_at(FileWindow& window, std::uint64_t offset, std::uint64_t end) {

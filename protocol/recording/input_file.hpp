@@ -50,12 +50,17 @@ class FileWindow {
   // The `size` octets at `offset`, at most kMaxWindow; fewer at the file's end.  Valid until the
   // next call.
   std::span<const std::uint8_t> at(std::uint64_t offset, std::size_t size);
+  // All that the window holds from `offset` on, and at least the `least` octets that at() gives:
+  // whoever goes on by small steps reads each octet of the file about once.  Valid as of at().
+  std::span<const std::uint8_t> from(std::uint64_t offset, std::size_t least);
   static constexpr std::size_t kMaxWindow = 256 << 10;
+  std::uint64_t bytes_read() const { return bytes_read_; }  // of the file, until now
 
  private:
   const InputFile* file_;
   Bytes bytes_;
   std::uint64_t begin_ = 0;  // of the window in the file
+  std::uint64_t bytes_read_ = 0;
 };
 
 // Where a record is.

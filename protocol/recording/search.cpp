@@ -18,7 +18,8 @@ namespace {
 
 using mcap::Op;
 
-constexpr std::uint64_t kProgressStep = 4 << 20;
+// Of the file, and of what was read for it: a file made to do harm has us read places many times.
+constexpr std::uint64_t kProgressStep = 4 << 20, kProgressWork = 64 << 20;
 constexpr std::size_t kMaxChunkHead = mcap::kChunkHead + mcap::kMaxCompressionName;
 
 class Search {
@@ -54,8 +55,12 @@ class Search {
 
  private:
   bool tell(std::uint64_t offset) {
-    if (!progress_ || offset < told_ + kProgressStep) return true;
+    const std::uint64_t work = work_ + window_.bytes_read();
+    if (!progress_ || (offset < told_ + kProgressStep && work < told_work_ + kProgressWork)) {
+      return true;
+    }
     told_ = offset;
+    told_work_ = work;
     return progress_(static_cast<double>(offset) / static_cast<double>(file_.size()));
   }
 
@@ -104,6 +109,7 @@ class Search {
   }
 
   std::span<const std::uint8_t> content(const RecordPlace& place) {
+    work_ += place.length;
     if (!file_.read_all(place.content, static_cast<std::size_t>(place.length), content_)) return {};
     return content_;
   }
@@ -112,7 +118,7 @@ class Search {
   std::uint64_t next_chunk(std::uint64_t offset) {
     while (offset < file_.size()) {
       if (!tell(offset)) return 0;
-      const auto window = window_.at(offset, FileWindow::kMaxWindow);
+      const auto window = window_.from(offset, mcap::kRecordHead + kMaxChunkHead);
       if (window.empty()) break;
       const auto* found = static_cast<const std::uint8_t*>(
           std::memchr(window.data(), static_cast<int>(Op::chunk), window.size()));
@@ -204,6 +210,7 @@ class Search {
     }
     if (!indexed || channels_.empty() || start_ != chunk.start || end_ != chunk.end ||
         !all_known()) {
+      work_ += chunk.length + chunk.uncompressed;
       const auto data = ChunkData::read(file_, chunk, index_);
       if (!data) {
         ++index_.chunks_unreadable;
@@ -232,7 +239,8 @@ class Search {
   const InputFile& file_;
   FileWindow window_;
   const std::function<bool(double)>& progress_;
-  std::uint64_t told_ = 0;
+  std::uint64_t told_ = 0, told_work_ = 0;
+  std::uint64_t work_ = 0;  // octets read and unpacked, besides the window's
   Bytes content_;
   FileIndex index_;
   std::set<std::uint16_t> others_;  // channels that are not ours
