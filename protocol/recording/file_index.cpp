@@ -112,12 +112,14 @@ class SummaryReader {
     return true;
   }
 
+  // So too.
   bool take_attachment(const mcap::AttachmentIndex& attachment) {
-    if (attachment.length < mcap::kRecordHead || attachment.offset > end_ ||
-        attachment.length > end_ - attachment.offset ||
+    if (attachment.offset < next_attachment_ || attachment.length < mcap::kRecordHead ||
+        attachment.offset > end_ || attachment.length > end_ - attachment.offset ||
         index.attachments.size() >= kMaxAttachments) {
       return false;
     }
+    next_attachment_ = attachment.offset + attachment.length;
     index.attachments.push_back({mcap::Op::attachment, attachment.offset,
                                  attachment.offset + mcap::kRecordHead,
                                  attachment.length - mcap::kRecordHead});
@@ -127,7 +129,7 @@ class SummaryReader {
   const InputFile& file_;
   FileWindow window_;
   std::uint64_t end_ = 0;
-  std::uint64_t next_chunk_ = 0;  // the next one begins here or later
+  std::uint64_t next_chunk_ = 0, next_attachment_ = 0;  // the next one begins here or later
   Bytes content_;
 };
 

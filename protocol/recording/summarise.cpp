@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "protocol/recording/file_builder.hpp"
 #include "protocol/recording/open_recording.hpp"
@@ -13,6 +14,8 @@ namespace {
 
 // Octets of an event that may be a mark: names have at most 100.
 constexpr std::size_t kMaxMarkBytes = 1024;
+// Octets of a Contents; where it has more the chunks are counted.
+constexpr std::size_t kMaxContents = 8 << 20;
 
 UtcTime utc_of(std::uint64_t ns) { return UtcTime(Duration(time_of(ns))); }
 
@@ -20,9 +23,10 @@ void note(Summary& summary, RecordingError damage) {
   if (!summary.damage) summary.damage = std::move(damage);
 }
 
-// The attachments that can be read; the Contents is told apart.
+// The attachments that can be read; the Contents is told apart, and only the first one counts.
 std::optional<Contents> read_attachments(OpenRecording& recording) {
   std::optional<Contents> contents;
+  bool contents_seen = false;
   std::size_t held = 0;
   Bytes bytes;
   for (const RecordPlace& place : recording.index.attachments) {
@@ -38,8 +42,11 @@ std::optional<Contents> read_attachments(OpenRecording& recording) {
     }
     const auto* data = reinterpret_cast<const char*>(read->data.data());
     if (read->name == kContentsName && read->media_type == kContentsType) {
+      if (std::exchange(contents_seen, true) || read->data.size() > kMaxContents) continue;
       Contents message;
-      if (message.ParseFromArray(data, static_cast<int>(read->data.size()))) contents = message;
+      if (message.ParseFromArray(data, static_cast<int>(read->data.size()))) {
+        contents = std::move(message);
+      }
       continue;
     }
     if (held + read->data.size() > kMaxAttachment) continue;

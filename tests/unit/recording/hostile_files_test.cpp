@@ -5,12 +5,16 @@
 #include <zstd.h>
 
 #include <cstring>
+#include <fstream>
 #include <limits>
+#include <optional>
 
 #include "protocol/recording/checksum.hpp"
 #include "protocol/recording/compression.hpp"
+#include "protocol/recording/file_builder.hpp"
 #include "protocol/recording/mcap_records.hpp"
 #include "protocol/recording/reader.hpp"
+#include "protocol/recording/recording.pb.h"
 #include "protocol/recording/summary_builder.hpp"
 #include "protocol/recording/topics.hpp"
 #include "protocol/wire/byte_order.hpp"
@@ -193,6 +197,55 @@ TEST(HostileFile, WhoseIndexGoesInCirclesIsSearched) {
   EXPECT_EQ(kit::read_all(reader->items()).size(), 2U);
 }
 
+// What this process has read until now; nothing where the system does not tell.
+std::optional<std::uint64_t> bytes_read() {
+  std::ifstream io("/proc/self/io");
+  std::string name;
+  std::uint64_t bytes = 0;
+  if (io >> name >> bytes && name == "rchar:") return bytes;
+  return std::nullopt;
+}
+
+// Every octet of it may begin a chunk and none does.
+TEST(HostileFile, OfNothingButChunkHeadsIsReadOnce) {
+  const kit::Folder folder;
+  constexpr std::size_t kSize = 16 << 20;
+  Forger forger;
+  forger.file.resize(forger.file.size() + kSize, static_cast<std::uint8_t>(mcap::Op::chunk));
+  forger.plain_chunk(one_spoke(5), 5, 5);
+  const std::string path = folder.put("a.mcap", forger.file);
+  const auto before = bytes_read();
+  int asked = 0;
+  const auto reader = RecordingReader::open(path, [&](double) { return ++asked > 0; });
+  const auto after = bytes_read();
+  ASSERT_TRUE(reader.ok()) << reader.error().to_string();
+  EXPECT_EQ(reader->summary().chunks, 1U);
+  EXPECT_GE(asked, 4);
+  if (before && after) {
+    EXPECT_LT(*after - *before, 2 * kSize);
+  }
+  EXPECT_FALSE(RecordingReader::open(path, [](double) { return false; }).ok());
+}
+
+// Records of 1 MiB that are none, over each other: what is read asks too, not only how far it is.
+TEST(HostileFile, ThatHasOnePlaceReadManyTimesCanBeGivenUp) {
+  const kit::Folder folder;
+  Forger forger;
+  for (int i = 0; i < 200; ++i) {
+    forger.plain_chunk(one_spoke(5), 5, 5);
+    forger.file.push_back(static_cast<std::uint8_t>(mcap::Op::schema));
+    append_little_endian(forger.file, 1 << 20, 8);
+    forger.file.resize(forger.file.size() + 16, 0xFF);
+  }
+  forger.file.resize(forger.file.size() + (1 << 20));
+  int asked = 0;
+  const std::string path = folder.put("a.mcap", forger.file);
+  const auto reader = RecordingReader::open(path, [&](double) { return ++asked > 0; });
+  ASSERT_TRUE(reader.ok()) << reader.error().to_string();
+  EXPECT_EQ(reader->summary().chunks, 200U);
+  EXPECT_GE(asked, 3);
+}
+
 // Packed messages by the thousand of few octets each, all of one time.
 TEST(HostileFile, OfCrumbsOfPackedSpokesIsBounded) {
   const kit::Folder folder;
@@ -292,6 +345,52 @@ TEST(Attachment, OfHostileSizeIsLeftOut) {
   ASSERT_TRUE(reader.ok());
   EXPECT_EQ(reader->summary().attachments.size(), 2U);
   EXPECT_TRUE(reader->summary().damage);
+}
+
+// An index that names one attachment again and again is no index.
+TEST(Attachment, ThatIsIndexedManyTimesIsReadOnce) {
+  const kit::Folder folder;
+  Forger forger;
+  const std::size_t begin = forger.file.size();
+  const Bytes data(1 << 20, 7);
+  mcap::append(forger.file, mcap::Attachment{1, "notes", "text/plain", data});
+  for (int i = 0; i < 10'000; ++i) {
+    forger.summary.add_attachment({begin, forger.file.size() - begin, 1, data.size(), "", ""});
+  }
+  const std::string path = folder.put("a.mcap", forger.finished());
+  const auto before = bytes_read();
+  const auto reader = RecordingReader::open(path);
+  const auto after = bytes_read();
+  ASSERT_TRUE(reader.ok()) << reader.error().to_string();
+  EXPECT_TRUE(reader->summary().damage);
+  EXPECT_EQ(reader->summary().attachments.size(), 1U);
+  if (before && after) {
+    EXPECT_LT(*after - *before, 16 * data.size());
+  }
+}
+
+// Contents of which only the first counts, and none of hostile size.
+TEST(Attachment, OfContentsTheFirstCountsAndNoneTooLong) {
+  const kit::Folder folder;
+  const auto marks = [&](const std::vector<std::size_t>& names) {
+    Forger forger;
+    for (const std::size_t name : names) {
+      Contents contents;
+      contents.add_marks()->set_name(std::string(name, 'x'));
+      const std::string text = contents.SerializeAsString();
+      const std::size_t begin = forger.file.size();
+      mcap::append(forger.file, mcap::Attachment{1, kContentsName, kContentsType,
+                                                 Bytes(text.begin(), text.end())});
+      forger.summary.add_attachment({begin, forger.file.size() - begin, 1, text.size(), "", ""});
+    }
+    const auto reader = RecordingReader::open(folder.put("a.mcap", forger.finished()));
+    EXPECT_TRUE(reader.ok());
+    std::vector<std::size_t> lengths;
+    for (const Mark& mark : reader->summary().marks) lengths.push_back(mark.name.size());
+    return lengths;
+  };
+  EXPECT_EQ(marks({3, 5}), std::vector<std::size_t>{3});
+  EXPECT_EQ(marks({9 << 20}), std::vector<std::size_t>{});
 }
 
 // Others cut the file while we hold it.
