@@ -1,6 +1,4 @@
 // ASTERIX CAT240.  Its azimuths are from true north: there is no heading.
-#include <algorithm>
-
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/captures/counter_gap.hpp"
 #include "protocol/captures/picture_decoder.hpp"
@@ -11,6 +9,10 @@ namespace {
 // Nearest cells that a sender may leave out; they are filled with zeros.
 constexpr std::uint32_t kMostLeftOut = 65'535;
 constexpr std::uint64_t kMessageIndices = std::uint64_t{1} << 32;
+
+std::uint16_t source_of(const Cat240Record& record) {
+  return static_cast<std::uint16_t>(record.source.sac << 8 | record.source.sic);
+}
 
 // Cells of other sizes than 4 and 8 bits: 1 and 2 spread over 0 .. 15, of more the highest 8.
 void fit_bits(Cat240Video& video, CapturedSpoke& spoke) {
@@ -28,6 +30,21 @@ void fit_bits(Cat240Video& video, CapturedSpoke& spoke) {
   for (std::uint8_t& cell : spoke.cells) cell = static_cast<std::uint8_t>(cell * factor);
 }
 
+// What cannot be made spokes of.
+std::optional<WireError> refusal_of(const std::vector<Cat240Record>& records,
+                                    std::uint16_t source) {
+  for (const Cat240Record& each : records) {
+    if (each.video && !each.video->foreign.empty()) {
+      return WireError{WireErrorKind::unknown_kind, 0,
+                       "CAT240: cells are compressed in a way only their sender knows"};
+    }
+    if (each.video && source_of(each) == source && each.video->cell_duration == 0) {
+      return WireError{WireErrorKind::out_of_range, 0, "CAT240: the cells have no duration"};
+    }
+  }
+  return std::nullopt;
+}
+
 class Cat240Picture : public PictureDecoder {
  public:
   using PictureDecoder::PictureDecoder;
@@ -36,16 +53,9 @@ class Cat240Picture : public PictureDecoder {
                                   std::vector<CapturedSpoke>& out) override {
     auto records = decode_cat240(datagram.payload);
     if (!records) return records.error();
-    if (std::any_of(records->begin(), records->end(), [](const Cat240Record& each) {
-          return each.video && !each.video->foreign.empty();
-        })) {
-      return WireError{WireErrorKind::unknown_kind, 0,
-                       "CAT240: cells are compressed in a way only their sender knows"};
-    }
+    if (auto refusal = refusal_of(*records, traits_.key.source)) return refusal;
     for (Cat240Record& record : *records) {
-      const std::uint16_t source =
-          static_cast<std::uint16_t>(record.source.sac << 8 | record.source.sic);
-      if (!record.video || source != traits_.key.source) continue;
+      if (!record.video || source_of(record) != traits_.key.source) continue;
       if (record.video->cell_count == 0 || record.video->start_range > kMostLeftOut) continue;
       out.push_back(spoke_of(*record.video, datagram.time));
     }

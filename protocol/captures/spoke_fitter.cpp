@@ -48,6 +48,7 @@ void SpokeFitter::take(CapturedSpoke spoke, const ShipTrack& ship, std::vector<S
     spoke.heading = ship.heading();
     spoke.heading_magnetic = false;
   }
+  thin(spoke);  // first: those that wait are of bounded size
   if (known(spoke.reach)) {
     reach_ = spoke.reach;
     nominal_ = spoke.nominal;
@@ -70,19 +71,21 @@ void SpokeFitter::give_waiting(std::vector<Spoke>& out) {
 
 void SpokeFitter::finish(std::vector<Spoke>& out) { give_waiting(out); }
 
-void SpokeFitter::fit_cells(CapturedSpoke& from) {
+void SpokeFitter::thin(CapturedSpoke& from) {
+  if (from.cells.size() <= ScanGeometry::kMaxCells) return;
+  from.cells = thinned(from.cells, ScanGeometry::kMaxCells);
+  from.doppler = {};
+  ++counts_.thinned;
+}
+
+void SpokeFitter::pad(CapturedSpoke& from) {
   const std::size_t cells = from.cells.size();
-  if (cells > ScanGeometry::kMaxCells) {
-    from.cells = thinned(from.cells, ScanGeometry::kMaxCells);
-    from.doppler.clear();
-    ++counts_.thinned;
-  } else if (cells < ScanGeometry::kMinCells) {
-    from.reach =
-        from.reach * (static_cast<double>(ScanGeometry::kMinCells) / static_cast<double>(cells));
-    from.cells.resize(ScanGeometry::kMinCells);
-    if (!from.doppler.empty()) from.doppler.resize(ScanGeometry::kMinCells);
-    ++counts_.padded;
-  }
+  if (cells >= ScanGeometry::kMinCells) return;
+  from.reach =
+      from.reach * (static_cast<double>(ScanGeometry::kMinCells) / static_cast<double>(cells));
+  from.cells.resize(ScanGeometry::kMinCells);
+  if (!from.doppler.empty()) from.doppler.resize(ScanGeometry::kMinCells);
+  ++counts_.padded;
 }
 
 void SpokeFitter::fit(CapturedSpoke& from, const std::optional<GeoPoint>& position,
@@ -90,7 +93,7 @@ void SpokeFitter::fit(CapturedSpoke& from, const std::optional<GeoPoint>& positi
   sequence_ += from.missing;
   counts_.missing += from.missing;
   const Length reach = from.reach;
-  fit_cells(from);
+  pad(from);
   const auto scale = scale_of(from.nominal, from.reach);
   if (!scale || from.index >= from.spokes_per_turn) {
     ++counts_.refused;

@@ -34,7 +34,7 @@ struct FittedCounts {
 // size follow.  A spoke whose packets tell no range waits for the next one that has it, and then
 // has the same; later ones have the last.  Bearings from north become bearings from the bow where
 // the heading is known: error of the heading half a spoke, of the bearing none.
-// Memory: at most kMaxWaiting spokes wait.  Thread: one at a time.
+// Memory: at most kMaxWaiting spokes wait, of at most 4096 cells each.  Thread: one at a time.
 class SpokeFitter {
  public:
   static constexpr std::size_t kMaxWaiting = 4096;
@@ -58,7 +58,8 @@ class SpokeFitter {
   };
   void give_waiting(std::vector<Spoke>& out);
   void fit(CapturedSpoke& from, const std::optional<GeoPoint>& position, std::vector<Spoke>& out);
-  void fit_cells(CapturedSpoke& from);
+  void thin(CapturedSpoke& from);
+  void pad(CapturedSpoke& from);
 
   std::uint32_t radar_;
   Duration turn_;

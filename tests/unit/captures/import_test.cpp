@@ -1,11 +1,14 @@
 // Imports of captures made for the test: what captures of real radars do not show.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/raymarine/quantum_spoke.hpp"
+#include "protocol/wire/byte_order.hpp"
 #include "tests/unit/captures/imported.hpp"
 
 namespace skerry::captures {
@@ -193,6 +196,26 @@ TEST(Import, MorePicturesThanThereMayBeAreLeftOut) {
   const Imported got = imported(capture.bytes());
   EXPECT_EQ(got.spokes.size(), kMaxPictures);
   EXPECT_EQ(got.report.left_out, 40 - kMaxPictures);
+}
+
+// Such spokes never learn how far they reach.
+TEST(Import, Cat240OfCellsWithoutDurationIsCountedAndLeftOut) {
+  TestCapture capture;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    Bytes sent = encode_cat240_video(spoke_of({360, 256, 8}, i, 0.0), {1, 2}, i);
+    if (i % 4 == 3) {
+      Bytes duration;
+      append_big_endian(duration, decode_cat240(sent)->at(0).video->cell_duration, 4);
+      const auto at = std::search(sent.begin(), sent.end(), duration.begin(), duration.end());
+      ASSERT_NE(at, sent.end());
+      std::fill_n(at, 4, std::uint8_t{0});
+    }
+    capture.add(kStep * i, kCat240, sent);
+  }
+  const Imported got = imported(capture.bytes());
+  EXPECT_EQ(got.spokes.at(0).size(), 15u);
+  EXPECT_EQ(got.report.radars.at(0).picture.refused, 5u);
+  EXPECT_EQ(got.report.radars.at(0).counts.range_unknown, 0u);
 }
 
 TEST(Import, GivesUpWhenAskedTo) {

@@ -82,6 +82,19 @@ TEST(SpokeFitter, TooManyCellsKeepTheirPeaks) {
   EXPECT_EQ(fitter.counts().thinned, 1u);
 }
 
+TEST(SpokeFitter, SpokesThatWaitAreThinnedOnce) {
+  SpokeFitter fitter(0, {}, at(0));
+  std::vector<Spoke> out;
+  for (int i = 0; i < 3; ++i) fitter.take(captured(65'000, 0), {}, out);
+  EXPECT_TRUE(out.empty());
+  EXPECT_EQ(fitter.counts().thinned, 3u);  // before they wait
+  fitter.take(captured(65'000, 2000), {}, out);
+  ASSERT_EQ(out.size(), 4u);
+  EXPECT_EQ(out[0].cells.size(), ScanGeometry::kMaxCells);
+  EXPECT_EQ(out[0].header.reach(), metres(2000));
+  EXPECT_EQ(fitter.counts().thinned, 4u);
+}
+
 TEST(SpokeFitter, WhatCannotBeSaidIsCounted) {
   SpokeFitter fitter(0, {}, at(0));
   std::vector<Spoke> out;
