@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "clients/common/printable_text.hpp"
+#include "protocol/recording/put_in_place.hpp"
 
 namespace skerry::client {
 namespace {
@@ -76,14 +77,13 @@ void RecordingOutput::commit() {
     fail(why);
   }
   // Without --force, what came to be there meanwhile is not overwritten.
-  const int done =
-      replace_ ? std::rename(part_.c_str(), path_.c_str())
-               : ::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE);
-  if (done == 0) return;
-  const int why = errno;
-  ::unlink(part_.c_str());
-  if (why == EEXIST) throw std::runtime_error(already_there(path_));
-  fail(why);
+  const int why = recording::put_in_place(part_, path_, replace_);
+  if (why == 0) return;
+  // It is whole, and may be the work of hours.
+  const std::string lies = fmt::format("; what was written lies in {}", printable(part_));
+  if (why == EEXIST) throw std::runtime_error(already_there(path_) + lies);
+  throw std::runtime_error(
+      fmt::format("cannot write {}: {}{}", printable(path_), std::strerror(why), lies));
 }
 
 }  // namespace skerry::client

@@ -8,7 +8,8 @@
 
 namespace skerry::client {
 
-// Writes into PATH.part-XXXXXX and puts it in place by commit().  Without commit() nothing is left.
+// Writes into PATH.part-XXXXXX and puts it in place by commit().  Without commit() nothing is left;
+// where only the name could not be given, the part stays and the error names it.
 // Errors: std::runtime_error that names the file: `path` exists and `replace` is false, there is no
 // such folder, the disk is full, ...
 class RecordingOutput {

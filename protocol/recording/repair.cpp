@@ -12,6 +12,7 @@
 #include "protocol/recording/compression.hpp"
 #include "protocol/recording/item_cursor.hpp"
 #include "protocol/recording/open_recording.hpp"
+#include "protocol/recording/put_in_place.hpp"
 #include "protocol/recording/writer.hpp"
 
 namespace skerry::recording {
@@ -21,7 +22,7 @@ RecordingError error_of(const std::string& path, std::string_view what) {
   return {path, 0, fmt::format("{}: {}", what, strerror(errno))};
 }
 
-// A file beside its place, which it takes when it is whole; else it goes.
+// A file beside its place, which it takes when it is whole; before that it goes.
 class NewFile {
  public:
   explicit NewFile(std::string place)
@@ -33,7 +34,7 @@ class NewFile {
   ~NewFile() {
     if (file_ < 0) return;
     ::close(file_);
-    ::unlink(path_.c_str());
+    if (!whole_) ::unlink(path_.c_str());
   }
 
   bool is_open() const { return file_ >= 0; }
@@ -46,13 +47,23 @@ class NewFile {
     }
     return true;
   }
-  // False if there is something in its place already, or the disk fails.
-  bool put_in_place() { return ::fsync(file_) == 0 && ::link(path_.c_str(), place_.c_str()) == 0; }
+  // What is wrong: there is something in its place already, or the disk fails.
+  std::optional<RecordingError> put_in_place() {
+    if (::fsync(file_) != 0) return error_of(place_, "cannot be written");
+    // From here on it stays, whatever its name.
+    whole_ = true;
+    errno = recording::put_in_place(path_, place_, false);
+    if (errno == 0) return std::nullopt;
+    RecordingError error = error_of(place_, "cannot be put in place");
+    error.text += fmt::format("; what was made lies in {}", path_);
+    return error;
+  }
 
  private:
   std::string place_;
   std::string path_;
   int file_ = -1;
+  bool whole_ = false;
 };
 
 WriterOptions options_of(const Summary& summary) {
@@ -116,7 +127,7 @@ Result<RepairReport, RecordingError> repair(const std::string& from, const std::
   if (report.items == 0 && !report.was_whole) {
     return Failure{summary.damage ? *summary.damage : *cursor.damage()};
   }
-  if (!file.put_in_place()) return Failure{error_of(to, "cannot be put in place")};
+  if (auto error = file.put_in_place()) return Failure{*std::move(error)};
   return report;
 }
 
