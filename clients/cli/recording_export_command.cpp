@@ -67,12 +67,62 @@ bool may_write(const ExportOptions& options, const std::string& path) {
   return options.force || !std::filesystem::exists(path, error);
 }
 
+// What is written takes its place when it is whole; what no file can replace (a pipe, a device) is
+// written at once.  Errors: as of RecordingOutput and OutputFile.
+class ExportFile {
+ public:
+  ExportFile(const std::string& path, bool replace) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (std::filesystem::is_other(status)) {
+      stream_.emplace(path);
+    } else {
+      // A link stays one: what it leads to is replaced.
+      const bool link = std::filesystem::exists(status) && std::filesystem::is_symlink(path, error);
+      file_.emplace(link ? std::filesystem::canonical(path).string() : path, replace);
+    }
+    held_.reserve(kHeld);
+  }
+  void write(std::span<const std::uint8_t> bytes) {
+    held_.insert(held_.end(), bytes.begin(), bytes.end());
+    if (held_.size() >= kHeld) flush();
+  }
+  void write(std::string_view text) {
+    write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+  void close() {
+    flush();
+    if (stream_) {
+      stream_->close();
+    } else {
+      file_->commit();
+    }
+  }
+
+ private:
+  static constexpr std::size_t kHeld = 256 << 10;
+  void flush() {
+    if (stream_) {
+      stream_->write(held_);
+    } else if (!file_->sink()(held_)) {
+      file_->commit();  // throws what is wrong
+    }
+    held_.clear();
+  }
+
+  std::optional<OutputFile> stream_;
+  std::optional<RecordingOutput> file_;  // one of them
+  Bytes held_;
+};
+
 void write_turn(const ExportOptions& options, const RecordedTurn& turn, const std::string& path) {
   PpiOptions picture = options.picture;
   picture.orientation = options.head_up ? Orientation::head_up : Orientation::north_up;
   picture.palette = options.green ? Palette::green : Palette::amber;
-  write_file(path, encode_png(draw_ppi(turn.scan, picture, turn.labels),
-                              describe(turn.scan, turn.labels.radar)));
+  ExportFile file(path, options.force);
+  file.write(encode_png(draw_ppi(turn.scan, picture, turn.labels),
+                        describe(turn.scan, turn.labels.radar)));
+  file.close();
 }
 
 int export_pngs(const ExportOptions& options, const recording::RecordingReader& reader,
@@ -111,8 +161,8 @@ int export_csv(const ExportOptions& options, const recording::RecordingReader& r
   if (!options.output.empty() && !may_write(options, options.output)) {
     return exists(options, options.output);
   }
-  std::optional<OutputFile> file;
-  if (!options.output.empty()) file.emplace(options.output);
+  std::optional<ExportFile> file;
+  if (!options.output.empty()) file.emplace(options.output, options.force);
   const auto write = [&](const std::string& text) { file ? file->write(text) : write_out(text); };
   ProgressBar bar("writing");
   write(heading_line(format));
@@ -140,7 +190,7 @@ int export_pcap(const ExportOptions& options, const recording::RecordingReader& 
   what.view = part.view;
   what.from = part.from;
   what.to = part.to;
-  OutputFile file(path);
+  ExportFile file(path, options.force);
   captures::PcapWriter out([&](std::span<const std::uint8_t> bytes) { file.write(bytes); });
   ProgressBar bar("writing");
   const auto done = captures::export_capture(reader, what, out, bar.function());

@@ -154,6 +154,23 @@ TEST_F(RecordingCli, ExportsPicturesTablesAndCapturesThatImportAgain) {
   EXPECT_EQ(fs::file_size(file), size);
 }
 
+TEST_F(RecordingCli, AnExportReplacesAFileOnceItIsWhole) {
+  const std::string file = recorded("a.mcap"), csv = path("a.csv"), link = path("b.csv");
+  std::ofstream(csv) << "old";
+  EXPECT_EQ(run({"export", file, "--csv", "--radar", "3", "-o", csv, "--force"}).code, 1);
+  EXPECT_EQ(run({"export", file, "--pcap", "navico", "--radar", "3", "-o", csv, "--force"}).code,
+            1);
+  EXPECT_EQ(text_of_file(csv), "old");
+  fs::create_symlink(csv, link);
+  EXPECT_EQ(run({"export", file, "--csv", "-o", link}).code, 1);
+  EXPECT_EQ(run({"export", file, "--csv", "-o", link, "--force"}).code, 0);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_GT(fs::file_size(csv), 1000U);
+  EXPECT_EQ(run({"export", file, "--csv", "-o", "/dev/null", "--force"}).code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 3);
+}
+
 TEST_F(RecordingCli, FilesMayHaveAnyName) {
   const std::string file = recorded(
       "r\xE9"
