@@ -224,14 +224,13 @@ TEST(TurnFinder, ATurnThatBeganInStandbyBeginsWithTheFirstVideo) {
   EXPECT_EQ(turns.turn_before(kRecordedAt + 50s), kRecordedAt + 50s) << "an empty screen";
 }
 
-// What a file may say of times and scans; the build with UBSan looks on.
-TEST(TurnFinder, TimesAndScansBeyondAllBoundsDoNotOverflow) {
+// What a file may say; the build with UBSan looks on.
+TEST(TurnFinder, TimesBeyondAllBoundsDoNotOverflow) {
   RecordedScene scene{.spokes_per_turn = 128, .turns = 4};
   scene.change = [](Spoke& spoke) {
     const std::int64_t after = (spoke.header.utc - kRecordedAt).count();
     const auto most = std::numeric_limits<std::int64_t>::max();
     spoke.header.utc = UtcTime(Duration(most - 8'000'000'000 + after));
-    spoke.header.scan = (spoke.header.scan - 1000) * 0x40000000U;
     return true;
   };
   const RecordedFile file(scene);
@@ -241,16 +240,33 @@ TEST(TurnFinder, TimesAndScansBeyondAllBoundsDoNotOverflow) {
   TurnFinder turns(reader, {Kind::spoke, 0, 0}, 5.0);
   EXPECT_TRUE(turns.turns_at(reader.summary().end));
   for (const int steps : {-1000, -1, 1, 1000}) {
-    for (const UtcTime place : {reader.summary().begin, reader.summary().end}) {
-      const auto found = turns.turn_from(place, steps);
-      EXPECT_LE(found.value_or(place), recording::kLatestTime);
-    }
+    const auto found = turns.turn_from(reader.summary().end, steps);
+    EXPECT_LE(found.value_or(UtcTime()), recording::kLatestTime);
   }
   PieceReader pieces(reader, radars_in(reader));
   pieces.set_span(4s);
   std::size_t spokes = 0;
   while (const auto piece = pieces.next()) spokes += piece->spokes.size();
   EXPECT_EQ(spokes, 4u * 128);
+}
+
+TEST(TurnFinder, ScansBeyondAllBoundsDoNotOverflow) {
+  for (const std::uint32_t leap : {0x20000000U, 0x40000000U, 0x80000000U, 0xE0000000U}) {
+    RecordedScene scene{.spokes_per_turn = 128, .turns = 4};
+    scene.change = [leap](Spoke& spoke) {
+      spoke.header.scan = (spoke.header.scan - 1000) * leap;
+      return true;
+    };
+    const RecordedFile file(scene);
+    const RecordingReader reader = file.open();
+    TurnFinder turns(reader, {Kind::spoke, 0, 0}, 5.0);
+    for (const int steps : {-1000, -1, 1, 1000}) {
+      for (const Duration place : {1s, 3s, 5s, 7s}) {
+        const auto found = turns.turn_from(kRecordedAt + place, steps);
+        EXPECT_LE(found.value_or(kRecordedAt), reader.summary().end);
+      }
+    }
+  }
 }
 
 TEST(PlayedState, ShipsSailOnBetweenItems) {
