@@ -211,7 +211,7 @@ TEST(BoardScope, BearsWhateverABoardMaySend) {
   sweep.meta.utc_ns = ~std::uint64_t{0};
   EXPECT_NE(draw_scope_text(sweep, whole_window(sweep.meta), {80, 24}), "");
   draw_scope_picture(sweep, {{0, board::Line::acp}}, whole_window(sweep.meta), {480, 360});
-  EXPECT_GE(spokes_that_fit(sweep.meta, 0), 256u);
+  EXPECT_GE(spokes_that_fit(sweep.meta, 0), ScanGeometry::kMinSpokes);
 }
 
 TEST(BoardTurn, TakesAsManySpokesAsHavePulses) {

@@ -138,7 +138,7 @@ TEST(StreamOutputs, ShapesThatAProtocolDoesNotHaveAreRefused) {
   };
   DisplaySocket receiver({0, 0}, kHere);
   EXPECT_THAT(refusal(stream_to(receiver, NativeShape{.turn_spokes = 100})),
-              HasSubstr("stream 1 (native): spokes 100 is not 0 (as the radar has them) or 256"));
+              HasSubstr("stream 1 (native): spokes 100 is not 0 (as the radar has them) or 128"));
   EXPECT_THAT(refusal(stream_to(receiver, NativeShape{.bits = 16})),
               HasSubstr("16 bits are not 4 or 8"));
   Cat240StreamShape shape;
