@@ -82,6 +82,15 @@ Bytes one_spoke(std::uint64_t time) {
 }
 
 // What the process has held at most.  Under a sanitizer it says little: 0.
+// The address sanitizer keeps freed memory for a while.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kPeakIsOurs = false;
+#elif defined(__has_feature)
+constexpr bool kPeakIsOurs = !__has_feature(address_sanitizer);
+#else
+constexpr bool kPeakIsOurs = true;
+#endif
+
 long peak_kib() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return 0;
@@ -134,7 +143,9 @@ TEST(HostileFile, ThatSaysItsChunksAreHugeTakesNoMemory) {
       EXPECT_EQ(read(folder, forger.file, 0).size(), 1U);
     }
   }
-  EXPECT_LT(peak_kib() - before, 64 << 10);
+  if (kPeakIsOurs) {
+    EXPECT_LT(peak_kib() - before, 64 << 10);
+  }
 }
 
 // 64 MiB of nothing in a few kB: taken for what it is; more than it says is not unpacked.
@@ -151,7 +162,9 @@ TEST(HostileFile, ThatIsABombGoesOffNowhere) {
   }
   forger.plain_chunk(one_spoke(5), 5, 5);
   EXPECT_EQ(read(folder, forger.finished(), 50).size(), 1U);
-  EXPECT_LT(peak_kib() - before, 200 << 10);
+  if (kPeakIsOurs) {
+    EXPECT_LT(peak_kib() - before, 200 << 10);
+  }
 }
 
 // Chunks that all lie over each other: no more are open than kMaxOpenBytes.
@@ -176,7 +189,9 @@ TEST(HostileFile, OfChunksOfOneTimeStaysWithinItsMemory) {
   while (cursor.next()) ++items;
   EXPECT_EQ(items, 80);
   EXPECT_EQ(cursor.chunks_damaged(), 0U);
-  EXPECT_LT(peak_kib() - before, static_cast<long>(2 * ItemCursor::kMaxOpenBytes >> 10));
+  if (kPeakIsOurs) {
+    EXPECT_LT(peak_kib() - before, static_cast<long>(2 * ItemCursor::kMaxOpenBytes >> 10));
+  }
 }
 
 // An index that names one chunk again and again, or chunks out of order, is no index.
