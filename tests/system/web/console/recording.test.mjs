@@ -61,7 +61,7 @@ test('the recorder is started, marked and stopped, and shows how it does', async
   await until('record-marks', '2');
   await page.locator('#record').click();
   await until('record-phase', 'Off');
-  assert.deepEqual(asked('record').map(({ action, name }) => [action, name]), [[0, ''], [2, 'Buoy passed'], [2, 'Mark 2'], [1, '']]);
+  assert.deepEqual(asked('record').map(({ action, name }) => [action, name]), [[0, ''], [2, 'Buoy passed'], [2, ''], [1, '']]);
   assert.equal(await page.locator('#record-sign').isVisible(), false);
   assert.deepEqual(page.problems, []);
 });
