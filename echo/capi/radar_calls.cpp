@@ -43,8 +43,8 @@ constexpr std::uint32_t kFewest = 256;
 
 RadarMount mount_of(const skerry_echo_radar_options* given) {
   const auto o = from_caller("options", given, default_options());
-  require_range("options.spokes_per_turn", std::uint64_t{o.spokes_per_turn},
-                kFewest, ScanGeometry::kMaxSpokes);
+  require_range("options.spokes_per_turn", std::uint64_t{o.spokes_per_turn}, kFewest,
+                ScanGeometry::kMaxSpokes);
   require_range("options.cells", std::uint64_t{o.cells}, kFewest, ScanGeometry::kMaxCells);
   if (o.bits != 4 && o.bits != 8) {
     throw CallError(SKERRY_ECHO_ERROR_ARGUMENT,
