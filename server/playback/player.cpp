@@ -111,7 +111,7 @@ void Player::settle(UtcTime at, SteadyTime now) {
 
 PlayerStanding Player::standing() const {
   const std::lock_guard lock(mutex_);
-  return {place(steady_clock::now()), playing_, rate_, loop_, problem_, spokes_};
+  return {place(steady_clock::now()), playing_, rate_, loop_, problem_};
 }
 
 std::optional<UtcTime> Player::present_utc() const {
@@ -266,8 +266,6 @@ void Player::play(Piece& piece) {
   for (const PlayedViewPtr& view : *views) {
     if (view->source == piece.topic.view) view->publish(piece.spokes);
   }
-  const std::lock_guard lock(mutex_);
-  spokes_ += piece.spokes.size();
 }
 
 void Player::reach(UtcTime goal) {

@@ -39,7 +39,6 @@ struct PlayerStanding {
   double rate = 1.0;
   bool loop = false;
   std::string problem;
-  std::uint64_t spokes = 0;  // played since start()
 };
 
 struct PlayerOptions {
@@ -147,7 +146,6 @@ class Player {
   PlayClock clock_;
   std::string problem_;
   std::uint64_t faults_ = 0;
-  std::uint64_t spokes_ = 0;
 
   std::jthread thread_;  // last: ends before what it uses
 };

@@ -48,7 +48,6 @@ class RecordingFolder {
   std::optional<std::uint64_t> free_bytes() const;
   // What is in the folder is on the disk by name.
   void sync() const;
-  const std::string& path() const { return folder_; }
 
  private:
   // A line of the list: "NAME\tIDENTITY".

@@ -33,9 +33,6 @@ export class Playback {
     this.dragged = null;  // where the operator holds the slider, seconds
   }
 
-  get isOn() {
-    return this.state !== null;
-  }
   get isPaused() {
     return this.state !== null && !this.state.playing;
   }

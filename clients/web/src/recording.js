@@ -2,7 +2,7 @@
 import { $ } from './controls.js';
 import { bytes, duration } from './format.js';
 
-export const OFF = 0, RECORDING = 1, DISK_FULL = 2, FAILED = 3;
+const OFF = 0, RECORDING = 1, DISK_FULL = 2, FAILED = 3;
 const START = 0, STOP = 1, MARK = 2;
 const WORDS = ['Off', 'Recording', 'Disk full', 'Failed'];
 
