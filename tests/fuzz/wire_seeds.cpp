@@ -1,5 +1,5 @@
 // Writes the seeds of the wire, CAT240 and board fuzz targets, so that they can be made anew when a
-// format grows.  Usage: fuzz_seeds <tests/fuzz/corpus>
+// format grows.  Usage: wire_seeds <tests/fuzz/corpus>
 #include <cstdio>
 #include <filesystem>
 #include <string>
