@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::int32_t kSide = GshhgGrid::kUnits;
 constexpr std::int32_t kPerimeter = 4 * kSide;
-constexpr std::uint8_t kIceFront = 5;
 
 bool bounds_land(int depth) { return depth % 2 == 1; }
 int depth_of(std::uint8_t level) { return level == kIceFront ? 1 : level; }

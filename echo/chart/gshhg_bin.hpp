@@ -12,11 +12,13 @@
 
 namespace skerry::echo {
 
+inline constexpr std::uint8_t kIceFront = 5;  // level of the Antarctic one, a kind of 1
+
 // A piece of shoreline within a bin, as stored: land on its left.  Either a ring (entry and exit
 // are kClosed, the first point repeated at the end) or a line from one side of the bin to another.
 struct ShoreSegment {
   static constexpr std::uint8_t kClosed = 4;
-  std::uint8_t level = 1;        // 1 to 4, or 5 for the Antarctic ice front (a kind of 1)
+  std::uint8_t level = 1;        // 1 to 4, or kIceFront
   std::uint8_t entry = kClosed;  // side where it begins: 0 south, 1 east, 2 north, 3 west
   std::uint8_t exit = kClosed;
   std::vector<BinPoint> points;

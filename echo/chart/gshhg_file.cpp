@@ -25,7 +25,6 @@ constexpr std::size_t kMostSegments = 3'000'000;
 constexpr std::size_t kMostPoints = 120'000'000;
 constexpr int kLeastBinMinutes = 30;
 
-constexpr std::uint8_t kIceFront = 5;
 constexpr std::uint8_t kGroundingLine = 6;
 
 // A window reads each chunk (64 KB) of the points at most a few times: a small cache will do.

@@ -14,14 +14,14 @@
 namespace skerry::echo {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 64u << 20;
+constexpr std::uintmax_t kMostCellBytes = 64u << 20;
 constexpr std::size_t kLeader = 24;
 constexpr std::size_t kMostRecords = 2'000'000;
 constexpr std::uint8_t kUnitEnd = 0x1F, kFieldEnd = 0x1E;
 
-using Bytes = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 
-std::optional<std::size_t> number_in(Bytes digits) {
+std::optional<std::size_t> number_in(ByteSpan digits) {
   std::size_t value = 0;
   for (const std::uint8_t c : digits) {
     if (c < '0' || c > '9') return std::nullopt;
@@ -47,7 +47,7 @@ std::string formats_of(std::string_view definition) {
   return all;
 }
 
-std::uint32_t little_endian(Bytes b) {
+std::uint32_t little_endian(ByteSpan b) {
   std::uint32_t value = 0;
   for (std::size_t i = b.size(); i-- > 0;) value = value << 8 | b[i];
   return value;
@@ -55,12 +55,12 @@ std::uint32_t little_endian(Bytes b) {
 
 struct Field {
   std::string_view tag;
-  Bytes data;  // with its terminator
+  ByteSpan data;  // with its terminator
 };
 
 class CellCheck {
  public:
-  CellCheck(Bytes bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+  CellCheck(ByteSpan bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   CellFacts run() {
     while (at_ < bytes_.size()) {
@@ -83,7 +83,7 @@ class CellCheck {
   }
 
   void read_record() {
-    const Bytes rest = bytes_.subspan(at_);
+    const ByteSpan rest = bytes_.subspan(at_);
     if (rest.size() < kLeader)
       refuse(fmt::format("{} bytes left, a leader has {}", rest.size(), kLeader));
     const auto length = number_in(rest.first(5));
@@ -107,7 +107,7 @@ class CellCheck {
     if (*base < kLeader + 1 || *base > most)
       refuse(fmt::format("base address {} outside its {} bytes", *base, most));
 
-    const Bytes record = rest.first(most);
+    const ByteSpan record = rest.first(most);
     const std::size_t entry = tag_width + size_width + place_width;
     if ((*base - kLeader - 1) % entry != 0 || record[*base - 1] != kFieldEnd)
       refuse("its directory does not end where the fields begin");
@@ -184,7 +184,7 @@ class CellCheck {
 
   // Rows of a number of two bytes and a text.
   void require_attributes(const Field& field) const {
-    const Bytes rows = field.data.first(field.data.size() - 1);
+    const ByteSpan rows = field.data.first(field.data.size() - 1);
     for (std::size_t i = 0; i < rows.size();) {
       const auto from = rows.begin() + static_cast<std::ptrdiff_t>(std::min(i + 2, rows.size()));
       const auto end = std::find(from, rows.end(), kUnitEnd);
@@ -195,7 +195,7 @@ class CellCheck {
 
   void look_at_fields() {
     for (const Field& field : fields_) {
-      const Bytes data = field.data;
+      const ByteSpan data = field.data;
       if (field.tag == "VRID") {
         require_rows(field, 8, true);
         ++facts_.vector_records;
@@ -232,7 +232,7 @@ class CellCheck {
   }
 
   // (b11,b14,2b11,3A,...): DSNM, EDTN and UPDN are the first texts.
-  void read_identification(Bytes data) {
+  void read_identification(ByteSpan data) {
     std::array<std::string, 3> texts;
     std::size_t i = 7;
     for (std::string& text : texts) {
@@ -242,7 +242,7 @@ class CellCheck {
         refuse("field DSID is incomplete");
       ++i;
     }
-    const Bytes digits(reinterpret_cast<const std::uint8_t*>(texts[2].data()), texts[2].size());
+    const ByteSpan digits(reinterpret_cast<const std::uint8_t*>(texts[2].data()), texts[2].size());
     const auto update = number_in(digits);
     if (!update || *update > 999)
       refuse(fmt::format("update number \"{}\", expected 0 to 999", texts[2]));
@@ -269,7 +269,7 @@ class CellCheck {
     }
   }
 
-  Bytes bytes_;
+  ByteSpan bytes_;
   const std::string& file_;
   std::size_t at_ = 0, record_ = 0;
   std::vector<Field> fields_;
@@ -282,7 +282,7 @@ class CellCheck {
 }  // namespace
 
 std::vector<std::uint8_t> read_cell_file(const std::filesystem::path& file) {
-  require_file(file, kMostBytes);
+  require_file(file, kMostCellBytes);
   std::ifstream stream(file, std::ios::binary);
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(std::filesystem::file_size(file)));
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

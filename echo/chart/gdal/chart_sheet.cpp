@@ -16,9 +16,9 @@ constexpr std::uint64_t kPlaceDomain = 0x706C616365ull;  // keeps clear of GSHHG
 }  // namespace
 
 std::uint64_t identity_of(GeoPoint place) {
-  const auto north = static_cast<std::int64_t>(std::llround(place.latitude_deg * kUnitsPerDegree));
+  const auto north = static_cast<std::int64_t>(std::llround(place.latitude_deg * kStepsPerDegree));
   auto east = static_cast<std::int64_t>(
-      std::llround(wrapped_longitude(place.longitude_deg) * kUnitsPerDegree));
+      std::llround(wrapped_longitude(place.longitude_deg) * kStepsPerDegree));
   if (east == 1'800'000'000) east = -east;
   if (north == 900'000'000 || north == -900'000'000) east = 0;
   return mixed(kPlaceDomain, static_cast<std::uint64_t>(north), static_cast<std::uint64_t>(east));

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostOutlineVertices = 200'000;  // of all objects,
 inline constexpr std::size_t kMostShores = 65'535;
 
 // Coordinates of these charts are multiples of 1e-7 degrees (1.1 cm), or are named by the nearest.
-inline constexpr double kUnitsPerDegree = 1e7;
+inline constexpr double kStepsPerDegree = 1e7;
 
 // The identity of a place: the same wherever it is met.
 std::uint64_t identity_of(GeoPoint place);

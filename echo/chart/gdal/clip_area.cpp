@@ -19,12 +19,6 @@ namespace {
 
 constexpr double kOnEdge = 1e-9;  // degrees; GEOS places crossings to some 1e-14
 
-// `longitude` in the turn nearest to `x`; the same double where that is the turn it is in.
-double near_to(double x, double longitude) {
-  const double turns = std::round((x - longitude) / 360.0);
-  return turns == 0.0 ? longitude : longitude + 360.0 * turns;
-}
-
 // Laid side by side without a jump; a ring around a pole is closed by way of the pole, with three
 // points more, and has the meridian in its middle.
 std::vector<OGRRawPoint> laid_out(const std::vector<GeoPoint>& ring, double meridian) {
@@ -296,8 +290,8 @@ void ClipArea::append_part(const OGRLinearRing& part, bool counter_clockwise, co
       piece.vertices.push_back(ring.vertices[k]);
       piece.vertex_ids.push_back(ring.vertex_ids[k]);
     } else {
-      const GeoPoint place{std::round(p.y * kUnitsPerDegree) / kUnitsPerDegree,
-                           std::round(wrapped_longitude(p.x) * kUnitsPerDegree) / kUnitsPerDegree};
+      const GeoPoint place{std::round(p.y * kStepsPerDegree) / kStepsPerDegree,
+                           std::round(wrapped_longitude(p.x) * kStepsPerDegree) / kStepsPerDegree};
       piece.vertices.push_back({place.latitude_deg, wrapped_longitude(place.longitude_deg)});
       piece.vertex_ids.push_back(identity_of(place));
     }

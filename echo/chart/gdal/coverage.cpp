@@ -7,8 +7,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kMetresPerDegree = 110570.0;  // of latitude, at the equator, where it is least
-
 // Degrees east of `west`, 0 .. 360.
 double east_of(double west, double longitude) {
   const double d = std::fmod(longitude - west, 360.0);
@@ -67,7 +65,7 @@ GeoBox box_around(const std::vector<GeoPoint>& line) {
 }
 
 GeoBox box_around(GeoPoint centre, double radius_m) {
-  const double reach = 1.01 * radius_m / kMetresPerDegree;
+  const double reach = 1.01 * radius_m / kLeastMetresPerDegree;
   GeoBox box;
   box.south_deg = std::max(-90.0, centre.latitude_deg - reach);
   box.north_deg = std::min(90.0, centre.latitude_deg + reach);

@@ -8,6 +8,9 @@
 
 namespace skerry::echo {
 
+// Of latitude: at the equator, where it is least.
+inline constexpr double kLeastMetresPerDegree = 110570.0;
+
 // A box in latitude and longitude that may lie across the antimeridian.
 struct GeoBox {
   double south_deg = 90.0, north_deg = -90.0;

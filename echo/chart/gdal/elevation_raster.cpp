@@ -13,14 +13,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "echo/chart/gdal/coverage.hpp"
 #include "echo/chart/gdal/gdal_session.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 64ull << 30;
+constexpr std::uintmax_t kMostRasterBytes = 64ull << 30;
 constexpr std::size_t kMostFiles = 4000;
-constexpr double kMetresPerDegree = 110570.0;  // of latitude, at the equator, where it is least
 constexpr double kFeet = 0.3048;
 // Heights of the Earth's ground, with room; beyond it is no height but an undeclared "no data".
 constexpr float kLowest = -1000.0f, kHighest = 10000.0f;
@@ -125,7 +125,7 @@ ElevationRaster ElevationRaster::open(const std::filesystem::path& path,
     }
     keep(mosaic_of(files), "cannot be laid side by side");
   } else {
-    require_file(path, kMostBytes);
+    require_file(path, kMostRasterBytes);
     keep(open_dataset(raster.file_, GDAL_OF_RASTER, kDrivers, {}),
          "expected GeoTIFF, DTED or SRTM");
   }
@@ -155,7 +155,7 @@ std::shared_ptr<const ElevationGrid> ElevationRaster::load(GeoPoint centre, Leng
   std::array<double, 6> place{};
   if (dataset.GetGeoTransform(place.data()) != CE_None)
     refuse(file_, "states no place on the Earth");
-  const double reach = 1.01 * radius.in_metres() / kMetresPerDegree;
+  const double reach = 1.01 * radius.in_metres() / kLeastMetresPerDegree;
   const double shrink =
       std::cos(std::min(89.0, std::abs(centre.latitude_deg) + reach) * std::numbers::pi / 180.0);
   const double aside = std::min(180.0, reach / shrink);

@@ -12,17 +12,11 @@ namespace {
 
 constexpr double kDoubtful = 270.0;  // degrees: as written; 90 the other way
 
-// `longitude` in the turn nearest to `x`; the same double where that is the turn it is in.
-double near_to(double x, double longitude) {
-  const double turns = std::round((x - longitude) / 360.0);
-  return turns == 0.0 ? longitude : longitude + 360.0 * turns;
-}
-
 void append(std::vector<OGRRawPoint>& laid, double x, double y) {
   if (laid.empty() || laid.back().x != x || laid.back().y != y) laid.emplace_back(x, y);
 }
 
-double twice_area(const std::vector<OGRRawPoint>& laid) {
+double twice_laid_area(const std::vector<OGRRawPoint>& laid) {
   double sum = 0.0;
   for (std::size_t i = 0, n = laid.size(); i < n; ++i) {
     const OGRRawPoint &a = laid[i], &b = laid[i + 1 == n ? 0 : i + 1], &o = laid[0];
@@ -47,7 +41,7 @@ std::vector<OGRRawPoint> by_way_of_pole(const std::vector<GeoPoint>& places, dou
     const double t = run == 0.0 ? 0.0 : (margin - a.longitude_deg) / run;
     const double crossing = a.latitude_deg + t * (b.latitude_deg - a.latitude_deg);
     if ((pole > 0.0) == (crossing > from)) {
-      from = std::round(crossing * kUnitsPerDegree) / kUnitsPerDegree;
+      from = std::round(crossing * kStepsPerDegree) / kStepsPerDegree;
       after = i + 1;
     }
   }
@@ -66,6 +60,11 @@ std::vector<OGRRawPoint> by_way_of_pole(const std::vector<GeoPoint>& places, dou
 }
 
 }  // namespace
+
+double near_to(double x, double longitude) {
+  const double turns = std::round((x - longitude) / 360.0);
+  return turns == 0.0 ? longitude : longitude + 360.0 * turns;
+}
 
 std::vector<OGRRawPoint> laid_ring(const std::vector<GeoPoint>& places, std::string& fault,
                                    std::string& doubt) {
@@ -86,7 +85,7 @@ std::vector<OGRRawPoint> laid_ring(const std::vector<GeoPoint>& places, std::str
   while (turn == 0.0 && laid.size() > 1 && laid.back().x == laid.front().x &&
          laid.back().y == laid.front().y)
     laid.pop_back();
-  if (full_turn && (turn != 0.0 || laid.size() < 3 || twice_area(laid) == 0.0)) {
+  if (full_turn && (turn != 0.0 || laid.size() < 3 || twice_laid_area(laid) == 0.0)) {
     laid.clear();
     for (const GeoPoint p : places) append(laid, p.longitude_deg, p.latitude_deg);
     return laid;

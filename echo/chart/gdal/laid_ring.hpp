@@ -20,6 +20,9 @@ namespace skerry::echo {
 std::vector<OGRRawPoint> laid_ring(const std::vector<GeoPoint>& places, std::string& fault,
                                    std::string& doubt);
 
+// `longitude` in the turn nearest to `x`; the same double where that is the turn it is in.
+double near_to(double x, double longitude);
+
 // Shifts the ring by whole turns to where its middle is nearest to that of the box.
 void bring_near(const OGREnvelope& box, OGRLinearRing& ring);
 

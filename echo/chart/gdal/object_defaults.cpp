@@ -11,6 +11,8 @@ struct Row {
   ObjectDefault is;
 };
 
+namespace rows {
+
 using enum ObjectClass;
 
 // A class's rows by category first, its row for all others last.
@@ -104,6 +106,8 @@ constexpr std::array kRows = {
     Row{"RTPBCN", 0, {racon, 5.0f, 0.0f}},
 };
 
+}  // namespace rows
+
 // The rows of BOY and BCN stand for all classes of buoys and beacons that have none of their own.
 std::string_view row_name(std::string_view object_class) {
   if (object_class == "BOYSPP") return object_class;
@@ -117,7 +121,7 @@ std::string_view row_name(std::string_view object_class) {
 std::optional<ObjectDefault> default_of(std::string_view object_class, int category) {
   const std::string_view name = row_name(object_class);
   std::optional<ObjectDefault> any;
-  for (const Row& row : kRows) {
+  for (const Row& row : rows::kRows) {
     if (row.object_class != name) continue;
     if (row.category == category) return row.is;
     if (row.category == 0) any = row.is;

@@ -9,6 +9,9 @@
 
 namespace skerry::echo {
 
+// What a chart says is higher, metres, is not believed.
+inline constexpr double kGreatestHeight = 1000.0;
+
 struct ObjectDefault {
   ObjectClass kind = ObjectClass::building;
   float height_m = 1.0f;          // of its top over the water, or over the ground it stands on

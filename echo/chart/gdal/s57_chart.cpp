@@ -18,7 +18,7 @@
 namespace skerry::echo {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using CellBytes = std::vector<std::uint8_t>;
 
 // The checked bytes, as files of GDAL's own in memory.
 class MemoryCell {
@@ -35,7 +35,7 @@ class MemoryCell {
 
   std::string base() const { return names_.front(); }
   // The first is the cell, the others its updates in turn.  `bytes` must outlive this.
-  void add(Bytes& bytes) {
+  void add(CellBytes& bytes) {
     names_.push_back(fmt::format("{}/CELL.{:03}", folder_, names_.size()));
     VSIFCloseL(VSIFileFromMemBuffer(names_.back().c_str(), bytes.data(), bytes.size(), FALSE));
   }
@@ -64,7 +64,7 @@ std::map<int, std::filesystem::path> updates_beside(const std::filesystem::path&
 }
 
 struct Updates {
-  std::vector<Bytes> files;  // in turn; a vector of vectors keeps the bytes in place when moved
+  std::vector<CellBytes> files;  // in turn; a vector of vectors keeps the bytes in place when moved
   int last = 0;
 };
 
@@ -84,7 +84,7 @@ Updates read_updates(const std::filesystem::path& file, const CellFacts& cell,
       break;
     }
     try {
-      Bytes bytes = read_cell_file(path);
+      CellBytes bytes = read_cell_file(path);
       const CellFacts facts = check_cell(bytes, path.string());
       if (facts.edition != cell.edition || facts.update != number)
         throw std::runtime_error(fmt::format(
@@ -141,14 +141,14 @@ void warn_of_unknown_objects(const S57Cell& cell) {
 }  // namespace
 
 S57Chart S57Chart::open(const std::filesystem::path& file, std::vector<std::string>& warnings) {
-  Bytes bytes = read_cell_file(file);
+  CellBytes bytes = read_cell_file(file);
   const CellFacts facts = check_cell(bytes, file.string());
   ChartWarnings told;
   Updates updates = read_updates(file, facts, told);
 
   MemoryCell memory;
   memory.add(bytes);
-  for (Bytes& update : updates.files) memory.add(update);
+  for (CellBytes& update : updates.files) memory.add(update);
   OpenCell cell = open_cell(memory.base(), !updates.files.empty());
   if (!cell.complaint.empty() && !updates.files.empty()) {
     told.add(fmt::format("{}: its updates do not fit it ({}); no update is applied",

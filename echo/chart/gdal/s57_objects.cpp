@@ -18,7 +18,6 @@ namespace skerry::echo {
 namespace {
 
 constexpr float kDefaultClearance = 5.0f;
-constexpr double kGreatestHeight = 1000.0;
 constexpr char kUnknownRacon = 'K';
 
 constexpr std::array kClasses = {

@@ -22,10 +22,9 @@
 namespace skerry::echo {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 512ull << 20;
+constexpr std::uintmax_t kMostVectorBytes = 512ull << 20;
 constexpr int kMostLayers = 200;
 constexpr double kMargin = 0.0005;  // degrees
-constexpr double kGreatestHeight = 1000.0;
 constexpr double kGreatestCrossSection = 1e6;
 
 // What append_polygon() tells better.
@@ -323,7 +322,7 @@ class VectorReader {
     const int pieces = static_cast<int>(std::ceil(width / 90.0));
     const auto meridian = [&](int i) {
       const double x = box.west_deg - kMargin + width * i / pieces;
-      return wrapped_longitude(std::round(x * kUnitsPerDegree) / kUnitsPerDegree);
+      return wrapped_longitude(std::round(x * kStepsPerDegree) / kStepsPerDegree);
     };
     for (int i = 0; i < pieces; ++i) {
       const double west = meridian(i), east = meridian(i + 1);
@@ -347,7 +346,7 @@ class VectorReader {
 
 VectorChart VectorChart::open(const std::filesystem::path& file,
                               std::vector<std::string>& warnings) {
-  require_file(file, kMostBytes);
+  require_file(file, kMostVectorBytes);
   VectorChart chart;
   ChartWarnings told;
   DatasetPtr dataset;

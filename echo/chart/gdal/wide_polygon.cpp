@@ -53,7 +53,7 @@ void settle(OGRPolygon& polygon, double west, double east) {
     for (int i = 0; i < ring->getNumPoints(); ++i) {
       for (const double border : {west, east}) {
         if (std::abs(ring->getX(i) - border) > kOnBorder) continue;
-        const double y = std::round(ring->getY(i) * kUnitsPerDegree) / kUnitsPerDegree;
+        const double y = std::round(ring->getY(i) * kStepsPerDegree) / kStepsPerDegree;
         ring->setPoint(i, border, y);
       }
     }
