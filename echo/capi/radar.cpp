@@ -7,6 +7,7 @@
 
 #include "echo/capi/call.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/plane_vector.hpp"
 #include "echo/returns/coast_crossings.hpp"
 
 namespace skerry::echo::capi {
@@ -16,8 +17,6 @@ namespace {
 constexpr std::uint32_t kSector = 64;
 // An index is made to serve at least this long.
 constexpr double kIndexSeconds = 0.5;
-
-double length_of(PlanePoint v) { return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m); }
 
 PlanePoint velocity_of(const ShipMotion& ship, double true_north_deg) {
   const SinCos course = sin_cos_degrees(ship.course_deg + true_north_deg);

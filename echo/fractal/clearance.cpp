@@ -5,11 +5,11 @@
 
 #include "echo/fractal/koch_edge.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/plane_vector.hpp"
 
 namespace skerry::echo {
 namespace {
 
-double dot(PlanePoint a, PlanePoint b) { return a.east_m * b.east_m + a.north_m * b.north_m; }
 double cross(PlanePoint a, PlanePoint b) { return a.east_m * b.north_m - a.north_m * b.east_m; }
 
 // Square of the distance.

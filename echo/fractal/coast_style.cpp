@@ -38,7 +38,7 @@ std::string_view name_of(CoastMethod method) {
 
 namespace {
 
-void require(const char* what, double value, double min, double max) {
+void require_allowed(const char* what, double value, double min, double max) {
   if (value >= min && value <= max) return;  // false for NaN
   throw std::invalid_argument(std::string("coast style: ") + what + " is " + std::to_string(value) +
                               "; allowed: " + std::to_string(min) + " to " + std::to_string(max));
@@ -47,9 +47,9 @@ void require(const char* what, double value, double min, double max) {
 }  // namespace
 
 void require_valid(const CoastStyle& style) {
-  require("dimension", style.dimension, 1.0, greatest_dimension(style.method));
-  require("amplitude", style.amplitude, 0.0, 4.0);
-  require("gamma", style.gamma, 1.05, 8.0);
+  require_allowed("dimension", style.dimension, 1.0, greatest_dimension(style.method));
+  require_allowed("amplitude", style.amplitude, 0.0, 4.0);
+  require_allowed("gamma", style.gamma, 1.05, 8.0);
 }
 
 }  // namespace skerry::echo

@@ -2,6 +2,7 @@
 
 #include "echo/fractal/dimension.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/plane_vector.hpp"
 
 namespace skerry::echo {
 
@@ -12,8 +13,6 @@ constexpr double kMostHurst = 1.0 - 1e-9;
 
 // Pieces no longer along the edge than this many visible_m are not halved.
 constexpr double kAlong = 3.0;
-
-double length_of(PlanePoint v) { return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m); }
 
 }  // namespace
 

@@ -17,13 +17,14 @@ constexpr double kLongestEdge_m = 1e6;
 
 // Every sum of terms goes in this many lanes, whatever the processor: the order is part of the
 // result.
-constexpr std::size_t kLanes = 8;
+constexpr std::size_t kSumLanes = 8;
 
 constexpr std::size_t whole_lanes(std::size_t terms) {
-  return (terms + kLanes - 1) / kLanes * kLanes;
+  return (terms + kSumLanes - 1) / kSumLanes * kSumLanes;
 }
 
-// out = in turned by (cos, sin), term by term; sum[i]: the real parts of terms i, i + kLanes, ...
+// out = in turned by (cos, sin), term by term; sum[i]: the real parts of terms i, i + kSumLanes and
+// so on.
 SKERRY_KERNEL_BODY turn_phasors_body(const double* __restrict in_re, const double* __restrict in_im,
                                      const double* __restrict cos, const double* __restrict sin,
                                      double* __restrict re, double* __restrict im,
@@ -32,8 +33,8 @@ SKERRY_KERNEL_BODY turn_phasors_body(const double* __restrict in_re, const doubl
     re[k] = in_re[k] * cos[k] - in_im[k] * sin[k];
     im[k] = in_re[k] * sin[k] + in_im[k] * cos[k];
   }
-  for (std::size_t k = 0; k < n; k += kLanes) {
-    for (std::size_t i = 0; i < kLanes; ++i) sum[i] += re[k + i];
+  for (std::size_t k = 0; k < n; k += kSumLanes) {
+    for (std::size_t i = 0; i < kSumLanes; ++i) sum[i] += re[k + i];
   }
 }
 
@@ -134,7 +135,7 @@ WeierstrassFunction::WeierstrassFunction(const WeierstrassTables& tables, int te
 double WeierstrassFunction::middle(State left_end, int level, std::int64_t piece,
                                    Halves& at) const {
   const WeierstrassTables::Turns& turn = tables_.turns[static_cast<std::size_t>(level) + 1];
-  double sum[kLanes] = {};
+  double sum[kSumLanes] = {};
   turn_phasors(left_end->re.data(), left_end->im.data(), turn.cos.data(), turn.sin.data(),
                at.re.data(), at.im.data(), sum, terms_);
   double value = 0.0;

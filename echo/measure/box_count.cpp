@@ -139,8 +139,7 @@ DimensionEstimate box_dimension(const BoxCensus& census) {
     return fitted_line(x, y);
   };
   std::vector<double> boxes(census.boxes.begin(), census.boxes.end());
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (sizes < 3 || boxes.back() == 0.0) return {kNone, kNone, {kNone, kNone}};
+  if (sizes < 3 || boxes.back() == 0.0) return {kNotKnown, kNotKnown, {kNotKnown, kNotKnown}};
   const LineFit fit = slope(boxes);
   const Bootstrap chance = bootstrap(static_cast<std::uint32_t>(census.tiles.size()),
                                      [&](std::span<const std::uint32_t> drawn) {

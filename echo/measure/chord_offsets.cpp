@@ -31,7 +31,8 @@ std::vector<ChordPoint> seen_from_chord(std::span<const PlanePoint> piece) {
 }
 
 // Offsets at 0, step, 2 step ... along the chord, each where the coast first passes there.
-std::vector<double> offsets_of(std::span<const ChordPoint> seen, double step, std::size_t count) {
+std::vector<double> evenly_spaced_offsets(std::span<const ChordPoint> seen, double step,
+                                          std::size_t count) {
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
     const ChordPoint a = seen[i], b = seen[i + 1];
@@ -57,7 +58,7 @@ void add_piece(std::span<const PlanePoint> piece, double chord, std::size_t step
   const double middle = middle_offset(piece);
   sums.squares.push_back(middle * middle);
   if (steps < 16) return;
-  const auto offsets = offsets_of(seen, chord / static_cast<double>(steps), steps);
+  const auto offsets = evenly_spaced_offsets(seen, chord / static_cast<double>(steps), steps);
   const auto variogram = second_variation(offsets, static_cast<int>(steps / 4));
   sums.variation.resize(std::max(sums.variation.size(), variogram.size()));
   sums.pairs.resize(sums.variation.size());
@@ -67,7 +68,7 @@ void add_piece(std::span<const PlanePoint> piece, double chord, std::size_t step
   }
 }
 
-double dimension_of(const Sums& sums) {
+double dimension_by_sums(const Sums& sums) {
   std::vector<double> x, y;
   for (std::size_t k = 0; k < sums.variation.size(); ++k) {
     if (!(sums.variation[k] > 0.0)) continue;
@@ -129,7 +130,7 @@ ChordOffsets chord_offsets(std::span<const PlaneLine> lines, double chord_m, dou
   for (double s : sums.squares) scatter += (s - mean) * (s - mean) / (n - 1.0);
   out.middle_rms = std::sqrt(mean);
   out.middle_error = mean > 0.0 ? std::sqrt(scatter / n) / (2.0 * out.middle_rms) : 0.0;
-  out.graph_dimension = dimension_of(sums);
+  out.graph_dimension = dimension_by_sums(sums);
   return out;
 }
 

@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "echo/kernel/plane_vector.hpp"
+
 namespace skerry::echo {
 namespace {
 
-double dot(PlanePoint a, PlanePoint b) { return a.east_m * b.east_m + a.north_m * b.north_m; }
-double length_of(PlanePoint v) { return std::sqrt(dot(v, v)); }
-double length_of(const PlaneLine& line) {
+double line_length(const PlaneLine& line) {
   double sum = 0.0;
   for (std::size_t i = 1; i < line.size(); ++i) sum += length_of(line[i] - line[i - 1]);
   return sum;
@@ -59,7 +59,7 @@ constexpr int kFractions = 64;
 using Offsets = std::array<double, kFractions - 1>;
 Offsets offsets_of(const PlaneLine& line) {
   const std::vector<OffChord> points = off_chord(line);
-  const double whole = length_of(line);
+  const double whole = line_length(line);
   Offsets offsets{};
   double passed = 0.0;
   std::size_t i = 1;
@@ -149,7 +149,7 @@ std::vector<bool> has_offsets(const CoastPieces& real) {
   std::vector<bool> counts;
   for (const PlaneLine& line : real)
     counts.push_back(line.size() >= 2 && chord_of(line) > 0.0 &&
-                     length_of(line) <= 3.0 * chord_of(line));
+                     line_length(line) <= 3.0 * chord_of(line));
   return counts;
 }
 
@@ -160,7 +160,7 @@ CoastShape shape_of(const CoastPieces& pieces, const ScoreScales& scales,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const PlaneLine& line = pieces[i];
     if (line.size() < 2) throw std::invalid_argument("coast piece of fewer than two points");
-    shape.length_km += 1e-3 * length_of(line);
+    shape.length_km += 1e-3 * line_length(line);
     if (chord_of(line) <= 0.0) continue;
     chords_km += 1e-3 * chord_of(line);
     find_bays(line, scales.least_depth_m, shape);

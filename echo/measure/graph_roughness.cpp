@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace skerry::echo {
 namespace {
 
 constexpr std::size_t kBlocks = 32;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double variation(double from, double to, double power) {
   const double apart = std::fabs(to - from);
@@ -21,8 +19,8 @@ struct BlockSums {
   std::vector<double> sum, pairs;  // by lag
 };
 
-double dimension_of(const std::vector<double>& log_lag, const std::vector<BlockSums>& blocks,
-                    std::span<const std::uint32_t> drawn, double power) {
+double variation_dimension(const std::vector<double>& log_lag, const std::vector<BlockSums>& blocks,
+                           std::span<const std::uint32_t> drawn, double power) {
   std::vector<double> y(log_lag.size());
   for (std::size_t k = 0; k < y.size(); ++k) {
     double sum = 0.0, pairs = 0.0;
@@ -38,7 +36,7 @@ double dimension_of(const std::vector<double>& log_lag, const std::vector<BlockS
 DimensionEstimate graph_dimension(std::span<const double> heights, double power, int longest_lag) {
   const std::size_t n = heights.size();
   if (longest_lag < 2 || n < kBlocks * static_cast<std::size_t>(longest_lag))
-    return {kNone, kNone, {kNone, kNone}};
+    return {kNotKnown, kNotKnown, {kNotKnown, kNotKnown}};
   std::vector<double> log_lag;
   std::vector<BlockSums> blocks(kBlocks);
   for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_lag); lag *= 2) {
@@ -56,10 +54,10 @@ DimensionEstimate graph_dimension(std::span<const double> heights, double power,
   std::vector<std::uint32_t> all(kBlocks);
   for (std::uint32_t b = 0; b < kBlocks; ++b) all[b] = b;
   const auto of = [&](std::span<const std::uint32_t> drawn) {
-    return dimension_of(log_lag, blocks, drawn, power);
+    return variation_dimension(log_lag, blocks, drawn, power);
   };
   const double dimension = of(all);
-  if (!std::isfinite(dimension)) return {kNone, kNone, {kNone, kNone}};
+  if (!std::isfinite(dimension)) return {kNotKnown, kNotKnown, {kNotKnown, kNotKnown}};
   const double memory = (0.017 + 0.05 * std::max(0.0, 1.4 - dimension)) *
                         std::pow(64.0 * longest_lag / static_cast<double>(n), 0.2);
   const double error = std::max(bootstrap(kBlocks, of).standard_error, memory);

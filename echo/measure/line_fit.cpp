@@ -8,11 +8,6 @@
 #include "echo/kernel/hash.hpp"
 
 namespace skerry::echo {
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 double LineFit::error_at(double x) const {
   const double typical = static_cast<double>(points) / weight;
@@ -38,7 +33,7 @@ LineFit fitted_line(std::span<const double> x, std::span<const double> y,
     sxy += weight(i) * (x[i] - fit.mean_x) * (y[i] - mean_y);
   }
   if (fit.points < 2 || !(fit.spread_x > 0.0)) {
-    fit.slope = fit.intercept = fit.slope_error = fit.scatter = kNone;
+    fit.slope = fit.intercept = fit.slope_error = fit.scatter = kNotKnown;
     return fit;
   }
   fit.slope = sxy / fit.spread_x;
@@ -74,7 +69,7 @@ Bootstrap bootstrap(std::uint32_t items, const Statistic& statistic, std::uint64
     const double value = statistic(drawn);
     if (std::isfinite(value)) found.push_back(value);
   }
-  if (found.size() < 2) return {kNone, {kNone, kNone}};
+  if (found.size() < 2) return {kNotKnown, {kNotKnown, kNotKnown}};
   std::sort(found.begin(), found.end());
   const double n = static_cast<double>(found.size());
   double mean = 0.0, squares = 0.0;

@@ -4,10 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace skerry::echo {
+
+// Of what cannot be told.
+inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 // y = intercept + slope x by least squares.  All NaN for fewer than two different x.
 struct LineFit {

@@ -96,8 +96,8 @@ double mean_range_m(const OutlinePicture& outline) {
   return sum / static_cast<double>(outline.elements.size()) * outline.element_m;
 }
 
-OutlineDimension dimension_of(const OutlinePicture& outline, double beam_m,
-                              const OutlineScales& scales) {
+OutlineDimension outline_dimension(const OutlinePicture& outline, double beam_m,
+                                   const OutlineScales& scales) {
   OutlineDimension result{.beam_m = beam_m, .element_m = outline.element_m};
   const LineFit below = dimension_between(outline, scales.below_from_m, scales.below_to_m);
   const LineFit above = dimension_between(outline, scales.above_from_m, scales.above_to_m);
@@ -176,8 +176,9 @@ OutlineDimensions outline_dimensions(const PictureTurn& turn, const PictureWindo
   const double first_beam_m = edge.spokes > 0 ? edge.mean_range_m * beam : 0.0;
   const OutlinePicture outline = outline_of(turn, window, first_beam_m * first_beam_m);
   const double beam_m = mean_range_m(outline) * beam;
-  return {dimension_of(outline, beam_m, scales_at_beam(beam_m, outline.element_m)),
-          dimension_of(outline, beam_m, recorded_scales(range_m)), local_dimensions_of(outline)};
+  return {outline_dimension(outline, beam_m, scales_at_beam(beam_m, outline.element_m)),
+          outline_dimension(outline, beam_m, recorded_scales(range_m)),
+          local_dimensions_of(outline)};
 }
 
 }  // namespace skerry::echo

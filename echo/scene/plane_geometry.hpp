@@ -1,17 +1,15 @@
-// Lengths and distances in the plane; plain arithmetic and sqrt, the same bits everywhere.
+// Distances in the plane; plain arithmetic and sqrt, the same bits everywhere.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
+#include "echo/kernel/plane_vector.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
 
-inline double dot(PlanePoint a, PlanePoint b) {
-  return a.east_m * b.east_m + a.north_m * b.north_m;
-}
-inline double length_of(PlanePoint v) { return std::sqrt(dot(v, v)); }
+// Of latitude, on a sphere of 6371 km.  Error: 0.6 % (110.6 km at the equator, 111.7 at the poles).
+inline constexpr double kMeanMetresPerDegree = 111195.0;
 
 inline double distance_to_segment(PlanePoint p, PlanePoint a, PlanePoint b) {
   const PlanePoint ab = b - a, ap = p - a;
