@@ -10,8 +10,8 @@
 namespace skerry::echo {
 namespace {
 
-CoastStretch measured(const PlaneLine& line, double length, const LocalPlane& plane, double from_m,
-                      double chord_m) {
+CoastStretch measured_stretch(const PlaneLine& line, double length, const LocalPlane& plane,
+                              double from_m, double chord_m) {
   CoastStretch out;
   out.length_m = length;
   const PlanePoint middle = stretch_of(line, 0.0, length / 2.0).back();
@@ -44,7 +44,7 @@ CoastStretches measure_stretches(const CoastLines& coast, const LocalPlane& plan
       tell(fmt::format("stretch {}", out.stretches.size() + 1));
       const PlaneLine stretch = stretch_of(line, k * each, (k + 1.0) * each);
       if (stretch.size() < 2) continue;
-      out.stretches.push_back(measured(stretch, each, plane, from_m, chord));
+      out.stretches.push_back(measured_stretch(stretch, each, plane, from_m, chord));
     }
   }
   return out;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-CoastPicturePtr prepared(const CoastChart& chart, GeoPoint place, RangeScale scale,
-                         const CoastStyle& style) {
+CoastPicturePtr prepared_figure(const CoastChart& chart, GeoPoint place, RangeScale scale,
+                                const CoastStyle& style) {
   CoastRules rules{.seed = kSeed};
   rules.styles.fill(style);
   const ScanGeometry geometry;
@@ -31,7 +31,8 @@ CoastPicturePtr prepared(const CoastChart& chart, GeoPoint place, RangeScale sca
 
 FigureCoast::FigureCoast(CoastChart chart, GeoPoint place, RangeScale scale)
     : chart_(std::move(chart)), place_(place), scale_(scale) {
-  straight_ = prepared(chart_, place_, scale_, {.method = CoastMethod::straight, .dimension = 1.0});
+  straight_ =
+      prepared_figure(chart_, place_, scale_, {.method = CoastMethod::straight, .dimension = 1.0});
   if (straight_->vertices.empty()) {
     throw std::invalid_argument(fmt::format(
         "{} has no shore within {} NM of {:.5f},{:.5f}; take a place nearer the coast "
@@ -45,7 +46,7 @@ CoastPicturePtr FigureCoast::printed(const as_printed::Parameters& parameters) c
 }
 
 CoastPicturePtr FigureCoast::corrected(const CoastStyle& style) const {
-  return prepared(chart_, place_, scale_, style);
+  return prepared_figure(chart_, place_, scale_, style);
 }
 
 client::Scan FigureCoast::scan_of(CoastPicturePtr picture) const {

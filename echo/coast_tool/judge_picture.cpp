@@ -24,8 +24,8 @@ RadarResolution resolution_of(const JudgeRadar& radar) {
           360.0 / radar.geometry.spokes_per_turn};
 }
 
-CoastPicturePtr prepared(const CoastChart& chart, const CoastStyle& style, std::uint64_t seed,
-                         GeoPoint place, const JudgeRadar& radar) {
+CoastPicturePtr prepared_coast(const CoastChart& chart, const CoastStyle& style, std::uint64_t seed,
+                               GeoPoint place, const JudgeRadar& radar) {
   CoastRules rules;
   rules.seed = seed;
   rules.styles.fill(style);
@@ -36,7 +36,7 @@ CoastPicturePtr prepared(const CoastChart& chart, const CoastStyle& style, std::
 
 const CoastStyle kStraight{.method = CoastMethod::straight, .dimension = 1.0};
 
-PictureScore score_of(CoastPicturePtr picture, GeoPoint place, const JudgeRadar& radar) {
+PictureScore picture_score_of(CoastPicturePtr picture, GeoPoint place, const JudgeRadar& radar) {
   Scene scene;
   scene.seed = kSceneSeed;
   scene.coast = std::move(picture);
@@ -110,18 +110,19 @@ std::optional<GeoPoint> place_afloat(const ThinnedCoast& coast, const CoastArea&
 }
 
 PictureScore score_of_fine(const ThinnedCoast& coast, GeoPoint place, const JudgeRadar& radar) {
-  return score_of(prepared(coast.fine(), kStraight, 0, place, radar), place, radar);
+  return picture_score_of(prepared_coast(coast.fine(), kStraight, 0, place, radar), place, radar);
 }
 
 PictureScore score_of_drawn(const ThinnedCoast& coast, const Contestant& contestant,
                             std::uint64_t seed, GeoPoint place, const JudgeRadar& radar) {
   if (const auto* style = std::get_if<CoastStyle>(&contestant.method))
-    return score_of(prepared(coast.coarse(), *style, seed, place, radar), place, radar);
-  const CoastPicturePtr straight = prepared(coast.coarse(), kStraight, 0, place, radar);
+    return picture_score_of(prepared_coast(coast.coarse(), *style, seed, place, radar), place,
+                            radar);
+  const CoastPicturePtr straight = prepared_coast(coast.coarse(), kStraight, 0, place, radar);
   as_printed::Parameters parameters = std::get<as_printed::Parameters>(contestant.method);
   parameters.seed = seed;
-  return score_of(printed_picture(*straight, parameters, ThinnedCoast::kDisplayPixels), place,
-                  radar);
+  return picture_score_of(printed_picture(*straight, parameters, ThinnedCoast::kDisplayPixels),
+                          place, radar);
 }
 
 }  // namespace skerry::echo
