@@ -4,16 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "echo/chart/wgs84.hpp"
 #include "echo/kernel/exact_math.hpp"
 
 namespace skerry::echo {
 namespace {
-constexpr double kSemiMajor = 6378137.0;             // WGS-84
-constexpr double kFlattening = 1.0 / 298.257223563;  // WGS-84
-constexpr double kE2 = kFlattening * (2.0 - kFlattening);
 
 double normal_radius(double sin_lat) {
-  return kSemiMajor / std::sqrt(1.0 - kE2 * sin_lat * sin_lat);
+  return wgs84::kSemiMajor / std::sqrt(1.0 - wgs84::kE2 * sin_lat * sin_lat);
 }
 }  // namespace
 
@@ -23,9 +21,9 @@ LocalPlane::LocalPlane(GeoPoint anchor) : anchor_(anchor) {
   cos_lat_ = lat.cos;
   const double n = normal_radius(sin_lat_);
   x0_ = n * cos_lat_;
-  z0_ = n * (1.0 - kE2) * sin_lat_;
+  z0_ = n * (1.0 - wgs84::kE2) * sin_lat_;
   normal_curvature_ = 1.0 / n;
-  meridian_curvature_ = (1.0 - kE2 * sin_lat_ * sin_lat_) / (n * (1.0 - kE2));
+  meridian_curvature_ = (1.0 - wgs84::kE2 * sin_lat_ * sin_lat_) / (n * (1.0 - wgs84::kE2));
 }
 
 PlanePoint LocalPlane::to_plane(GeoPoint point) const {
@@ -35,7 +33,7 @@ PlanePoint LocalPlane::to_plane(GeoPoint point) const {
   const double n = normal_radius(lat.sin);
   const double dx = n * lat.cos * lon.cos - x0_;
   const double east = n * lat.cos * lon.sin;
-  const double dz = n * (1.0 - kE2) * lat.sin - z0_;
+  const double dz = n * (1.0 - wgs84::kE2) * lat.sin - z0_;
   const double north = cos_lat_ * dz - sin_lat_ * dx;
   const double up = cos_lat_ * dx + sin_lat_ * dz;
 

@@ -3,17 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "echo/chart/wgs84.hpp"
 #include "echo/kernel/exact_math.hpp"
 
 namespace skerry::echo {
-namespace {
-
-constexpr double kSemiMajor = 6378137.0;             // WGS-84
-constexpr double kFlattening = 1.0 / 298.257223563;  // WGS-84
-constexpr double kE2 = kFlattening * (2.0 - kFlattening);
-
-}  // namespace
-
 GroundTrack::GroundTrack(GeoPoint own_ship, PlanePoint sailed, std::uint32_t true_bearing_units)
     : own_ship_(own_ship), sailed_(sailed) {
   const SinCos bearing = sin_cos_units(true_bearing_units);
@@ -22,12 +15,12 @@ GroundTrack::GroundTrack(GeoPoint own_ship, PlanePoint sailed, std::uint32_t tru
   const SinCos lat = sin_cos_degrees(own_ship.latitude_deg);
   sin_lat_ = lat.sin;
   cos_lat_ = lat.cos;
-  const double flat = 1.0 - kE2 * sin_lat_ * sin_lat_;
-  const double n = kSemiMajor / std::sqrt(flat);
+  const double flat = 1.0 - wgs84::kE2 * sin_lat_ * sin_lat_;
+  const double n = wgs84::kSemiMajor / std::sqrt(flat);
   x0_ = n * cos_lat_;
-  z0_ = n * (1.0 - kE2) * sin_lat_;
+  z0_ = n * (1.0 - wgs84::kE2) * sin_lat_;
   normal_curvature_ = 1.0 / n;
-  meridian_curvature_ = flat / (n * (1.0 - kE2));
+  meridian_curvature_ = flat / (n * (1.0 - wgs84::kE2));
 }
 
 GeoPoint GroundTrack::at(double range_m) const {
@@ -45,7 +38,7 @@ GeoPoint GroundTrack::at(double range_m) const {
   const double z = z0_ + sin_lat_ * up + cos_lat_ * north * shrink;
   // On the ellipsoid itself tan(latitude) = z / (p (1 - e^2)).
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  return {exact_atan2(z, std::sqrt(x * x + y * y) * (1.0 - kE2)) * kDegrees,
+  return {exact_atan2(z, std::sqrt(x * x + y * y) * (1.0 - wgs84::kE2)) * kDegrees,
           own_ship_.longitude_deg + exact_atan2(y, x) * kDegrees};
 }
 
