@@ -37,14 +37,14 @@ constexpr double kLandLifetime = 1.0;  // seconds
 constexpr double kSteadyLand = 0.35;
 constexpr std::uint64_t kLandSpeckle = 0x1A4D5;
 
-struct Look {
-  SpokeAim aim;  // as the antenna, swayed with the ship, sees it
-  Motion motion;
-};
-
 }  // namespace
 
 struct SpokeReturns::Contributors {
+  struct Look {
+    SpokeAim aim;  // as the antenna, swayed with the ship, sees it
+    Motion motion;
+  };
+
   Contributors(const RadarModel& radar, ParallelFor in_parallel)
       : model(radar),
         parallel(std::move(in_parallel)),

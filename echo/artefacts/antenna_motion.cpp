@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/row_losses.hpp"
@@ -12,7 +13,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerRadian = 4294967296.0 / (2.0 * std::numbers::pi);
 constexpr std::uint64_t kPitchPhase = 0x7069746368ull;  // "pitch"
 // Periods as short as this are taken as this long, seconds.
 constexpr double kShortestPeriod = 0.1;

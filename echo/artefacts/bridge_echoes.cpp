@@ -4,13 +4,13 @@
 #include <numbers>
 
 #include "echo/artefacts/false_echoes.hpp"
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "echo/scene/structures.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerRadian = 4294967296.0 / (2.0 * std::numbers::pi);
-constexpr double kDeckDepth = 2.0;  // metres, at least
 // Of the beam width, as wide as the uniform beam that gathers as much (physics.md B1).
 constexpr double kEffective = 0.7527;
 

@@ -6,28 +6,23 @@
 
 #include "echo/artefacts/false_echoes.hpp"
 #include "echo/artefacts/shadow_sectors.hpp"
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "echo/targets/sector_view.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerRadian = 4294967296.0 / (2.0 * std::numbers::pi);
-constexpr double kDegreesPerUnit = 360.0 / 4294967296.0;
-
 // Each step leaves of the error what the mast's radius is of its distance, twice at most.
 constexpr int kMirrorSteps = 4;
 constexpr std::uint64_t kFirstMast = 16;  // ways below are trips to and fro
-constexpr double kNearest = 1e-3;         // metres, or of a unit vector
+constexpr double kShortest = 1e-3;        // metres, or of a unit vector
 
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 // The antenna never stands inside the mast.
-double radius_of(const Obstruction& o) { return std::min(0.5 * o.width_m, 0.9 * o.distance_m); }
-
-std::uint32_t units_of_radians(double radians) {
-  return static_cast<std::uint32_t>(static_cast<std::int64_t>(radians * kUnitsPerRadian));
-}
+double mast_radius(const Obstruction& o) { return std::min(0.5 * o.width_m, 0.9 * o.distance_m); }
 
 }  // namespace
 
@@ -36,20 +31,20 @@ Detour detour_by(const Obstruction& obstruction, double target_range_m, double o
   const double off = off_bow_rad - obstruction.bearing_deg * (std::numbers::pi / 180.0);
   const SinCos at = sin_cos_degrees(off * (180.0 / std::numbers::pi));
   const double along = target_range_m * at.cos, across = target_range_m * at.sin;
-  const double radius = radius_of(obstruction);
+  const double radius = mast_radius(obstruction);
 
   // The point that mirrors has its normal half-way between antenna and target: found from the
   // mast's middle, then from the point so found.
   double mirror_along = obstruction.distance_m, mirror_across = 0.0, incidence_cos = 0.0;
   double there = obstruction.distance_m, onward = 0.0;
   for (int step = 0; step < kMirrorSteps; ++step) {
-    there = std::max(length(mirror_along, mirror_across), kNearest);
-    onward = std::max(length(along - mirror_along, across - mirror_across), kNearest);
+    there = std::max(length(mirror_along, mirror_across), kShortest);
+    onward = std::max(length(along - mirror_along, across - mirror_across), kShortest);
     double normal_along = (along - mirror_along) / onward - mirror_along / there;
     double normal_across = (across - mirror_across) / onward - mirror_across / there;
     const double sum = length(normal_along, normal_across);
     incidence_cos = 0.5 * sum;
-    if (sum < kNearest) break;  // right behind the mast: nothing is thrown back
+    if (sum < kShortest) break;  // right behind the mast: nothing is thrown back
     mirror_along = obstruction.distance_m + radius * normal_along / sum;
     mirror_across = radius * normal_across / sum;
   }
@@ -68,7 +63,7 @@ void add_indirect_echoes(const Scene& scene, std::uint32_t bow_units, const Bear
     const Obstruction& mast = scene.obstructions[k];
     const std::uint32_t middle =
         bow_units + RelativeBearing::from(degrees(mast.bearing_deg)).units();
-    const double radius = radius_of(mast);
+    const double radius = mast_radius(mast);
     const std::uint32_t half = units_of_radians(exact_atan2(radius, mast.distance_m - radius));
     if (!BearingSpan{where.first_units - half, where.width_units + 2 * half}.holds(middle))
       continue;

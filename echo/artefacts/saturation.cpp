@@ -10,13 +10,12 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kOctavesPerDb = 0.33219280948873623;
 constexpr float kLevel = 1e9f;
 static_assert(kSaturationDb == 90.0, "kLevel is that as a ratio");
 constexpr auto kMostExcess = static_cast<float>(kMostExcessDb * kOctavesPerDb);
 // A loss of 0.02 dB is none.
-constexpr float kNone = 0.0066f;
-constexpr std::size_t kBlock = 64;  // cells, skipped where nothing is to be done
+constexpr float kNoLoss = 0.0066f;
+constexpr std::size_t kCellsAtOnce = 64;  // cells, skipped where nothing is to be done
 
 }  // namespace
 
@@ -40,7 +39,7 @@ bool Saturation::apply(const Artefacts& artefacts, std::span<float> power) const
       if (loss == 0.0f) return;
       lose_dying(loss, decay_, run);
       loss *= decay_[run.size() - 1];
-      if (loss <= kNone) loss = 0.0f;
+      if (loss <= kNoLoss) loss = 0.0f;
       return;
     }
     for (float& p : run) {
@@ -49,15 +48,15 @@ bool Saturation::apply(const Artefacts& artefacts, std::span<float> power) const
       loss *= decay_[0];
       if (excess >= loss) {
         loss = excess;  // drives the receiver itself: full on the screen
-      } else if (loss > kNone) {
+      } else if (loss > kNoLoss) {
         p *= fast_exp2(-loss);
       } else {
         loss = 0.0f;
       }
     }
   };
-  for (std::size_t begin = 0; begin < power.size(); begin += kBlock) {
-    const auto block = power.subspan(begin, std::min(kBlock, power.size() - begin));
+  for (std::size_t begin = 0; begin < power.size(); begin += kCellsAtOnce) {
+    const auto block = power.subspan(begin, std::min(kCellsAtOnce, power.size() - begin));
     if (loss == 0.0f && peak_of(block) <= kLevel) continue;
     for (std::size_t at = 0; at < block.size(); at += kRun)
       dim(block.subspan(at, std::min(kRun, block.size() - at)));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kBits = 13, kSize = 1u << kBits, kFraction = 32 - kBits;
 
-std::uint32_t units_of(double bearing_deg) {
+std::uint32_t off_bow_units(double bearing_deg) {
   return RelativeBearing::from(degrees(bearing_deg)).units();
 }
 
@@ -33,8 +33,8 @@ void OwnShipGain::prepare(const Scene& scene) {
     blanked_.clear();
     for (const BlankedSector& sector : asked_blanked_) {
       if (blanked_.size() == kMostBlanked || sector.from_deg == sector.to_deg) continue;
-      const std::uint32_t from = units_of(sector.from_deg);
-      const std::uint32_t width = units_of(sector.to_deg) - from;
+      const std::uint32_t from = off_bow_units(sector.from_deg);
+      const std::uint32_t width = off_bow_units(sector.to_deg) - from;
       // 0 to 360 is all round.
       blanked_.push_back({from, width == 0 ? ~std::uint32_t{0} : width});
     }
@@ -49,7 +49,7 @@ void OwnShipGain::lay_shadows() {
   for (std::size_t k = 0; k < count; ++k) {
     const Obstruction& obstruction = obstructions_[k];
     const StripShadow shadow(obstruction, wavelength_m_, antenna_m_);
-    const std::uint32_t middle = units_of(obstruction.bearing_deg);
+    const std::uint32_t middle = off_bow_units(obstruction.bearing_deg);
     for (std::uint32_t i = 0; i < kSize; ++i) {
       const SinCos off = sin_cos_units((i << kFraction) - middle);
       // Where its line passes the strip's plane, if it does.

@@ -14,7 +14,7 @@ struct Checked {
   double value, least, most;
 };
 
-std::optional<std::string> first_fault(std::span<const Checked> all) {
+std::optional<std::string> first_beacon_fault(std::span<const Checked> all) {
   for (const Checked& c : all) {
     if (c.value >= c.least && c.value <= c.most) continue;
     std::array<char, 160> text{};
@@ -25,8 +25,8 @@ std::optional<std::string> first_fault(std::span<const Checked> all) {
   return std::nullopt;
 }
 
-constexpr double kFarthest = 1e6;   // metres from the plane's anchor
-constexpr double kFastest = 100.0;  // m/s
+constexpr double kFarthestPlace = 1e6;  // metres from the plane's anchor
+constexpr double kFastest = 100.0;      // m/s
 
 }  // namespace
 
@@ -34,8 +34,8 @@ std::optional<std::string> fault_of(const Racon& racon) {
   if (marks_of(racon.code).count == 0)
     return "code must be 1 to 4 letters A to Z, is '" + racon.code.substr(0, 20) + "'";
   const std::array checks = {
-      Checked{"place", racon.place.east_m, -kFarthest, kFarthest},
-      Checked{"place", racon.place.north_m, -kFarthest, kFarthest},
+      Checked{"place", racon.place.east_m, -kFarthestPlace, kFarthestPlace},
+      Checked{"place", racon.place.north_m, -kFarthestPlace, kFarthestPlace},
       Checked{"height_m", racon.height_m, 0.0, 500.0},
       Checked{"delay_s", racon.delay_s, 0.0, 10e-6},
       Checked{"length_s", racon.length_s, 5e-6, 100e-6},
@@ -47,24 +47,24 @@ std::optional<std::string> fault_of(const Racon& racon) {
       Checked{"antenna_gain_db", racon.antenna_gain_db, 0.0, 20.0},
       Checked{"threshold_dbm", racon.threshold_dbm, -70.0, 0.0},
   };
-  return first_fault(checks);
+  return first_beacon_fault(checks);
 }
 
 std::optional<std::string> fault_of(const Sart& sart) {
   const std::array checks = {
-      Checked{"place", sart.place.east_m, -kFarthest, kFarthest},
-      Checked{"place", sart.place.north_m, -kFarthest, kFarthest},
+      Checked{"place", sart.place.east_m, -kFarthestPlace, kFarthestPlace},
+      Checked{"place", sart.place.north_m, -kFarthestPlace, kFarthestPlace},
       Checked{"velocity", sart.velocity.east_m, -kFastest, kFastest},
       Checked{"velocity", sart.velocity.north_m, -kFastest, kFastest},
       Checked{"height_m", sart.height_m, 0.0, 100.0},
   };
-  return first_fault(checks);
+  return first_beacon_fault(checks);
 }
 
 std::optional<std::string> fault_of(const Emitter& emitter) {
   const std::array checks = {
-      Checked{"place", emitter.place.east_m, -kFarthest, kFarthest},
-      Checked{"place", emitter.place.north_m, -kFarthest, kFarthest},
+      Checked{"place", emitter.place.east_m, -kFarthestPlace, kFarthestPlace},
+      Checked{"place", emitter.place.north_m, -kFarthestPlace, kFarthestPlace},
       Checked{"velocity", emitter.velocity.east_m, -kFastest, kFastest},
       Checked{"velocity", emitter.velocity.north_m, -kFastest, kFastest},
       Checked{"height_m", emitter.height_m, 0.0, 500.0},
@@ -78,7 +78,7 @@ std::optional<std::string> fault_of(const Emitter& emitter) {
       Checked{"rpm", emitter.rpm, 1.0, 240.0},
       Checked{"bearing_deg", emitter.bearing_deg, -360.0, 360.0},
   };
-  return first_fault(checks);
+  return first_beacon_fault(checks);
 }
 
 }  // namespace skerry::echo

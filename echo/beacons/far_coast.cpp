@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "echo/beacons/second_trace.hpp"
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"
@@ -13,8 +14,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerTurn = 4294967296.0;
-constexpr double kNone = 1e300;
+constexpr double kNoShore = 1e300;
 
 // The nearest shore of each bearing.
 class Nearest {
@@ -23,7 +23,7 @@ class Nearest {
       : bins_(static_cast<std::uint32_t>(std::ceil(360.0 / width_deg))),
         from_m_(from_m),
         to_m_(to_m),
-        range_(bins_, kNone) {}
+        range_(bins_, kNoShore) {}
 
   void lay(PlanePoint a, PlanePoint b) {
     if (std::max(length_of(a), length_of(b)) < from_m_) return;
@@ -72,7 +72,7 @@ void far_coast_points(const RadarModel& model, const Propagation& propagation,
   const double arc = 2.0 * std::numbers::pi / nearest.bins();
   for (std::uint32_t bin = 0; bin < nearest.bins(); ++bin) {
     const double range = nearest.range(bin);
-    if (range == kNone) continue;
+    if (range == kNoShore) continue;
     const double sigma = gamma * far.height_m * range * arc;
     const double body = static_cast<double>(propagation.body(range, far.height_m));
     PointEcho point;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "echo/beacons/range_span.hpp"
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/scene/plane_geometry.hpp"
@@ -13,8 +14,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr std::uint32_t kHalfTurn = 1u << 31;
-constexpr double kUnitsPerTurn = 4294967296.0;
 constexpr auto kSecond = static_cast<double>(PulseTrain::kSecond);
 constexpr float kLeastShown = 1e-4f;  // of the noise: a null of the own pattern
 

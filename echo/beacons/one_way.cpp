@@ -4,19 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerDegree = 4294967296.0 / 360.0;
 constexpr double kNearLobes = 10.0;  // degrees: RadarSet::near_side_lobe_db holds within
 // The main lobe of the cosine taper ends at 1.25 beam widths (beam.hpp).
 constexpr double kMainLobe = 1.3;
 constexpr double kMargin = 1.0;  // degrees, for a pattern kept in steps
 
-std::uint32_t units_of(double degrees) {
+std::uint32_t reach_units(double degrees) {
   return static_cast<std::uint32_t>(std::min(degrees, 179.9) * kUnitsPerDegree);
 }
 
@@ -54,8 +54,8 @@ bool behind_land(const HiddenHeight& hidden, Polar place, double height_m, doubl
 }
 
 BeamBound::BeamBound(const RadarSet& set)
-    : main_units_(units_of(kMainLobe * set.beam_width_deg + kMargin)),
-      near_units_(std::max(main_units_, units_of(kNearLobes + kMargin))),
+    : main_units_(reach_units(kMainLobe * set.beam_width_deg + kMargin)),
+      near_units_(std::max(main_units_, reach_units(kNearLobes + kMargin))),
       near_(static_cast<float>(
           ratio_from_decibels(std::max(set.near_side_lobe_db, set.far_side_lobe_db)))),
       far_(static_cast<float>(ratio_from_decibels(set.far_side_lobe_db))) {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "echo/beacons/range_span.hpp"
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"
@@ -11,10 +12,9 @@
 namespace skerry::echo {
 namespace {
 
-constexpr std::uint32_t kHalfTurn = 1u << 31;
 constexpr double kBeside = 1.0;  // metres: nearer than that there is no bearing
 
-std::uint32_t units_of(double degrees_clockwise) {
+std::uint32_t true_units(double degrees_clockwise) {
   return TrueBearing::from(degrees(degrees_clockwise)).units();
 }
 
@@ -31,7 +31,8 @@ bool RaconReturns::on_duty(const Racon& racon, ScenarioTime time) {
 }
 
 bool RaconReturns::in_sector(const Racon& racon, std::uint32_t bearing_units) {
-  const std::uint32_t from = units_of(racon.sector_from_deg), to = units_of(racon.sector_to_deg);
+  const std::uint32_t from = true_units(racon.sector_from_deg),
+                      to = true_units(racon.sector_to_deg);
   return from == to || bearing_units - from <= to - from;
 }
 

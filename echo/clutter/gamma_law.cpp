@@ -12,14 +12,14 @@ namespace {
 
 constexpr float kHigh = 4.5f;
 
-struct Fit {
+struct QuantileFit {
   float low;
   std::array<float, 7> terms;
 };
 
 // nu = 0.1 * 2^(k/4).  log2 of the gamma quantile over nu, interpolated at the seven Chebyshev
 // nodes between `low`, where it is -14 (or -4.5), and 4.5.
-constexpr Fit kFits[] = {
+constexpr QuantileFit kFits[] = {
     {-0.477829f, {3.397165f, 5.026926f, -4.04172f, 4.653224f, -3.875636f, 0.5204947f, 0.7096747f}},
     {-0.645366f, {3.141874f, 5.097302f, -4.0847f, 4.612014f, -3.725206f, 0.3827014f, 0.7509108f}},
     {-0.822466f, {2.884832f, 5.172831f, -4.129001f, 4.556739f, -3.55973f, 0.2541491f, 0.780467f}},
@@ -98,7 +98,7 @@ RankLaw gamma_law(double nu) {
   const double steps = 4.0 * exact_log2(std::clamp(nu, kLeastShape, kGreatestShape) / kLeastShape);
   const int k = std::min(static_cast<int>(steps), kLastFit - 1);
   const auto share = static_cast<float>(steps - k);
-  const Fit &a = kFits[k], &b = kFits[k + 1];
+  const QuantileFit &a = kFits[k], &b = kFits[k + 1];
   RankLaw law;
   law.low = a.low + share * (b.low - a.low);
   law.high = kHigh;

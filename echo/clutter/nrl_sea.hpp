@@ -25,6 +25,8 @@ double wind_spread(double wavelength_m, double grazing_rad);
 // Modified Bessel function I0 by its series; relative error 1e-15 for |x| <= 20.
 double bessel_i0(double x);
 
+inline constexpr double kGravity = 9.80665;  // m/s2
+
 // Wind that raises a sea, m/s, and the mean height of its waves, m (GIT; physics.md B3).
 double wind_of_sea_state(double sea_state);   // 3.16 SS^0.8
 double wave_height_of_wind(double wind_m_s);  // 0.00452 U^2.5

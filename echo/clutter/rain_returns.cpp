@@ -13,7 +13,7 @@ namespace {
 
 // Two-way width of a Gaussian beam, sqrt(pi / (8 ln 2)) of its -3 dB width (physics.md B1).
 constexpr double kVerticalWidth = 0.75270;
-constexpr double kNearest = 1.0;  // m: nearer counts as this
+constexpr double kNearestRain = 1.0;  // m: nearer counts as this
 
 }  // namespace
 
@@ -26,7 +26,7 @@ double rain_reflectivity(double frequency_hz, double rate_mm_h) {
 }
 
 double rain_level(const RadarModel& model, double clutter_width, double range_m) {
-  const double range = std::max(range_m, kNearest);
+  const double range = std::max(range_m, kNearestRain);
   const double height = std::min(
       kVerticalWidth * model.set.vertical_beam_deg * (std::numbers::pi / 180.0) * range, kRainTop);
   const double volume = range * clutter_width * height * 0.5 * kLightSpeed * model.pulse.length_s;
@@ -37,11 +37,11 @@ double rain_level(const RadarModel& model, double clutter_width, double range_m)
 RainReturns::RainReturns(const RadarModel& model) : radar_(model.radar) {
   // Within the rain's top the level goes as R^-2, beyond as R^-3: one value of each is enough.
   const double width = antenna_pattern_for(model.set)->clutter_width();
-  const double near = rain_level(model, width, kNearest) * kNearest * kNearest;
+  const double near = rain_level(model, width, kNearestRain) * kNearestRain * kNearestRain;
   constexpr double kFar = 1e6;
   const double far = rain_level(model, width, kFar) * kFar * kFar * kFar;
   for (std::uint32_t i = 0; i < model.geometry.cells; ++i) {
-    const double range = std::max((i + 0.5) * model.cell_m, kNearest);
+    const double range = std::max((i + 0.5) * model.cell_m, kNearestRain);
     level_.push_back(
         static_cast<float>(std::min(near / (range * range), far / (range * range * range))));
   }

@@ -13,7 +13,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kGravity = 9.80665;
 constexpr double kValuesPerLength = 4.0;
 // The gamma texture of a Gaussian correlation of 0.5 to 0.65 is correlated by 1/e.
 constexpr double kLonger = 1.2;

@@ -10,7 +10,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kGravity = 9.80665;
 constexpr double kTilt = 12.0;          // of the power, per unit of steepness
 constexpr double kMostTilt = 2.0;       // octaves
 constexpr double kDeepestShadow = 4.0;  // octaves

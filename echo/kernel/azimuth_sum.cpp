@@ -9,12 +9,12 @@ namespace {
 
 // Blocks of cells small enough to stay in the first-level cache while all rays pass over them; four
 // rays at a time halve the traffic on `sum` without changing the order of additions.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kCellsSummed = 512;
 
 SKERRY_KERNEL_BODY sum_rays_body(const WeightedRay* rays, std::size_t ray_count,
                                  float* __restrict sum, std::size_t n) {
-  for (std::size_t begin = 0; begin < n; begin += kBlock) {
-    const std::size_t end = begin + kBlock < n ? begin + kBlock : n;
+  for (std::size_t begin = 0; begin < n; begin += kCellsSummed) {
+    const std::size_t end = begin + kCellsSummed < n ? begin + kCellsSummed : n;
     for (std::size_t i = begin; i < end; ++i) sum[i] = 0.0f;
     std::size_t r = 0;
     for (; r + 4 <= ray_count; r += 4) {

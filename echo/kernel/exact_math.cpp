@@ -110,7 +110,7 @@ double exact_exp2(double x) {
   return sum * std::bit_cast<double>(exponent << 52);
 }
 
-double ratio_from_decibels(double db) { return exact_exp2(db * 0.33219280948873623); }
+double ratio_from_decibels(double db) { return exact_exp2(db * kOctavesPerDb); }
 double decibels_from_ratio(double ratio) { return exact_log2(ratio) * 3.0102999566398120; }
 
 }  // namespace skerry::echo

@@ -30,6 +30,8 @@ double exact_log2(double x);
 // 2^x for |x| <= 1000.  Error: 1e-15 relative.
 double exact_exp2(double x);
 
+inline constexpr double kOctavesPerDb = 0.33219280948873623;  // log2(10) / 10
+
 // 10^(db/10) and its inverse, from the two above.
 double ratio_from_decibels(double db);
 double decibels_from_ratio(double ratio);

@@ -7,8 +7,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr float kLowest = -1e9f;  // a slope that hides nothing
-
 SKERRY_KERNEL_BODY chunk_body(const LandChunk* __restrict chunk, float* __restrict shadow,
                               LandChunkOut* __restrict out) {
   const LandChunk c = *chunk;
@@ -34,7 +32,7 @@ SKERRY_KERNEL_BODY chunk_body(const LandChunk* __restrict chunk, float* __restri
     const float range = c.range + along;
     const float rise = (height - c.antenna) / range - range * c.half_curvature;
     out->height[k] = height;
-    slope[k] = k >= c.begin && k < c.end ? rise : kLowest;
+    slope[k] = k >= c.begin && k < c.end ? rise : kHidesNothing;
   }
   float before = *shadow;
   for (std::int32_t k = 0; k < kCells; ++k) {

@@ -42,6 +42,7 @@ inline __attribute__((always_inline)) float cover_of(float fine_noise) {
 }
 
 inline constexpr std::size_t kLandChunk = 32;
+inline constexpr float kHidesNothing = -1e9f;  // a slope
 
 // Cells first .. first + kLandChunk - 1 of a ray, of which first + begin .. first + end - 1 are one
 // stretch of natural land.

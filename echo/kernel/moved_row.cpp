@@ -47,7 +47,7 @@ inline __attribute__((always_inline)) float moved(const PackedPower* row, const 
   return (s.near_weight * unpacked(row[i]) + s.far_weight * unpacked(row[i + 1])) * gain;
 }
 
-constexpr std::int32_t kLanes = 16;
+constexpr std::int32_t kRunLanes = 16;
 
 // Parts of rows are short: whole blocks, of which what does not count adds nothing, save the
 // last cells of all, one by one.
@@ -66,9 +66,9 @@ inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict r
     const auto first = static_cast<std::int32_t>(runs[r].first);
     const auto count = static_cast<std::int32_t>(runs[r].count);
     std::int32_t i = 0;
-    for (; i < count && first + i + kLanes <= room; i += kLanes) {
-      float sum[kLanes];
-      for (std::int32_t k = 0; k < kLanes; ++k) {
+    for (; i < count && first + i + kRunLanes <= room; i += kRunLanes) {
+      float sum[kRunLanes];
+      for (std::int32_t k = 0; k < kRunLanes; ++k) {
         const float value = moved(row, s, i + k) * factor(first + i + k);
         // All ones where it counts: a branch here would keep the loop from the vector units.
         const auto counts = static_cast<std::uint32_t>((i + k - count) >> 31);

@@ -24,7 +24,7 @@ struct PulseCells {
   std::size_t whole;
   float rest;
 };
-PulseCells split(double pulse_cells) {
+PulseCells split_pulse(double pulse_cells) {
   const double cells = std::max(1.0, pulse_cells);
   const double whole = std::floor(cells);
   return {static_cast<std::size_t>(whole), static_cast<float>(cells - whole)};
@@ -35,7 +35,7 @@ PulseCells split(double pulse_cells) {
 // Box sums of 1, 2, 4 ... cells by doubling; the binary digits of the pulse's length pick the ones
 // to add up, and the last fraction comes from the original.
 void stretch_pulse(std::span<float> power, double pulse_cells, std::vector<float>& scratch) {
-  const PulseCells pulse = split(pulse_cells);
+  const PulseCells pulse = split_pulse(pulse_cells);
   if (pulse.whole == 1 && pulse.rest == 0.0f) return;
   const std::size_t n = power.size();
   scratch.resize(5 * n);
@@ -68,7 +68,7 @@ void stretch_pulse(std::span<float> power, double pulse_cells, std::vector<float
 
 void stretch_pulse_reference(std::span<const float> power, double pulse_cells,
                              std::span<double> out) {
-  const PulseCells pulse = split(pulse_cells);
+  const PulseCells pulse = split_pulse(pulse_cells);
   for (std::size_t i = 0; i < power.size(); ++i) {
     double sum = 0.0;
     for (std::size_t k = 0; k < pulse.whole && k <= i; ++k) sum += power[i - k];

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/fast_exp2.hpp"
 
 namespace skerry::echo {
@@ -19,14 +20,13 @@ constexpr float kFirstRange = 32.0f, kFirstHeight = 0.25f, kLastHeight = 4095.0f
 constexpr float kFull = static_cast<float>(kFullDifference);
 constexpr float kFloor = static_cast<float>(kNullFloor);
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr double kOctavesPerDb = 0.33219280948873623;
 
 // Where x lies between the nodes of an octave grid that begins at `first`.
 struct Between {
   std::uint32_t node;
   std::int32_t rest;  // beyond the node, times share_of_rest() the share of the way to the next
 };
-SKERRY_INLINE Between between(float x, float first, int bits_per_octave) {
+SKERRY_INLINE Between grid_place(float x, float first, int bits_per_octave) {
   const int rest = kMantissa - bits_per_octave;
   const auto bits = std::bit_cast<std::uint32_t>(x);
   return {(bits >> rest) - (std::bit_cast<std::uint32_t>(first) >> rest),
@@ -105,9 +105,9 @@ PathTable::PathTable(const PathConditions& conditions, double reach_m, PathGrid 
       antenna_m_(static_cast<float>(conditions.antenna_height_m)),
       turns_per_metre_(static_cast<float>(1.0 / conditions.wavelength_m)),
       gas_octaves_m_(static_cast<float>(2e-3 * conditions.gas_db_km * kOctavesPerDb)) {
-  columns_ = between(kLastHeight, kFirstHeight, grid.height_bits).node + 2;
+  columns_ = grid_place(kLastHeight, kFirstHeight, grid.height_bits).node + 2;
   const float reach = std::max(static_cast<float>(reach_m), 2.0f * kFirstRange);
-  rows_ = between(reach, kFirstRange, grid.range_bits).node + 2;
+  rows_ = grid_place(reach, kFirstRange, grid.range_bits).node + 2;
   last_range_ = std::nextafter(node_at(rows_ - 1, kFirstRange, grid.range_bits), 0.0f);
   nodes_.resize(rows_ * columns_);
   lay_points(conditions);
@@ -207,8 +207,8 @@ SKERRY_INLINE PathTable::Place PathTable::place_of(float range_m, float height_m
   Place place;
   place.range = std::clamp(range_m, 1.0f, last_range_);
   place.height = std::clamp(height_m, kFirstHeight, kLastHeight);
-  const Between row = between(std::max(place.range, kFirstRange), kFirstRange, grid_.range_bits);
-  const Between column = between(place.height, kFirstHeight, grid_.height_bits);
+  const Between row = grid_place(std::max(place.range, kFirstRange), kFirstRange, grid_.range_bits);
+  const Between column = grid_place(place.height, kFirstHeight, grid_.height_bits);
   place.corner = &nodes_[row.node * columns_ + column.node];
   place.range_share = row_share_ * static_cast<float>(row.rest);
   place.height_share = column_share_ * static_cast<float>(column.rest);

@@ -7,12 +7,9 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/propagation/diffraction.hpp"
 #include "echo/propagation/sea_reflection.hpp"
+#include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
-namespace {
-constexpr double kEarthRadius = 6371000.0;
-}  // namespace
-
 double gas_db_per_km(Band band) { return band == Band::x ? 0.0136 : 0.0075; }
 
 PathConditions path_conditions(const RadarSet& set, const Atmosphere& atmosphere,

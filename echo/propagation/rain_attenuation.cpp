@@ -13,7 +13,7 @@ struct Bump {
   double a, b, c;
 };
 // The sum of bumps and a line m log10 f + c in log10 of the frequency in GHz.
-struct Fit {
+struct RainFit {
   std::span<const Bump> bumps;
   double slope, offset;
 };
@@ -36,10 +36,10 @@ constexpr Bump kAlphaV[] = {{-0.07771, 2.33840, -0.76284},
                             {-0.20238, 1.14520, 0.26809},
                             {-48.2991, 0.791669, 0.116226},
                             {48.5833, 0.791459, 0.116479}};
-constexpr Fit kKhFit{kKh, -0.18961, 0.71147}, kKvFit{kKv, -0.16398, 0.63297};
-constexpr Fit kAlphaHFit{kAlphaH, 0.67849, -1.95537}, kAlphaVFit{kAlphaV, -0.053739, 0.83433};
+constexpr RainFit kKhFit{kKh, -0.18961, 0.71147}, kKvFit{kKv, -0.16398, 0.63297};
+constexpr RainFit kAlphaHFit{kAlphaH, 0.67849, -1.95537}, kAlphaVFit{kAlphaV, -0.053739, 0.83433};
 
-double value_of(const Fit& fit, double log10_ghz) {
+double value_of(const RainFit& fit, double log10_ghz) {
   double sum = fit.slope * log10_ghz + fit.offset;
   for (const Bump& bump : fit.bumps) {
     const double x = (log10_ghz - bump.b) / bump.c;

@@ -15,7 +15,6 @@ constexpr double kKnotsPerRadius = 20.0;
 constexpr double kOctavesPerKnot = 0.23;  // two-way, 0.7 dB
 constexpr int kMostDoublings = 4;         // of a cell from knot to knot
 constexpr float kMostOctaves = 66.0f;     // 199 dB two-way: all is lost
-constexpr double kOctavesPerDb = 0.33219280948873623;
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/radar/beam.hpp"
@@ -17,7 +18,6 @@ constexpr double kLobeSpacing =
     180.0 / 68.8 / std::numbers::pi;  // beam widths; pi of the taper's mu
 constexpr double kDeepestLobeDb = 24.0;
 constexpr double kShareAtLevel = 0.05;
-constexpr double kDegreesPerUnit = 360.0 / 4294967296.0;
 
 // The taper's first null, mu = 3 pi / 2.
 double null_degrees(double beam_width_deg) {
@@ -35,7 +35,7 @@ double side_lobe_voltage(double off, double from, double to, double level_db, do
   const double chance = as_unit(mixed(0x51DE10BEull, lobe));
   const double below = (chance - kShareAtLevel) / (1.0 - kShareAtLevel);
   const double depth_db = lobe == 0 ? 0.0 : kDeepestLobeDb * std::max(0.0, below);
-  return exact_exp2((level_db - depth_db) * (0.5 * 0.33219280948873623)) *
+  return exact_exp2((level_db - depth_db) * (0.5 * kOctavesPerDb)) *
          sin_cos_degrees(180.0 * (place - number)).sin;
 }
 

@@ -5,12 +5,15 @@
 
 namespace skerry::echo {
 
-inline constexpr double kBoltzmann = 1.380649e-23;                // J/K, exact
-inline constexpr double kNoiseTemperature = 290.0;                // K, the usual T0
-inline constexpr double kEffectiveEarth = 6371000.0 * 4.0 / 3.0;  // m, standard atmosphere
+inline constexpr double kBoltzmann = 1.380649e-23;                   // J/K, exact
+inline constexpr double kNoiseTemperature = 290.0;                   // K, the usual T0
+inline constexpr double kEarthRadius = 6371000.0;                    // m, the sphere taken for it
+inline constexpr double kEffectiveEarth = kEarthRadius * 4.0 / 3.0;  // m, standard atmosphere
 
 // Depth of a pulse along the range, c tau / 2.
 inline double pulse_depth_m(double length_s) { return 0.5 * kLightSpeed * length_s; }
+// Within it the receiver is blind: the transmitter fires and the TR cell recovers (physics.md B7).
+inline double blind_range_m(double length_s) { return pulse_depth_m(length_s + 0.1e-6); }
 // Farthest range whose echo is back before the next pulse, c / (2 PRF).
 inline double unambiguous_range_m(double prf_hz) { return 0.5 * kLightSpeed / prf_hz; }
 // Pulses that strike a point while the beam passes: beam width * PRF / (6 rpm), deg and Hz.

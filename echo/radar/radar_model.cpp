@@ -7,10 +7,6 @@
 #include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
-namespace {
-// The receiver is blind while the transmitter fires and the TR cell recovers (physics.md B7).
-constexpr double kRecovery = 0.1e-6;
-}  // namespace
 
 RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeScale scale,
                        const SpokeClock& clock, std::uint32_t radar, PulseChoice choice) {
@@ -35,7 +31,7 @@ RadarModel with_rows_of(RadarModel model, std::uint32_t cells) {
 RadarModel with_cells_of(RadarModel model, double cell_m) {
   model.cell_m = cell_m;
   model.pulse_cells = 0.5 * kLightSpeed * model.pulse.length_s / cell_m;
-  const double blind = 0.5 * kLightSpeed * (model.pulse.length_s + kRecovery);
+  const double blind = blind_range_m(model.pulse.length_s);
   model.blind_cells = std::min(model.geometry.cells, static_cast<std::uint32_t>(blind / cell_m));
   return model;
 }

@@ -26,7 +26,7 @@ std::optional<std::string> fault(const Named& control) {
 }
 
 template <std::size_t N>
-std::optional<std::string> first_fault(const std::array<Named, N>& all) {
+std::optional<std::string> first_control_fault(const std::array<Named, N>& all) {
   for (const Named& control : all) {
     if (auto found = fault(control)) return found;
   }
@@ -62,7 +62,8 @@ ModeSettings settings_of(PictureMode mode) {
   return {true, true, 50.0, 50.0, 10.0, 40.0, 0.0, 0.0, 30.0, 60.0, 0.0};
 }
 
-constexpr double kFarthest = 2.0 * nautical_miles(RangeScale::kNauticalMiles.back()).in_metres();
+constexpr double kFarthestShown =
+    2.0 * nautical_miles(RangeScale::kNauticalMiles.back()).in_metres();
 constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;  // of the range scale
 
 }  // namespace
@@ -116,18 +117,19 @@ std::optional<std::string> fault_of(const RadarControls& controls) {
     return std::string(text.data());
   }
   for (const BlankedSector& sector : controls.blanked) {
-    if (auto found = first_fault(std::array{Named{"blanked from", sector.from_deg, 0.0, 360.0},
-                                            Named{"blanked to", sector.to_deg, 0.0, 360.0}}))
+    if (auto found =
+            first_control_fault(std::array{Named{"blanked from", sector.from_deg, 0.0, 360.0},
+                                           Named{"blanked to", sector.to_deg, 0.0, 360.0}}))
       return found;
   }
-  return first_fault(std::array{
+  return first_control_fault(std::array{
       Named{"tune", controls.tune}, Named{"rotation_rpm", controls.rotation_rpm, 10.0, 60.0, true},
       Named{"bearing_alignment_deg", controls.bearing_alignment_deg, -180.0, 180.0},
       Named{"antenna_height_m", controls.antenna_height_m, 1.0, 100.0, true}});
 }
 
 std::optional<std::string> fault_of(const ViewControls& controls) {
-  return first_fault(std::array{
+  return first_control_fault(std::array{
       Named{"gain", controls.gain}, Named{"sea", controls.sea}, Named{"rain", controls.rain},
       Named{"interference_rejection", controls.interference_rejection},
       Named{"echo_stretch", controls.echo_stretch}, Named{"integration", controls.integration},
@@ -136,7 +138,7 @@ std::optional<std::string> fault_of(const ViewControls& controls) {
       Named{"target_separation", controls.target_separation},
       Named{"target_boost", controls.target_boost},
       Named{"doppler_threshold_mps", controls.doppler_threshold_mps, 0.1, 20.0},
-      Named{"instrumented_range_m", controls.instrumented_range_m, 0.0, kFarthest}});
+      Named{"instrumented_range_m", controls.instrumented_range_m, 0.0, kFarthestShown}});
 }
 
 double tune_loss_db(const RadarControls& controls) {

@@ -6,7 +6,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr float kLeastPower = 1.0f;  // of the noise
+constexpr float kLeastColoured = 1.0f;  // of the noise
 
 void stretch_colours(unsigned reach, std::span<const std::uint8_t> video,
                      std::span<DopplerClass> colours) {
@@ -40,7 +40,7 @@ void lay_colours(const RowResampler& resampler, const ColourRule& rule,
       if (power[k] > power[strongest]) strongest = k;
     }
     const float speed = closing[strongest];
-    if (power[strongest] < kLeastPower) continue;
+    if (power[strongest] < kLeastColoured) continue;
     if (speed >= threshold) {
       colours[i] = DopplerClass::approaching;
     } else if (speed <= -threshold && rule.mode == DopplerMode::both) {

@@ -16,7 +16,7 @@ namespace skerry::echo {
 namespace {
 constexpr std::uint64_t kSeed = 0x5EE0D;
 constexpr double kStepsPerOctave = 16.0;
-constexpr double kShare = 1.0 / 3.0;
+constexpr double kStretchPower = 1.0 / 3.0;
 }  // namespace
 
 double samples_in_cell(double cell_m, double bandwidth_hz) {
@@ -34,8 +34,8 @@ std::vector<ReceiverNoise::Line> ReceiverNoise::lines(const std::vector<double>&
 // A row adds three stretches, each of a third of the power.
 ReceiverNoise::ReceiverNoise(double samples, Decimation decimation) {
   const double q = std::clamp(samples, kMinSamples, kMaxSamples);
-  const ComplexTorus torus =
-      q < 1.0 ? band_noise(kPeriod, q, kShare, kSeed) : white_noise(kPeriod, kShare, kSeed);
+  const ComplexTorus torus = q < 1.0 ? band_noise(kPeriod, q, kStretchPower, kSeed)
+                                     : white_noise(kPeriod, kStretchPower, kSeed);
   re_ = lines(torus.re);
   im_ = lines(torus.im);
   if (q > 1.0) add_samples(q, decimation);

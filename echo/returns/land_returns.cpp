@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/radar/radar_equation.hpp"
 #include "echo/returns/land_ray.hpp"
 #include "echo/returns/natural_land.hpp"
 #include "echo/returns/shore_returns.hpp"
@@ -16,7 +17,6 @@ namespace {
 constexpr std::array<NoiseOctave, 2> kBroad = {{{2300.0, 0.6f}, {900.0, 0.4f}}};
 constexpr std::array<NoiseOctave, 4> kFine = {
     {{330.0, 0.45f}, {130.0, 0.3f}, {52.0, 0.17f}, {21.0, 0.08f}}};
-constexpr double kEarthRadius = 6371000.0;
 
 std::span<const NoiseOctave> visible(std::span<const NoiseOctave> octaves, double cell_m) {
   std::size_t n = octaves.size();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
@@ -56,7 +57,6 @@ inline constexpr double kPartsServe = 0.0035;
 template <typename Visit>
 void lay_parts(const MovedView& view, std::uint32_t bearing_units, double from_m,
                std::uint32_t cells, Visit&& visit) {
-  constexpr double kUnitsPerRadian = 683565275.5764316;
   const double rows_per_unit = static_cast<double>(view.rows) * 0x1p-32;
   const double rows_per_radian = kUnitsPerRadian * rows_per_unit;
   const SinCos u = sin_cos_units(bearing_units);

@@ -7,12 +7,6 @@
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
-namespace {
-
-// The receiver is blind while the transmitter fires and the TR cell recovers (physics.md B7).
-constexpr double kRecovery = 0.1e-6;
-
-}  // namespace
 
 bool ray_returns(const Scene& scene, const RayModel& model, std::uint32_t relative_units, double dt,
                  RayScratch& scratch, std::span<float> power) {
@@ -39,7 +33,7 @@ bool ray_returns(const Scene& scene, const RayModel& model, std::uint32_t relati
       view, {model.cell_m, model.set.antenna_height_m, unit_snr, model.rays_per_turn}, plane_units,
       false, scratch, power);
   if (!any) return false;
-  const double blind = 0.5 * kLightSpeed * (model.pulse.length_s + kRecovery);
+  const double blind = blind_range_m(model.pulse.length_s);
   const auto blind_cells = std::min(power.size(), static_cast<std::size_t>(blind / model.cell_m));
   stretch_pulse(power, 0.5 * kLightSpeed * model.pulse.length_s / model.cell_m, scratch.stretch);
   std::fill_n(power.begin(), blind_cells, 0.0f);

@@ -7,13 +7,12 @@
 
 #include "echo/returns/land_ray.hpp"
 #include "echo/returns/natural_land.hpp"
+#include "echo/scene/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
 
 constexpr double kFarInland = 900.0;  // of land with no shore in sight, metres
-constexpr double kMetresPerDegree = 111195.0;
-constexpr float kLowest = -1e9f;  // a slope that hides nothing
 
 struct Inland {
   double from_begin, from_end;  // metres; huge where that end is open
@@ -47,7 +46,7 @@ class ShoreRay {
         power_(power),
         ray_(model, power) {
     if (!relief) return;
-    step_m_ = relief->grid.step_lat_deg * kMetresPerDegree;
+    step_m_ = relief->grid.step_lat_deg * kMeanMetresPerDegree;
     const auto fine = fine_octaves(model.cell_m);
     std::size_t coarse = 0;
     while (coarse < fine.size() && fine[coarse].wavelength_m > step_m_) ++coarse;
@@ -213,7 +212,7 @@ class ShoreRay {
 }  // namespace
 
 void GroundProfile::clear(std::size_t cells) {
-  shadow.assign(cells, kLowest);
+  shadow.assign(cells, kHidesNothing);
   height_m.assign(cells, 0.0f);
   filled_ = 0;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSteepness = 0.03;      // of waves on a beach, height over length
 constexpr double kRenewalSeconds = 1.5;  // a texture of the beach is forgotten in
 constexpr std::array<NoiseOctave, 1> kBeachOctave = {{{30.0, 1.0f}}};
-constexpr double kShare = 0.45;  // of land or water that a shore may move over
+constexpr double kMostMoved = 0.45;  // of land or water that a shore may move over
 
 std::uint32_t texture_seed(const ShoreWater& water, double step) {
   return static_cast<std::uint32_t>(
@@ -107,13 +107,13 @@ void lay_shores(const std::vector<LandInterval>& land, const CoastPicture& coast
         (i + 1 < land.size() ? land[i + 1].begin_m : range_m) - land[i].end_m;
     if (moves(s.begin)) {
       const double shift = std::clamp(shift_of(s.begin, water, path, cell_m),
-                                      -kShare * water_before, kShare * length);
+                                      -kMostMoved * water_before, kMostMoved * length);
       s.begin_m = s.begin.at_m += shift;
       s.begin.state.foreshore_m = -shift;
     }
     if (moves(s.end)) {
-      const double shift =
-          std::clamp(shift_of(s.end, water, path, cell_m), -kShare * water_behind, kShare * length);
+      const double shift = std::clamp(shift_of(s.end, water, path, cell_m),
+                                      -kMostMoved * water_behind, kMostMoved * length);
       s.end_m = s.end.at_m -= shift;
       s.end.state.foreshore_m = -shift;
     }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/moved_rows.hpp"
 #include "echo/returns/shore_stretch.hpp"
@@ -28,7 +29,6 @@ double sway_radians(const AntennaMotion& motion) {
 }
 constexpr double kLevelStep = 0.05;  // metres of water that make a frame old
 
-constexpr double kUnitsPerRadian = 683565275.5764316;
 constexpr auto kServeUnits = static_cast<std::uint32_t>(kPartsServe * kUnitsPerRadian);
 
 // As many spokes as may share their parts, a power of two.

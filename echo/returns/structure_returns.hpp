@@ -28,8 +28,6 @@ inline constexpr double kAlongTheLine = 0.05;
 
 // A building or landmark the (synthetic) ground would swallow stands out of it by so much, metres.
 inline constexpr double kStandsOut = 8.0;
-// A bridge's deck is at least so deep, metres, where the chart gives no more than its clearance.
-inline constexpr double kDeckDepth = 2.0;
 
 // What may echo on one ray.
 struct NearStructures {

@@ -9,7 +9,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr std::size_t kBlock = 2048;  // vertices looked at in one go
+constexpr std::size_t kVerticesAtOnce = 2048;  // vertices looked at in one go
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void TurnCrossings::cross(const CoastPicture& coast, std::uint32_t vertex, std::
 
 void TurnCrossings::work_to(const CoastPicture& coast, std::size_t vertices) {
   while (!done_ && next_ < vertices) {
-    const std::size_t end = std::min(coast.vertices.size(), next_ + kBlock);
+    const std::size_t end = std::min(coast.vertices.size(), next_ + kVerticesAtOnce);
     // One more, for the edge that leaves the block.
     const std::size_t seen = std::min(coast.vertices.size(), end + 1);
     sectors_.resize(seen - next_);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/scene/plane_geometry.hpp"
 
 namespace skerry::echo {
@@ -13,7 +13,7 @@ namespace {
 constexpr float kBearingError = 2e-5f;
 
 constexpr int kBucketShift = 20;
-constexpr std::uint32_t kMask = (std::uint32_t{1} << (32 - kBucketShift)) - 1;
+constexpr std::uint32_t kBucketMask = (std::uint32_t{1} << (32 - kBucketShift)) - 1;
 
 // Buckets [first, first + count) of an edge, around the circle.
 struct Span {
@@ -52,9 +52,8 @@ inline float at_most_length(float east, float north) {
 // How far to either side of its ends' bearings an edge may be seen that is never nearer than
 // `distance_m` (> 2 slack): asin(x) <= 1.0472 x for x <= 1/2.
 inline std::int32_t margin_units(float slack_m, float distance_m) {
-  constexpr auto kUnitsPerRadian = static_cast<float>(2147483648.0 / std::numbers::pi);
   return static_cast<std::int32_t>((1.05f * slack_m / distance_m + kBearingError) *
-                                   kUnitsPerRadian);
+                                   static_cast<float>(kUnitsPerRadian));
 }
 
 inline std::int32_t turn_between(std::int32_t a, std::int32_t b) {
@@ -77,12 +76,12 @@ inline Span span_of(std::int32_t a, std::int32_t b, std::int32_t turn, std::int3
 }
 
 // What is known of a vertex, one array each, so that compilers make vector code of the loops.
-constexpr std::size_t kBlock = 1024;
+constexpr std::size_t kEdgesAtOnce = 1024;
 struct Block {
-  float east[kBlock + 1], north[kBlock + 1], length[kBlock + 1];
-  std::int32_t bearing[kBlock + 1];
-  Span span[kBlock];
-  std::uint8_t is_odd[kBlock];
+  float east[kEdgesAtOnce + 1], north[kEdgesAtOnce + 1], length[kEdgesAtOnce + 1];
+  std::int32_t bearing[kEdgesAtOnce + 1];
+  Span span[kEdgesAtOnce];
+  std::uint8_t is_odd[kEdgesAtOnce];
 };
 
 // Spans of `count` edges that begin at consecutive vertices; is_odd for those that pass so near, or
@@ -122,13 +121,14 @@ void rough_spans(const PlanePoint* vertices, std::size_t count, PlanePoint own_s
 // calls than there are pairs of edge and bucket.
 template <typename Visit>
 void for_each_burst(const std::vector<Span>& spans, const Visit& visit) {
-  std::vector<std::uint32_t> begun(kMask + 1);  // by bucket of the edge before
+  std::vector<std::uint32_t> begun(kBucketMask + 1);  // by bucket of the edge before
   const auto open = [&](std::int32_t low, std::int32_t high, std::uint32_t edge) {
-    for (std::int32_t k = low; k < high; ++k) begun[static_cast<std::uint32_t>(k) & kMask] = edge;
+    for (std::int32_t k = low; k < high; ++k)
+      begun[static_cast<std::uint32_t>(k) & kBucketMask] = edge;
   };
   const auto close = [&](std::int32_t low, std::int32_t high, std::uint32_t edge) {
     for (std::int32_t k = low; k < high; ++k) {
-      const std::uint32_t bucket = static_cast<std::uint32_t>(k) & kMask;
+      const std::uint32_t bucket = static_cast<std::uint32_t>(k) & kBucketMask;
       visit(bucket, begun[bucket], edge);
     }
   };
@@ -138,10 +138,10 @@ void for_each_burst(const std::vector<Span>& spans, const Visit& visit) {
     const Span next = v < count ? spans[v] : Span{};
     // Both unrolled about the beginning of the last: [f, l) and [g, h).
     const std::int32_t f = last.first, l = f + last.count;
-    const std::int32_t g =
-        f +
-        ((static_cast<std::int32_t>(next.first) - f + 6144) & static_cast<std::int32_t>(kMask)) -
-        2048;
+    const std::int32_t g = f +
+                           ((static_cast<std::int32_t>(next.first) - f + 6144) &
+                            static_cast<std::int32_t>(kBucketMask)) -
+                           2048;
     const std::int32_t h = g + next.count;
     if (last.count > 1024 || next.count > 1024) {  // might overlap at both ends
       close(f, l, v);
@@ -160,13 +160,13 @@ void for_each_burst(const std::vector<Span>& spans, const Visit& visit) {
 
 PolarIndex::PolarIndex(const CoastPicture& picture, PlanePoint own_ship, double slack_m)
     : own_ship_(own_ship), slack_m_(slack_m), starts_(kBuckets + 1, 0) {
-  static_assert(kBuckets == kMask + 1);
+  static_assert(kBuckets == kBucketMask + 1);
   const auto slack = static_cast<float>(slack_m * 1.000001);
   const std::vector<PlanePoint>& vertices = picture.vertices;
   std::vector<Span> spans(vertices.size());  // by edge; none between runs and for near edges
   Block block;
-  for (std::size_t begin = 0; begin + 1 < vertices.size(); begin += kBlock) {
-    const std::size_t count = std::min(kBlock, vertices.size() - 1 - begin);
+  for (std::size_t begin = 0; begin + 1 < vertices.size(); begin += kEdgesAtOnce) {
+    const std::size_t count = std::min(kEdgesAtOnce, vertices.size() - 1 - begin);
     rough_spans(&vertices[begin], count, own_ship, slack, block);
     std::copy_n(block.span, count, &spans[begin]);
     for (std::size_t v = 0; v < count; ++v) {

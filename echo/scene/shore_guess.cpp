@@ -6,11 +6,11 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/scene/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kMetresPerDegree = 111195.0;
 constexpr double kShortRuler = 1.5, kLongRuler = 6.0;  // mean edges; a ratio of 4
 // Length by the short ruler over length by the long one: 4^(D - 1).
 constexpr double kRockyRatio = 1.1486983549970351;  // D = 1.10
@@ -80,12 +80,12 @@ CoastType guess_type(std::span<const GeoPoint> stretch) {
   if (n <= kFewestEdges) return CoastType::unknown;
   const GeoPoint middle = stretch[n / 2];
   if (std::fabs(middle.latitude_deg) > 89.0) return CoastType::unknown;
-  const double east_per_degree = kMetresPerDegree * sin_cos_degrees(middle.latitude_deg).cos;
+  const double east_per_degree = kMeanMetresPerDegree * sin_cos_degrees(middle.latitude_deg).cos;
   std::vector<PlanePoint> line(n);
   double length = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     line[i] = {wrapped_longitude(stretch[i].longitude_deg - middle.longitude_deg) * east_per_degree,
-               (stretch[i].latitude_deg - middle.latitude_deg) * kMetresPerDegree};
+               (stretch[i].latitude_deg - middle.latitude_deg) * kMeanMetresPerDegree};
     if (i > 0) length += std::sqrt(length2(line[i] - line[i - 1]));
   }
   if (!(length > 0.0)) return CoastType::unknown;

@@ -26,6 +26,9 @@ struct PointObject {
   std::uint64_t identity = 0;
 };
 
+// A bridge's deck is at least so deep, metres, where the chart gives no more than its clearance.
+inline constexpr double kDeckDepth = 2.0;
+
 struct Structures {
   std::vector<Wall> walls;
   std::vector<PointObject> points;

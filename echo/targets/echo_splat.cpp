@@ -4,20 +4,20 @@
 #include <array>
 #include <cmath>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
+#include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerDegree = 4294967296.0 / 360.0;
 constexpr std::uint32_t kMainPlaces = 512;
 constexpr double kNearLobesDeg = 5.0;
-constexpr double kStandsOut = 0.05;  // of the noise
-constexpr float kSlightest = 1e-4f;  // of the noise: weaker points are left out
-constexpr float kLeastLobe = 0.05f;  // of the noise: weaker side lobes are
-constexpr float kNull = 1e-6f;       // two-way voltage that counts as none
+constexpr float kSlightestPower = 1e-4f;  // of the noise: weaker points are left out
+constexpr float kLeastLobe = 0.05f;       // of the noise: weaker side lobes are
+constexpr float kNull = 1e-6f;            // two-way voltage that counts as none
 
 constexpr std::uint32_t kPhases = 1024;
 struct Phasors {
@@ -52,7 +52,7 @@ EchoSplat::EchoSplat(const RadarModel& model)
       pulse_cells_(std::max(1.0, model.pulse_cells)),
       far_(model) {
   const double highest = std::max(model.set.near_side_lobe_db, model.set.far_side_lobe_db);
-  stands_out_ = static_cast<float>(kStandsOut / ratio_from_decibels(2.0 * highest));
+  stands_out_ = static_cast<float>(kLeastLobePower / ratio_from_decibels(2.0 * highest));
   for (std::uint32_t k = 0; k <= kMainPlaces + 1; ++k) {
     const double off = null_units_ / kUnitsPerDegree * k / kMainPlaces;
     const double v = std::max(0.0, cosine_taper_voltage(off, model.set.beam_width_deg));
@@ -97,7 +97,7 @@ void EchoSplat::prepare(const std::vector<PointEcho>& points, const SpokeAim& fi
   const std::uint32_t middle = first.plane_units + static_cast<std::uint32_t>(turned / 2);
   const std::uint32_t half = static_cast<std::uint32_t>(std::abs(turned / 2)) + 1;
   for (const PointEcho& echo : points) {
-    if (!(echo.power > kSlightest)) continue;
+    if (!(echo.power > kSlightestPower)) continue;
     const std::uint32_t off = units_apart(echo.bearing_units, middle);
     const std::uint32_t reach =
         side_lobes_ && echo.power > stands_out_ ? lobes_units_ : null_units_;
@@ -155,7 +155,7 @@ void EchoSplat::lay_bodies() {
 void EchoSplat::add_power(const Point& point, float factor, std::span<float> power) {
   const float level =
       factor * (point.in_phase * point.in_phase + point.quadrature * point.quadrature);
-  if (!(level > kSlightest)) return;
+  if (!(level > kSlightestPower)) return;
   const std::size_t tail = std::size_t{point.cell} + point.full + 1;
   power[point.cell] += level * point.lead * point.lead;
   const std::size_t full_end = std::min(tail, power.size());

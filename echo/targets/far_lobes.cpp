@@ -6,24 +6,24 @@
 
 #include "echo/kernel/coherent_receiver.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
 
 namespace skerry::echo {
 namespace {
 
 constexpr double kLobeDeg = 1.4;
-constexpr double kStandsOut = 0.05;   // of the noise
 constexpr float kLeastLevel = 0.05f;  // of the noise
 constexpr float kLeastShare = 1e-4f;  // of a cell
-constexpr std::uint32_t kMaxRows = 64;
+constexpr std::uint32_t kMaxLobeRows = 64;
 constexpr std::size_t kRunCells = 16;
 
 }  // namespace
 
 FarLobes::FarLobes(const RadarModel& model)
     : model_(model),
-      least_power_(
-          static_cast<float>(kStandsOut / ratio_from_decibels(2.0 * model.set.far_side_lobe_db))) {
+      least_power_(static_cast<float>(kLeastLobePower /
+                                      ratio_from_decibels(2.0 * model.set.far_side_lobe_db))) {
   const double spoke_deg = 360.0 / model.geometry.spokes_per_turn;
   lobe_spokes_ = std::max(1u, static_cast<std::uint32_t>(kLobeDeg / spoke_deg + 0.5));
 }
@@ -64,7 +64,7 @@ void FarLobes::prepare(const AntennaPattern& pattern, const StrongEchoes& strong
   const std::uint32_t cells = model_.geometry.cells;
   const auto spokes = static_cast<std::uint32_t>(last.spoke - first.spoke) + 1;
   // Never more rows than there is room for, however long the sector.
-  row_spokes_ = std::max(lobe_spokes_, (spokes + kMaxRows - 1) / kMaxRows);
+  row_spokes_ = std::max(lobe_spokes_, (spokes + kMaxLobeRows - 1) / kMaxLobeRows);
   const std::uint32_t rows = (spokes + row_spokes_ - 1) / row_spokes_;
   first_spoke_ = first.spoke;
   pitch_ = (cells + kRunCells - 1) / kRunCells * kRunCells;
@@ -72,7 +72,7 @@ void FarLobes::prepare(const AntennaPattern& pattern, const StrongEchoes& strong
   taken_.assign(rows * pitch_ / kRunCells, 0);
   const std::int64_t turned = static_cast<std::int32_t>(last.plane_units - first.plane_units);
   const std::uint32_t middle = first.plane_units + static_cast<std::uint32_t>(turned / 2);
-  std::array<std::uint32_t, kMaxRows> axes;
+  std::array<std::uint32_t, kMaxLobeRows> axes;
   for (std::uint32_t r = 0; r < rows; ++r) {
     // Twice the spoke in the middle of those that share the row.
     const std::int64_t twice = std::min(2 * spokes - 2, row_spokes_ * (2 * r + 1) - 1);

@@ -41,4 +41,7 @@ constexpr std::uint32_t body_of(BodyKind kind, std::uint32_t index) {
 // More than any echo: a thousand ships beside the antenna.  Keeps sums of powers below 1e30.
 inline constexpr float kMaxPointPower = 1e24f;
 
+// Of the noise: what side lobes bring in weaker than this is left out.
+inline constexpr double kLeastLobePower = 0.05;
+
 }  // namespace skerry::echo

@@ -1,10 +1,9 @@
 #include "echo/targets/sector_view.hpp"
 
-#include <numbers>
+#include "echo/kernel/bearing_units.hpp"
 
 namespace skerry::echo {
 namespace {
-constexpr double kUnitsPerRadian = 4294967296.0 / (2.0 * std::numbers::pi);
 // Beyond this half-width everything is taken to be in sight.
 constexpr std::uint32_t kWide = 0x38000000u;  // 79 deg
 }  // namespace

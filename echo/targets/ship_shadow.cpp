@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/targets/ship_sight.hpp"
@@ -14,8 +15,7 @@ namespace {
 
 constexpr double kTopOfHeight = 0.7;
 constexpr std::size_t kSteps = 512;  // over the main lobe
-constexpr float kSlightest = 0.99f;  // a shadow that leaves more is none
-constexpr double kUnitsPerDegree = 4294967296.0 / 360.0;
+constexpr float kNoShadow = 0.99f;   // a shadow that leaves more is none
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void ShipShadow::shadows(const SpokeAim& aim, std::vector<ShadowedCells>& out) c
     const float factor = left_of(shading, aim.plane_units);
     const double from = std::ceil(shading.near_m / model_.cell_m);
     const double to = std::min(cells, std::floor(shading.far_m / model_.cell_m));
-    if (factor > kSlightest || from >= to) continue;
+    if (factor > kNoShadow || from >= to) continue;
     out.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to) - 1, factor});
   }
 }

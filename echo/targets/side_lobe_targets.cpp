@@ -5,6 +5,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/targets/fluctuation.hpp"
+#include "echo/targets/point_echo.hpp"
 #include "echo/targets/ship_figure.hpp"
 #include "echo/targets/ship_sight.hpp"
 #include "echo/targets/turbine_echoes.hpp"
@@ -12,8 +13,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kStandsOut = 0.05;  // of the noise
-constexpr double kMostGain = 16.0;   // two-ray lobing's, two-way power
+constexpr double kMostGain = 16.0;  // two-ray lobing's, two-way power
 constexpr std::uint32_t kBlocksPerTurn = 8;
 constexpr int kMaxPoints = 3;
 constexpr std::uint64_t kLobeSalt = 0x51DE;
@@ -22,7 +22,7 @@ constexpr std::uint64_t kLobeSalt = 0x51DE;
 
 SideLobeTargets::SideLobeTargets(const RadarModel& model) : model_(model) {
   const double highest = std::max(model.set.near_side_lobe_db, model.set.far_side_lobe_db);
-  least_power_ = static_cast<float>(kStandsOut / ratio_from_decibels(2.0 * highest));
+  least_power_ = static_cast<float>(kLeastLobePower / ratio_from_decibels(2.0 * highest));
 }
 
 void SideLobeTargets::update(const Scene& scene, const SpokeAim& first, const SectorView& view,

@@ -8,14 +8,16 @@ namespace skerry::echo {
 namespace {
 
 // Nearer than this nothing gets louder: inside the antenna's own near field.
-double spread(double range_m) {
+double two_way_spread(double range_m) {
   const double r2 = std::max(25.0, range_m * range_m);
   return r2 * r2;
 }
 
 }  // namespace
 
-double TargetMedium::free_space_snr(double range_m) const { return unit_snr / spread(range_m); }
+double TargetMedium::free_space_snr(double range_m) const {
+  return unit_snr / two_way_spread(range_m);
+}
 
 double TargetMedium::body_snr(double range_m, double height_m) const {
   const double free_space = free_space_snr(range_m);

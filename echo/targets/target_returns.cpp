@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/targets/fluctuation.hpp"
@@ -13,8 +14,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kUnitsPerDegree = 4294967296.0 / 360.0;
-constexpr double kLeastPower = 1e-4;  // of the noise: what is weaker is left out
+constexpr double kLeastEcho = 1e-4;  // of the noise: what is weaker is left out
 constexpr double kLongestWake = 800.0;
 constexpr std::uint64_t kPointSalt = 0x9017;
 
@@ -125,7 +125,7 @@ void TargetReturns::add_ship(const Sector& sector, std::uint32_t index) {
   if (range - radius_of(hull) > sector.reach_m) return;
   const double section = ship_mean_cross_section(hull, model_.set.frequency_hz, sight.side);
   const double power = section * medium_.body_snr(range, hull.height_m);
-  if (!(power > kLeastPower)) return;
+  if (!(power > kLeastEcho)) return;
 
   const PlanePoint p = sight.from_own_ship;
   const ShipResolution resolution{std::max(1.0, model_.pulse_cells) * model_.cell_m,
@@ -164,7 +164,7 @@ void TargetReturns::add_ship(const Sector& sector, std::uint32_t index) {
     echo.bearing_units = at.units;
     echo.power = std::min(kMaxPointPower, static_cast<float>(power * share));
     echo.phase = s.phase;
-    if (static_cast<double>(echo.power) > kLeastPower) out_->push_back(echo);
+    if (static_cast<double>(echo.power) > kLeastEcho) out_->push_back(echo);
   }
 }
 
@@ -174,11 +174,11 @@ void TargetReturns::add_part(const Sector& sector, const EchoPart& part, const P
   const double snr = part.from_the_water ? medium_.body_snr(at.range_m, part.height_m)
                                          : medium_.point_snr(at.range_m, part.height_m);
   double power = part.cross_section_m2 * snr;
-  if (!(power > kLeastPower)) return;
+  if (!(power > kLeastEcho)) return;
   if (sector.hidden || shadows_.any()) {
     const float share = seen(sector, at, part.height_m, ~0u);
     power *= static_cast<double>(part.from_the_water ? share : upper_quarter(share));
-    if (!(power > kLeastPower)) return;
+    if (!(power > kLeastEcho)) return;
   }
   out_->push_back({at.range_m, at.units, std::min(kMaxPointPower, static_cast<float>(power)),
                    part.phase, body, static_cast<float>(part.height_m)});
