@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "echo/returns/moved_rows.hpp"
 #include "echo/returns/static_frame.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "tests/bench/error/study.hpp"
 #include "tests/scenes/scenes.hpp"
 
 namespace skerry::bench {
@@ -21,20 +21,14 @@ using echo::FrameDetail;
 using echo::StaticFrame;
 
 constexpr std::uint32_t kReferenceRays = 16384;
-constexpr std::uint32_t kSpokes = 4096, kEvery = 7;  // compared
+constexpr std::uint32_t kTurnSpokes = 4096, kEvery = 7;  // compared
 
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-struct Place {
+struct Harbour {
   echo::ScenePtr scene;
   echo::RadarModel model;
 };
 
-Place place() {
+Harbour place() {
   const RangeScale scale = *RangeScale::find(6.0);
   const ScanGeometry geometry;
   auto chart = scenes::world_chart(scenes::kBergen, scale.length() * 1.3);
@@ -45,7 +39,7 @@ Place place() {
 }
 
 // Spokes in double: every ray made by itself, stretched by the pulse and weighted by the beam.
-std::vector<std::vector<double>> reference(const Place& at) {
+std::vector<std::vector<double>> reference(const Harbour& at) {
   const echo::Scene& scene = *at.scene;
   const std::uint32_t cells = at.model.geometry.cells;
   echo::StaticView view;
@@ -61,7 +55,7 @@ std::vector<std::vector<double>> reference(const Place& at) {
   const double step = 360.0 / kReferenceRays, width = at.model.set.beam_width_deg;
   const auto half = static_cast<std::int32_t>(1.25 * width / step);
   echo::StaticScratch scratch;
-  std::vector<std::vector<double>> spokes(kSpokes / kEvery + 1);
+  std::vector<std::vector<double>> spokes(kTurnSpokes / kEvery + 1);
   std::vector<float> power(cells);
   std::vector<double> stretched(cells);
   for (std::uint32_t ray = 0; ray < kReferenceRays; ++ray) {
@@ -71,7 +65,7 @@ std::vector<std::vector<double>> reference(const Place& at) {
     if (!add_static_ray(view, rays, units, false, scratch, power)) continue;
     echo::stretch_pulse_reference(power, at.model.pulse_cells, stretched);
     for (std::size_t s = 0; s < spokes.size(); ++s) {
-      const auto middle = static_cast<std::int32_t>(s * kEvery * (kReferenceRays / kSpokes));
+      const auto middle = static_cast<std::int32_t>(s * kEvery * (kReferenceRays / kTurnSpokes));
       auto off = static_cast<std::int32_t>(ray) - middle;
       if (off > static_cast<std::int32_t>(kReferenceRays / 2)) off -= kReferenceRays;
       if (off < -half || off > half) continue;
@@ -94,36 +88,36 @@ void spoke_of(const StaticFrame& frame, const echo::RadarModel& model, PlanePoin
   const double way = std::hypot(moved.east_m, moved.north_m);
   std::vector<echo::MovedRun> runs;
   echo::for_each_part({moved, frame.detail().rows, model.cell_m},
-                      spoke * (0x80000000u / (kSpokes / 2)), frame.nearest_m() - way,
+                      spoke * (0x80000000u / (kTurnSpokes / 2)), frame.nearest_m() - way,
                       model.geometry.cells,
                       [&](const echo::RowPart& part) { frame.find(part, runs); });
   echo::add_moved(runs, power);
 }
 
-void compare(const Place& at, const FrameDetail& detail, double moved_m, bool in_use,
+void compare(const Harbour& at, const FrameDetail& detail, double moved_m, bool in_use,
              const std::vector<std::vector<double>>& truth, std::FILE* out) {
   StaticFrame frame(at.model, detail);
   const PlanePoint there = at.scene->own_ship + PlanePoint{0.6 * moved_m, 0.8 * moved_m};
   double best = 1e9;
   for (int i = 0; i < 3; ++i) {
-    const double begun = seconds();
+    const double begun = thread_seconds();
     frame.begin(*at.scene, there, 0.0);
     frame.work_crossings(1.0);
     for (std::uint32_t row = 0; row < detail.rows; row += StaticFrame::kMostRows)
       frame.make_rows(row, StaticFrame::kMostRows, echo::serial_for);
-    best = std::min(best, seconds() - begun);
+    best = std::min(best, thread_seconds() - begun);
   }
   std::vector<float> power(at.model.geometry.cells);
-  const double begun = seconds();
-  for (std::uint32_t s = 0; s < kSpokes; ++s)
+  const double begun = thread_seconds();
+  for (std::uint32_t s = 0; s < kTurnSpokes; ++s)
     spoke_of(frame, at.model, at.scene->own_ship, s, power);
-  const double adding = seconds() - begun;
+  const double adding = thread_seconds() - begun;
 
   std::vector<double> errors;
   const auto level = [](double p) { return 10.0 * std::log10(1.0 + p); };
   for (std::size_t s = 0; s < truth.size(); ++s) {
-    spoke_of(frame, at.model, at.scene->own_ship, static_cast<std::uint32_t>(s * kEvery) % kSpokes,
-             power);
+    spoke_of(frame, at.model, at.scene->own_ship,
+             static_cast<std::uint32_t>(s * kEvery) % kTurnSpokes, power);
     for (std::size_t i = at.model.blind_cells; i < power.size(); ++i) {
       const auto p = static_cast<double>(power[i]);
       if (p >= 1.0 || truth[s][i] >= 1.0)
@@ -138,14 +132,14 @@ void compare(const Place& at, const FrameDetail& detail, double moved_m, bool in
   };
   std::fprintf(out, "%6u %6.1f %6u %8.0f %10.2f %10.3f %7.3f %7.2f %7.2f %7.1f%s\n", detail.rays,
                detail.rays * at.model.set.beam_width_deg / 360.0, detail.rows, moved_m, 1e3 * best,
-               1e9 * adding / kSpokes / at.model.geometry.cells, quantile(0.5), quantile(0.9),
+               1e9 * adding / kTurnSpokes / at.model.geometry.cells, quantile(0.5), quantile(0.9),
                quantile(0.99), quantile(1.0), in_use ? "  in use" : "");
 }
 
 }  // namespace
 
 void print_beam_taps_error(std::FILE* out) {
-  const Place at = place();
+  const Harbour at = place();
   const auto truth = reference(at);
   const FrameDetail used = echo::frame_detail(at.model);
   std::fprintf(out,

@@ -1,12 +1,12 @@
 #include "tests/bench/error/propagation_error.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include "echo/propagation/path_table.hpp"
+#include "tests/bench/error/study.hpp"
 
 namespace skerry::bench {
 namespace {
@@ -16,20 +16,20 @@ using echo::PathGrid;
 using echo::PathTable;
 
 constexpr double kReach = 48.0 * 1852.0;
-constexpr int kRepetitions = 7;
+constexpr int kPathRepetitions = 7;
 
-struct Place {
+struct PathPlace {
   float range, height;
   double point = 0.0, body = 0.0;  // of the reference; bodies only of the first few
 };
 constexpr std::size_t kPlaces = 20000, kBodies = 100;
 
-std::vector<Place> places_of(const PathConditions& conditions) {
+std::vector<PathPlace> places_of(const PathConditions& conditions) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<Place> places;
+  std::vector<PathPlace> places;
   for (std::size_t i = 0; i < kPlaces; ++i) {
-    Place place;
+    PathPlace place;
     place.range = static_cast<float>(100.0 * std::pow(kReach / 100.0, unit(random)));
     place.height = static_cast<float>(0.25 * std::pow(800.0, unit(random)));
     const auto range = static_cast<double>(place.range), height = static_cast<double>(place.height);
@@ -38,19 +38,6 @@ std::vector<Place> places_of(const PathConditions& conditions) {
     places.push_back(place);
   }
   return places;
-}
-
-template <typename Body>
-double median_seconds(const Body& body) {
-  std::vector<double> seconds;
-  for (int i = 0; i < kRepetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    body();
-    seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  std::nth_element(seconds.begin(), seconds.begin() + kRepetitions / 2, seconds.end());
-  return seconds[kRepetitions / 2];
 }
 
 class Errors {
@@ -68,24 +55,25 @@ class Errors {
   std::vector<double> db_;
 };
 
-void print_grid(std::FILE* out, const PathConditions& conditions, const std::vector<Place>& places,
-                PathGrid grid) {
-  const double build = median_seconds([&] { PathTable(conditions, kReach, grid); });
+void print_grid(std::FILE* out, const PathConditions& conditions,
+                const std::vector<PathPlace>& places, PathGrid grid) {
+  const double build =
+      median_seconds(kPathRepetitions, [&] { PathTable(conditions, kReach, grid); });
   const PathTable table(conditions, kReach, grid);
   volatile float sink = 0.0f;
-  const double point = median_seconds([&] {
+  const double point = median_seconds(kPathRepetitions, [&] {
     float sum = 0.0f;
-    for (const Place& place : places) sum += table.point(place.range, place.height);
+    for (const PathPlace& place : places) sum += table.point(place.range, place.height);
     sink = sum;
   });
-  const double body = median_seconds([&] {
+  const double body = median_seconds(kPathRepetitions, [&] {
     float sum = 0.0f;
-    for (const Place& place : places) sum += table.body(place.range, place.height);
+    for (const PathPlace& place : places) sum += table.body(place.range, place.height);
     sink = sum;
   });
   Errors points, bodies;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i];
+    const PathPlace& place = places[i];
     points.add(table.point(place.range, place.height), place.point);
     if (i < kBodies) bodies.add(table.body(place.range, place.height), place.body);
   }
@@ -110,14 +98,14 @@ void print_propagation_error(std::FILE* out) {
       set.frequency_hz = hertz;
       set.antenna_height_m = 15.0;
       const PathConditions conditions = echo::path_conditions(set, {}, wave);
-      const std::vector<Place> places = places_of(conditions);
+      const std::vector<PathPlace> places = places_of(conditions);
       std::fprintf(out, " %.2f GHz, waves of %.1f m\n", hertz * 1e-9, wave);
       for (PathGrid grid : {PathGrid{2, 1}, PathGrid{3, 2}, PathGrid{4, 3}, PathGrid{5, 4}})
         print_grid(out, conditions, places, grid);
       volatile double sink = 0.0;
-      const double reference = median_seconds([&] {
+      const double reference = median_seconds(kPathRepetitions, [&] {
         double sum = 0.0;
-        for (const Place& place : places)
+        for (const PathPlace& place : places)
           sum += echo::point_reference(conditions, static_cast<double>(place.range),
                                        static_cast<double>(place.height));
         sink = sum;

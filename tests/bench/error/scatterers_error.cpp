@@ -1,20 +1,13 @@
 #include "tests/bench/error/scatterers_error.hpp"
 
-#include <ctime>
-
 #include "echo/targets/echo_splat.hpp"
+#include "tests/bench/error/study.hpp"
 #include "tests/unit/targets/mean_echo.hpp"
 
 namespace skerry::bench {
 namespace {
 
 using namespace skerry::echo;
-
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 RadarModel model_at(double scale_nm) {
   const RadarSet set;
@@ -40,7 +33,7 @@ double lay_time(const RadarModel& model, const ShipStudy& study, ShipDetail deta
   last.plane_units = 15 * kStep;
   std::vector<float> row(model.geometry.cells, 0.0f);
   constexpr int kTurns = 200;
-  const double begun = seconds();
+  const double begun = thread_seconds();
   for (int turn = 0; turn < kTurns; ++turn) {
     ship_shares(study.identity, detail, 0, figure);
     fluctuate(study.identity, static_cast<std::uint64_t>(turn), figure);
@@ -53,7 +46,7 @@ double lay_time(const RadarModel& model, const ShipStudy& study, ShipDetail deta
     SpokeAim aim = first;
     for (std::uint32_t k = 0; k < 16; ++k, aim.plane_units += kStep) splat.add(aim, row);
   }
-  return (seconds() - begun) / (16.0 * kTurns) * 1e9;
+  return (thread_seconds() - begun) / (16.0 * kTurns) * 1e9;
 }
 
 template <typename Detail>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace skerry::bench {
 
@@ -14,6 +15,12 @@ void fill_errors(std::vector<double>& errors, ErrorRow& row) {
   row.p50_m = at(0.5);
   row.p99_m = at(0.99);
   row.max_m = errors.back();
+}
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double median_seconds(int repetitions, const std::function<void()>& body) {

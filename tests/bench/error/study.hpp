@@ -46,6 +46,9 @@ void fill_errors(std::vector<double>& errors, ErrorRow& row);
 // Median seconds of `body` over `repetitions`.
 double median_seconds(int repetitions, const std::function<void()>& body);
 
+// What this thread has used of its processor so far.
+double thread_seconds();
+
 // Log-log curves, one per knob: p99 error across, time per spoke up.
 std::string error_curve_svg(std::span<const ErrorRow> rows);
 

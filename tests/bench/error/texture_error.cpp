@@ -11,7 +11,7 @@
 namespace skerry::bench {
 namespace {
 
-constexpr std::uint32_t kSector = 16, kSpokes = 1024;
+constexpr std::uint32_t kSector = 16, kSeaSpokes = 1024;
 
 echo::RadarModel radar() {
   const echo::RadarSet set;
@@ -33,7 +33,7 @@ void print_for(const echo::Scene& scene, std::FILE* out) {
     lay(0);
     std::vector<float> power(model.geometry.cells, 0.0f);
     const double seconds = median_seconds(15, [&] {
-      for (std::uint64_t s = 0; s < kSpokes; s += kSector) {
+      for (std::uint64_t s = 0; s < kSeaSpokes; s += kSector) {
         sea.prepare(scene, aim(s), aim(s + kSector - 1));
         for (std::uint64_t k = s; k < s + kSector; ++k) sea.add(aim(k), power);
       }
@@ -41,7 +41,7 @@ void print_for(const echo::Scene& scene, std::FILE* out) {
     std::vector<double> errors;
     std::vector<float> row(model.geometry.cells);
     std::vector<double> exact(model.geometry.cells);
-    for (std::uint64_t s = 0; s < kSpokes; s += kSector) {
+    for (std::uint64_t s = 0; s < kSeaSpokes; s += kSector) {
       lay(s);
       for (std::uint64_t k = s; k < s + kSector; ++k) {
         sea.local_mean(aim(k), row);
@@ -54,7 +54,7 @@ void print_for(const echo::Scene& scene, std::FILE* out) {
     std::sort(errors.begin(), errors.end());
     std::fprintf(out, "%-6s %8u %10.3f %10.3g %10.3g %10.3g%s\n",
                  scene.sea.swell.height_m > 0.0 ? "swell" : "none", spokes,
-                 seconds * 1e9 / (double{kSpokes} * model.geometry.cells),
+                 seconds * 1e9 / (double{kSeaSpokes} * model.geometry.cells),
                  errors[errors.size() / 2], errors[errors.size() * 99 / 100], errors.back(),
                  spokes == in_use ? "  in use" : "");
   }
