@@ -14,19 +14,12 @@
 namespace skerry::validation {
 namespace {
 
-constexpr std::uint32_t kFirst = 256, kSpokes = 3584, kCells = 2048;
+constexpr std::uint32_t kMarkFirst = 256, kMarkSpokes = 3584, kMarkCells = 2048;
 constexpr double kGainDb = -20.0;  // from 10 to 55 dB over noise
 
 // Power over mean noise that a log code stands for.
 double power_of(double code) {
   return std::pow(10.0, ((code + 0.5) * 45.0 / 16384.0 - 10.0 - kGainDb) / 10.0);
-}
-
-const scenes::NamedScene& named(const std::vector<scenes::NamedScene>& all,
-                                const std::string& name) {
-  for (const scenes::NamedScene& one : all)
-    if (one.name == name) return one;
-  throw std::out_of_range(name);
 }
 
 // A point that does not fluctuate.
@@ -41,7 +34,7 @@ std::vector<Mark> marks() {
 
 Site with_marks(const std::vector<double>& areas_m2) {
   static const auto made_up = scenes::made_up_scenes();
-  scenes::NamedScene base = named(made_up, "open sea");
+  scenes::NamedScene base = scene_named(made_up, "open sea");
   auto scene = std::make_shared<echo::Scene>(*base.scene);
   for (std::size_t i = 0; i < areas_m2.size(); ++i) {
     const Mark mark = marks()[i];
@@ -56,8 +49,8 @@ Site with_marks(const std::vector<double>& areas_m2) {
   scene->own_velocity = {};
   base.scene = std::move(scene);
   base.controls.range_scale = *RangeScale::find(3.0);
-  const double cell_m = base.controls.range_scale.length().in_metres() / kCells;
-  return site_of("marks", base, kCells, cell_m, echo::PulseChoice::short_pulse);
+  const double cell_m = base.controls.range_scale.length().in_metres() / kMarkCells;
+  return site_of("marks", base, kMarkCells, cell_m, echo::PulseChoice::short_pulse);
 }
 
 std::size_t spoke_of(const Mark& mark) {
@@ -69,7 +62,7 @@ const Site& with_marks() {
   static const Site site = [] {
     std::vector<double> areas(marks().size(), 1.0);
     const Site trial = with_marks(areas);
-    const RowStore rows(trial, kFirst, kSpokes);
+    const RowStore rows(trial, kMarkFirst, kMarkSpokes);
     for (std::size_t i = 0; i < areas.size(); ++i) {
       const auto row = rows.row(spoke_of(marks()[i]));
       const auto cell = static_cast<std::size_t>(marks()[i].range_m / trial.model.cell_m);
@@ -140,17 +133,19 @@ struct Picture {
   double ticks_per_cell;
 
   Picture(Site place, double ticks_in_a_cell, double pulses)
-      : site(std::move(place)), rows(site, kFirst, kSpokes), ticks_per_cell(ticks_in_a_cell) {
+      : site(std::move(place)),
+        rows(site, kMarkFirst, kMarkSpokes),
+        ticks_per_cell(ticks_in_a_cell) {
     echo::SweepChannel channel = fine_channel(site);
     channel.sample_clock_hz *= ticks_per_cell;
-    channel.samples = static_cast<std::uint32_t>(kCells * ticks_per_cell);
-    spokes = formed_spokes(rows, site.grid(), channel, pulses, kFirst, kSpokes);
+    channel.samples = static_cast<std::uint32_t>(kMarkCells * ticks_per_cell);
+    spokes = formed_spokes(rows, site.grid(), channel, pulses, kMarkFirst, kMarkSpokes);
   }
   double direct(std::size_t spoke, std::size_t cell) const {
     return static_cast<double>(rows.row(spoke)[cell]);
   }
   double formed(std::size_t spoke, std::size_t sample) const {
-    return power_of(spokes[spoke - kFirst].samples[sample]);
+    return power_of(spokes[spoke - kMarkFirst].samples[sample]);
   }
   // Cells, from the middle of the first, of a place in samples from the middle of the first.
   double in_cells(double sample) const { return (sample + 0.5) / ticks_per_cell - 0.5; }
@@ -161,7 +156,7 @@ struct Picture {
 TEST(SweepGeometry, APointsLeadingEdgeLiesWhereItsRowHasIt) {
   for (const double ticks : {1.0, 3.7}) {
     const Picture picture(with_marks(), ticks, 5.0);
-    ASSERT_EQ(picture.spokes.size(), kSpokes);
+    ASSERT_EQ(picture.spokes.size(), kMarkSpokes);
     double worst = 0.0, mean = 0.0;
     for (const Mark& mark : marks()) {
       const std::size_t spoke = spoke_of(mark);
@@ -229,19 +224,19 @@ double quantile(std::vector<double> values, double share) {
 // cells, where between two samples the first one rises out of nothing is not known.
 TEST(SweepGeometry, ShoresAndQuaysBeginWhereTheirRowsHaveThem) {
   static const auto made_up = scenes::made_up_scenes();
-  const scenes::NamedScene& base = named(made_up, "kinds");
-  const double cell_m = base.controls.range_scale.length().in_metres() / kCells;
+  const scenes::NamedScene& base = scene_named(made_up, "kinds");
+  const double cell_m = base.controls.range_scale.length().in_metres() / kMarkCells;
   for (const double ticks : {1.0, 3.7}) {
-    const Picture picture(site_of("kinds", base, kCells, cell_m, echo::PulseChoice::short_pulse),
-                          ticks, 5.0);
+    const Picture picture(
+        site_of("kinds", base, kMarkCells, cell_m, echo::PulseChoice::short_pulse), ticks, 5.0);
     std::vector<double> off, distance;
     std::size_t only_one = 0;
-    for (std::size_t spoke = kFirst; spoke < kFirst + kSpokes; ++spoke) {
+    for (std::size_t spoke = kMarkFirst; spoke < kMarkFirst + kMarkSpokes; ++spoke) {
       const auto row = [&](std::size_t i) { return picture.direct(spoke, i); };
       const auto seen = [&](std::size_t i) { return picture.formed(spoke, i); };
-      const auto there = leading_edge(row, 40, kCells, 100.0);
+      const auto there = leading_edge(row, 40, kMarkCells, 100.0);
       const auto here = leading_edge(seen, static_cast<std::size_t>(40 * ticks),
-                                     static_cast<std::size_t>(kCells * ticks), 100.0);
+                                     static_cast<std::size_t>(kMarkCells * ticks), 100.0);
       if (there.has_value() != here.has_value()) ++only_one;  // 20 dB give or take noise
       if (!there || !here) continue;
       off.push_back((picture.in_cells(*here) - *there) * ticks);

@@ -21,13 +21,6 @@ namespace {
 constexpr std::uint32_t kFirst = 512, kSpokes = 2048, kCells = 1024;
 constexpr std::uint32_t kSectors = 8, kBands = 8;
 
-const scenes::NamedScene& named(const std::vector<scenes::NamedScene>& all,
-                                const std::string& name) {
-  for (const scenes::NamedScene& one : all)
-    if (one.name == name) return one;
-  throw std::out_of_range(name);
-}
-
 // On 3 NM by the shortest pulse, 0.08 us: noise alone, sea, rain, land made up, and where a chart
 // is installed Bergen with ships, buoys and sea.
 const std::vector<Site>& sites() {
@@ -42,13 +35,13 @@ const std::vector<Site>& sites() {
       const double cell_m = base.controls.range_scale.length().in_metres() / kCells;
       sites.push_back(site_of(name, base, kCells, cell_m, echo::PulseChoice::short_pulse));
     };
-    const scenes::NamedScene& open = named(made_up, "open sea");
+    const scenes::NamedScene& open = scene_named(made_up, "open sea");
     add("noise", open, [](echo::Scene&) {});
     add("sea", open, [](echo::Scene& s) { s.sea.state = 4.0; });
     add("rain", open, [](echo::Scene& s) {
       s.rain = {{s.own_ship + PlanePoint{2500.0, 500.0}, {}, 3000.0, 16.0, 1}};
     });
-    add("islands", named(made_up, "islands"), [](echo::Scene&) {});
+    add("islands", scene_named(made_up, "islands"), [](echo::Scene&) {});
     if (const auto full = scenes::full_scene())
       add("Bergen", *full, [](echo::Scene& s) { s.rain.clear(); });
     return sites;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace skerry::validation {
@@ -34,6 +35,13 @@ echo::SweepEchoes::Grid Site::grid() const {
           .blind_m = model.blind_cells * model.cell_m,
           .seed = scene->seed,
           .radar = model.radar};
+}
+
+const scenes::NamedScene& scene_named(const std::vector<scenes::NamedScene>& all,
+                                      const std::string& name) {
+  for (const scenes::NamedScene& one : all)
+    if (one.name == name) return one;
+  throw std::out_of_range(name);
 }
 
 Site site_of(std::string name, const scenes::NamedScene& named, std::uint32_t cells, double cell_m,

@@ -17,6 +17,10 @@ namespace skerry::validation {
 
 inline constexpr std::uint32_t kRows = 4096;  // in a turn, and spokes
 
+// Error: std::out_of_range.
+const scenes::NamedScene& scene_named(const std::vector<scenes::NamedScene>& all,
+                                      const std::string& name);
+
 // Something to look at, by one pulse, in cells of one length.
 struct Site {
   std::string name;
