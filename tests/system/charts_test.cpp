@@ -143,7 +143,8 @@ TEST(Charts, AnEncCellShowsThePiersThatTheWorldsShorelineHasNot) {
   EXPECT_GT(moved, seen / 4);
 }
 
-void expect_refused(std::vector<std::string> arguments, const std::vector<std::string>& parts) {
+void expect_refused_naming(std::vector<std::string> arguments,
+                           const std::vector<std::string>& parts) {
   arguments.insert(arguments.begin(), skerryd_program());
   const Ending ending = run(std::move(arguments));
   EXPECT_EQ(ending.code, 2) << ending.err;
@@ -152,15 +153,15 @@ void expect_refused(std::vector<std::string> arguments, const std::vector<std::s
 
 TEST(Charts, WhatCannotBeReadIsRefusedByName) {
   const Folder folder;
-  expect_refused({"--chart", "/no/such/cell.000", "--check"}, {"/no/such/cell.000"});
+  expect_refused_naming({"--chart", "/no/such/cell.000", "--check"}, {"/no/such/cell.000"});
   const std::string text = folder.write("garbage.000", "this is no ENC cell");
-  expect_refused({"--chart", text, "--check"}, {text});
+  expect_refused_naming({"--chart", text, "--check"}, {text});
   const std::string json = folder.write("broken.geojson", R"({"type": "FeatureCollection", "fea)");
-  expect_refused({"--chart", json, "--check"}, {json});
-  expect_refused({"--elevation", text, "--check"}, {text});
+  expect_refused_naming({"--chart", json, "--check"}, {json});
+  expect_refused_naming({"--elevation", text, "--check"}, {text});
   const std::string rough = folder.write(
       "rough.yaml", anchored(kLat, kLon, 1.5, "coast: {rocky: {method: koch, dimension: 1.4}}\n"));
-  expect_refused({"--scenario", rough, "--check"}, {"coast.rocky", "1.4", "1.25"});
+  expect_refused_naming({"--scenario", rough, "--check"}, {"coast.rocky", "1.4", "1.25"});
 }
 
 }  // namespace
