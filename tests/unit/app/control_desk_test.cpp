@@ -11,18 +11,13 @@
 
 #include "server/app/radar_config.hpp"
 #include "server/world/scenario.hpp"
+#include "tests/unit/radar/open_sea.hpp"
 
 namespace skerry::server {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-class OpenSea final : public echo::ChartSource {
- public:
-  echo::CoastChart load(GeoPoint, Length) const override { return {}; }
-  std::string describe() const override { return "open sea"; }
-};
 
 // Radars 0 and 1 on one ship, radar 2 on another.
 class Desk : public testing::Test {

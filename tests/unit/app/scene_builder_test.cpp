@@ -8,6 +8,7 @@
 
 #include "server/world/scenario.hpp"
 #include "server/world/world.hpp"
+#include "tests/unit/radar/open_sea.hpp"
 
 namespace skerry::server {
 namespace {
@@ -35,13 +36,6 @@ class Scenes : public testing::Test {
   }
 
   Airwaves airwaves_{2};
-
- private:
-  class OpenSea : public echo::ChartSource {
-   public:
-    echo::CoastChart load(GeoPoint, Length) const override { return {}; }
-    std::string describe() const override { return "open sea"; }
-  };
 };
 
 TEST_F(Scenes, OfAScenarioWithoutWeatherAndTargetsHoldNone) {

@@ -11,17 +11,12 @@
 #include "server/app/radar_config.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/world.hpp"
+#include "tests/unit/radar/open_sea.hpp"
 
 namespace skerry::server {
 namespace {
 
 using Row = std::vector<float>;
-
-class OpenSea final : public echo::ChartSource {
- public:
-  echo::CoastChart load(GeoPoint, Length) const override { return {}; }
-  std::string describe() const override { return "open sea"; }
-};
 
 class Turn : public testing::Test {
  protected:

@@ -11,19 +11,12 @@
 
 #include "server/world/scenario.hpp"
 #include "server/world/world.hpp"
+#include "tests/unit/radar/open_sea.hpp"
 
 namespace skerry::server {
 namespace {
 
-class OpenSea final : public echo::ChartSource {
- public:
-  echo::CoastChart load(GeoPoint, Length) const override { return {}; }
-  std::string describe() const override { return "open sea"; }
-};
-
 // Spokes of a view as they are published.
-const auto kNoFormats = [](VideoChannel&) {};
-
 class Record {
  public:
   SectorEncoder encoder() {
@@ -150,7 +143,7 @@ TEST_F(RunningRadar, HiddenViewsSayHowFarTheyReach) {
 
 TEST_F(RunningRadar, TellsTheCoastHowFarItsViewsReach) {
   const ShipState ship = timeline_.latest()->own_ships[0];
-  const RadarViewPtr view = unit_.views().open(0, true, kNoFormats);
+  const RadarViewPtr view = unit_.views().open(0, true, [](VideoChannel&) {});
   echo::ViewControls controls = view->controls_in_force();
   const double scale = controls.range_scale.length().in_metres();
   EXPECT_EQ(unit_.wish(ship, controls.range_scale).resolution.range_m, scale);
