@@ -4,14 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "tests/unit/artefacts/small_rig.hpp"
 
 namespace skerry::echo {
 namespace {
-
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180.0;
 
 Scene rolling(double roll_deg, double pitch_deg = 0.0) {
   Scene scene;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/artefacts/indirect_echoes.hpp"
 #include "echo/artefacts/multiple_echoes.hpp"
@@ -12,8 +11,6 @@
 
 namespace skerry::echo {
 namespace {
-
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180.0;
 
 // A body of one point with that cross-section.
 PointEcho target(const RadarModel& model, double metres, double plane_deg, double m2,

@@ -11,8 +11,6 @@
 namespace skerry::echo {
 namespace {
 
-double decibels(float power) { return 10.0 * std::log10(double{power}); }
-
 TEST(Saturation, RecoversExponentiallyBehindAStrongEcho) {
   const RadarModel model = small_model(1.5);
   const Saturation saturation(model);

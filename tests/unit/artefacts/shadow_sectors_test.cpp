@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
 
 #include "echo/artefacts/strip_shadow.hpp"
@@ -14,7 +13,6 @@ namespace skerry::echo {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
 
 // Past a half plane from the definition: Simpson's rule, in steps of 1/2048 up to |v| = 64.
 Complex half_plane(double v) {
@@ -32,8 +30,6 @@ Complex half_plane(double v) {
   const Complex part = integrals[i] + (integrals[i + 1] - integrals[i]) * (at - std::floor(at));
   return Complex(0.5, 0.5) * (Complex(0.5, -0.5) - (v < 0.0 ? -part : part));
 }
-
-double decibels(double power) { return 10.0 * std::log10(power); }
 
 double knife_edge_db(double v) {
   return 6.9 + 20.0 * std::log10(std::sqrt((v - 0.1) * (v - 0.1) + 1.0) + v - 0.1);

@@ -1,11 +1,18 @@
 // A radar and an aim for tests of single artefacts.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "echo/radar/radar_model.hpp"
 #include "echo/scene/spoke_aim.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
+
+inline constexpr double kPi = std::numbers::pi, kDegree = kPi / 180.0;
+
+inline double decibels(double power) { return 10.0 * std::log10(power); }
 
 inline RadarModel small_model(double nm = 1.5, RadarSet set = {}) {
   const ScanGeometry geometry{4096, 1024, 8};
