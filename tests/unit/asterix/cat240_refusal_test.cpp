@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr Cat240Source kSource{1, 2};
+constexpr Cat240Source kOtherSource{1, 2};
 
 // A data block around `record`.
 Bytes block(const Bytes& record, std::uint8_t category = 240) {
@@ -57,7 +57,7 @@ TEST(Cat240Reading, SkipsReservedAndSpecialItems) {
 
 TEST(Cat240Reading, SkipsOtherCategories) {
   const auto records = decode_cat240(
-      block({1, 2, 3}, 48) + encode_cat240_summary("x", kSource, UtcTime{}) + block({}, 34));
+      block({1, 2, 3}, 48) + encode_cat240_summary("x", kOtherSource, UtcTime{}) + block({}, 34));
   ASSERT_TRUE(records.ok()) << records.error().text;
   EXPECT_EQ(records->size(), 1u);
 }
@@ -109,7 +109,7 @@ TEST(Cat240Reading, AcceptsFspecOctetsThatAddNothing) {
 }
 
 TEST(Cat240Reading, EveryCutIsRefused) {
-  const Bytes whole = encode_cat240_video(test_spoke({256, 300, 4}, 3, 9), kSource, 1);
+  const Bytes whole = encode_cat240_video(test_spoke({256, 300, 4}, 3, 9), kOtherSource, 1);
   for (std::size_t size = 1; size < whole.size(); ++size) {
     Bytes cut(whole.begin(), whole.begin() + size);
     ASSERT_EQ(kind_of_refusal(cut), WireErrorKind::truncated) << size;
@@ -161,7 +161,7 @@ TEST(Cat240Reading, ValuesTheFormatDoesNotAllowAreRefused) {
 }
 
 TEST(Cat240Reading, ErrorsSayWhereInTheDatagram) {
-  const Bytes good = encode_cat240_summary("abc", kSource, UtcTime{});
+  const Bytes good = encode_cat240_summary("abc", kOtherSource, UtcTime{});
   const auto records = decode_cat240(good + block({0xC0, 1, 2, 9}));
   ASSERT_FALSE(records.ok());
   EXPECT_EQ(records.error().offset, good.size() + 3 + 4);
