@@ -30,6 +30,13 @@ inline RadarModel model_at(double scale_nm, const RadarSet& set = {}, ScenarioTi
                      SpokeClock(set.rpm, geometry.spokes_per_turn, start), 0);
 }
 
+// A radar of 3000 Hz on every scale.
+inline RadarModel fast_model(double scale_nm) {
+  RadarSet set;
+  set.pulses = {{0.5e-6, 5e6, 3000.0, 96.0}};
+  return model_at(scale_nm, set);
+}
+
 // Rows of power, one for each spoke.
 class Picture {
  public:

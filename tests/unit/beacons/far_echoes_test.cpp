@@ -10,15 +10,10 @@ namespace skerry::echo {
 namespace {
 
 using beacons::at;
+using beacons::fast_model;
 using beacons::kNauticalMile;
 using beacons::model_at;
 using beacons::propagation_of;
-
-RadarModel fast_model(double scale_nm) {
-  RadarSet set;
-  set.pulses = {{0.5e-6, 5e6, 3000.0, 96.0}};
-  return model_at(scale_nm, set);
-}
 
 Scene ducted() {
   Scene scene;

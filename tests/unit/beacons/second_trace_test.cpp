@@ -10,15 +10,8 @@
 namespace skerry::echo {
 namespace {
 
+using beacons::fast_model;
 using beacons::kNauticalMile;
-using beacons::model_at;
-
-// A radar of 3000 Hz on every scale.
-RadarModel fast_model(double scale_nm) {
-  RadarSet set;
-  set.pulses = {{0.5e-6, 5e6, 3000.0, 96.0}};
-  return model_at(scale_nm, set);
-}
 
 PointEcho point_at(double nm, float power = 100.0f) {
   PointEcho point;
