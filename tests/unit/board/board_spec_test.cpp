@@ -52,7 +52,7 @@ std::string hex(std::uint32_t value, int digits) {
   return text;
 }
 
-std::string name_of(Access access) {
+std::string access_name(Access access) {
   switch (access) {
     case Access::read_only:
       return "r";
@@ -78,9 +78,13 @@ TEST(BoardSpec, HasEveryRegisterOfTheMapAsItIs) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const RegisterInfo& info = all_registers()[i];
     const std::string reset = info.address == 0 ? hex(kIdentity, 8) : std::to_string(info.reset);
-    const Row expected = {
-        hex(info.address, 3),   std::string(info.name), name_of(info.access), range_of(info), reset,
-        std::string(info.unit), std::string(info.what)};
+    const Row expected = {hex(info.address, 3),
+                          std::string(info.name),
+                          access_name(info.access),
+                          range_of(info),
+                          reset,
+                          std::string(info.unit),
+                          std::string(info.what)};
     EXPECT_EQ(rows[i], expected);
   }
 }
@@ -95,7 +99,7 @@ TEST(BoardSpec, HasEveryRegisterOfTheDigitisersPageAsItIs) {
         row.reg ? std::string(find_register(address_of(*row.reg))->name) : std::string();
     const Row expected = {hex(row.info->address - kDigdarPage, 2),
                           std::string(row.info->name.substr(7)),
-                          name_of(row.info->access),
+                          access_name(row.info->access),
                           range_of(*row.info),
                           uses[static_cast<std::size_t>(row.use)],
                           own,

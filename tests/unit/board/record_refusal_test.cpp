@@ -36,9 +36,8 @@ void expect_refused(const Bytes& record, const Lie& lie) {
   EXPECT_FALSE(decoded.error().text.empty());
 }
 
-using enum WireErrorKind;
-
 TEST(SweepRecord, IsRefusedWhereItLies) {
+  using enum WireErrorKind;
   const Bytes record = encoded(test_sweep(1, 40, 40));  // 192 + 128 + 128 bytes
   ASSERT_EQ(record.size(), 448u);
   const std::vector<Lie> lies = {
@@ -78,6 +77,7 @@ TEST(SweepRecord, IsRefusedWhereItLies) {
 }
 
 TEST(EdgesRecord, IsRefusedWhereItLies) {
+  using enum WireErrorKind;
   Edges edges = {.radar = 1,
                  .sample_clock_hz = 20'000'000,
                  .from_tick = 100,
@@ -100,6 +100,7 @@ TEST(EdgesRecord, IsRefusedWhereItLies) {
 }
 
 TEST(EventRecord, IsRefusedWhereItLies) {
+  using enum WireErrorKind;
   const Bytes record = encoded(test_event(1));
   expect_refused(record, {"nothing happened", 32, {0, 0, 0, 0}, out_of_range, 32});
   expect_refused(record, {"two things at once", 32, {3, 0, 0, 0}, out_of_range, 32});
@@ -109,6 +110,7 @@ TEST(EventRecord, IsRefusedWhereItLies) {
 }
 
 TEST(Records, CutAnywhereAreRefusedAsCut) {
+  using enum WireErrorKind;
   for (const Bytes& record :
        {encoded(test_sweep(3, 50, 10)), encoded(test_edges(1, 7)), encoded(test_event(1))}) {
     for (std::size_t length = 0; length < record.size(); ++length) {

@@ -14,10 +14,6 @@
 namespace skerry::board {
 namespace {
 
-using State = SweepRingReader::State;
-
-constexpr std::size_t kBytes = kRingHeader + kLeastRingCapacity;
-
 // A process that does `what` and says by a byte down a pipe when it got to a place of its own.
 class Process {
  public:
@@ -56,7 +52,7 @@ class Process {
 };
 
 TEST(RingProcesses, AReaderThatIsKilledInTheMiddleChangesNothing) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto survivor = SweepRingReader::open(pages.readable());
   ASSERT_TRUE(survivor.has_value());
@@ -70,7 +66,7 @@ TEST(RingProcesses, AReaderThatIsKilledInTheMiddleChangesNothing) {
       bool said = false;
       for (;;) {
         (void)reader->wait(std::chrono::seconds(10));
-        while (reader->take(mine) == State::record) {
+        while (reader->take(mine) == RingState::record) {
           if (!said) say();
           said = true;
         }
@@ -79,7 +75,7 @@ TEST(RingProcesses, AReaderThatIsKilledInTheMiddleChangesNothing) {
     ASSERT_TRUE(dying.heard());
     for (int n = 0; n < 40; ++n, ++sequence) {
       writer.write(ring_record(sequence, ring_record_size(sequence)), sequence, 1);
-      ASSERT_EQ(survivor->take(record), State::record);
+      ASSERT_EQ(survivor->take(record), RingState::record);
       ASSERT_TRUE(is_ring_record(record, ring_record_size(sequence)));
     }
     ASSERT_TRUE(dying.heard());  // it is in the midst of taking
@@ -87,13 +83,13 @@ TEST(RingProcesses, AReaderThatIsKilledInTheMiddleChangesNothing) {
     EXPECT_TRUE(WIFSIGNALED(status));
     writer.write(ring_record(sequence, 4096), sequence, 1);
     ++sequence;
-    ASSERT_EQ(survivor->take(record), State::record);
+    ASSERT_EQ(survivor->take(record), RingState::record);
   }
   EXPECT_EQ(survivor->records_lost(), 0u);
 }
 
 TEST(RingProcesses, AReaderCannotWriteIntoTheRing) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   Process vandal([&](const std::function<void()>& say) {
     say();
@@ -107,7 +103,7 @@ TEST(RingProcesses, AReaderCannotWriteIntoTheRing) {
 }
 
 TEST(RingProcesses, WhatAWriterLeftBehindIsReadAndNothingElse) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   Process writing([&](const std::function<void()>& say) {
     SweepRingWriter writer(pages.writable());
     std::uint64_t sequence = 0;
@@ -123,7 +119,7 @@ TEST(RingProcesses, WhatAWriterLeftBehindIsReadAndNothingElse) {
   Bytes record;
   std::uint64_t first = 0, last = 0, taken = 0;
   const auto take_all = [&] {
-    while (reader->take(record) == State::record) {
+    while (reader->take(record) == RingState::record) {
       last = record_prefix(record)->sequence;
       ASSERT_TRUE(is_ring_record(record, last < 50 ? 64 : ring_record_size(last)));
       if (taken == 0) first = last - reader->records_lost();
@@ -138,20 +134,20 @@ TEST(RingProcesses, WhatAWriterLeftBehindIsReadAndNothingElse) {
   writing.end(SIGKILL);
   take_all();
   EXPECT_EQ(taken + reader->records_lost(), last - first + 1);
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
   EXPECT_FALSE(reader->wait(std::chrono::milliseconds(1)));
 
   // Its successor, in the same memory.
   SweepRingWriter writer(pages.writable());
   writer.write(ring_record(7, 4096), 7, 1);
-  ASSERT_EQ(reader->take(record), State::record);
+  ASSERT_EQ(reader->take(record), RingState::record);
   EXPECT_TRUE(is_ring_record(record, 4096));
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
 }
 
 // A write that was begun and never ended: the counters as they stand when its process dies.
 TEST(RingProcesses, OfARecordHalfWrittenNothingIsSeen) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   for (std::uint64_t sequence = 0; sequence < 9; ++sequence) {
     writer.write(ring_record(sequence, 32'768), sequence, 1);
@@ -166,11 +162,11 @@ TEST(RingProcesses, OfARecordHalfWrittenNothingIsSeen) {
   header->reserved.store(26 * 32'768);
   std::fill_n(pages.writable().begin() + kRingHeader + 8 * 32'768, 40'000, std::uint8_t{0xEE});
   Bytes record;
-  ASSERT_EQ(slow->take(record), State::record);
+  ASSERT_EQ(slow->take(record), RingState::record);
   EXPECT_EQ(record_prefix(record)->sequence, 23u);
   EXPECT_TRUE(is_ring_record(record, 32'768));
   EXPECT_EQ(slow->records_lost(), 14u);
-  EXPECT_EQ(slow->take(record), State::empty);
+  EXPECT_EQ(slow->take(record), RingState::empty);
 }
 
 }  // namespace

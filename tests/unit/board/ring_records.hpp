@@ -4,9 +4,15 @@
 #include <cstdint>
 #include <span>
 
+#include "protocol/board/ring_memory.hpp"
 #include "protocol/board/sweep_record.hpp"
+#include "protocol/board/sweep_ring.hpp"
 
 namespace skerry::board {
+
+using RingState = SweepRingReader::State;
+
+inline constexpr std::size_t kRingBytes = kRingHeader + kLeastRingCapacity;
 
 // As an encoder makes it, but of what is between header and end only the size counts.
 inline Bytes ring_record(std::uint64_t sequence, std::size_t size) {

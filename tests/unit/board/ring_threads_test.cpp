@@ -13,8 +13,6 @@
 namespace skerry::board {
 namespace {
 
-using State = SweepRingReader::State;
-
 constexpr std::uint64_t kRecords = 4000;
 constexpr std::size_t kSizes = 64;
 
@@ -34,16 +32,16 @@ Tally read_all(SweepRingReader& reader) {
   Bytes record;
   while (!tally.closed) {
     switch (reader.take(record)) {
-      case State::record: {
+      case RingState::record: {
         const std::uint64_t sequence = record_prefix(record)->sequence;
         tally.wrong += !is_ring_record(record, size_of(sequence));
         ++tally.taken;
         break;
       }
-      case State::empty:
+      case RingState::empty:
         (void)reader.wait(std::chrono::seconds(10));
         break;
-      case State::closed:
+      case RingState::closed:
         tally.closed = true;
         break;
     }
@@ -95,9 +93,9 @@ TEST(RingThreads, AReaderThatIsOvertakenWhileItCopiesNeverSeesIt) {
   std::thread thread([&] {
     Bytes record;
     for (;;) {
-      const State state = reader->take(record);
-      if (state == State::closed) break;
-      if (state == State::empty) continue;
+      const RingState state = reader->take(record);
+      if (state == RingState::closed) break;
+      if (state == RingState::empty) continue;
       begun = true;
       ++taken;
       wrong += !is_ring_record(record, 4096);
@@ -124,9 +122,9 @@ TEST(RingThreads, ASleeperIsWokenByEveryWriteAndByTheEnd) {
     for (;;) {
       // An hour: only the wake ends it.
       if (!reader->wait(std::chrono::hours(1))) every = false;
-      const State state = reader->take(record);
-      if (state == State::closed) return;
-      if (state == State::record) ++taken;
+      const RingState state = reader->take(record);
+      if (state == RingState::closed) return;
+      if (state == RingState::record) ++taken;
     }
   });
   for (std::uint64_t sequence = 0; sequence < 300; ++sequence) {

@@ -12,10 +12,7 @@
 namespace skerry::board {
 namespace {
 
-using State = SweepRingReader::State;
 using std::chrono::milliseconds;
-
-constexpr std::size_t kBytes = kRingHeader + kLeastRingCapacity;
 
 void write_one(SweepRingWriter& writer, std::uint64_t sequence, std::size_t size) {
   writer.write(ring_record(sequence, size), sequence, 1);
@@ -29,29 +26,29 @@ TEST(SweepRing, IsOfAtLeastTheCapacityAskedForInSteps) {
 }
 
 TEST(SweepRing, GivesEveryRecordInOrderToAReaderThatKeepsUp) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   ASSERT_TRUE(reader.has_value());
   Bytes record;
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
   EXPECT_TRUE(record.empty());
   // Several times round, so that fillers of many sizes come.
   for (std::uint64_t sequence = 100; sequence < 1100; ++sequence) {
     const std::size_t size = ring_record_size(sequence);
     write_one(writer, sequence, size);
-    ASSERT_EQ(reader->take(record), State::record) << sequence;
+    ASSERT_EQ(reader->take(record), RingState::record) << sequence;
     ASSERT_TRUE(is_ring_record(record, size)) << sequence;
     ASSERT_EQ(record_prefix(record)->sequence, sequence);
-    ASSERT_EQ(reader->take(record), State::empty);
+    ASSERT_EQ(reader->take(record), RingState::empty);
   }
   EXPECT_EQ(reader->records_lost(), 0u);
   writer.close();
-  EXPECT_EQ(reader->take(record), State::closed);
+  EXPECT_EQ(reader->take(record), RingState::closed);
 }
 
 TEST(SweepRing, TakesManyRecordsInOneWriteHoweverManyTheyAre) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   ASSERT_TRUE(reader.has_value());
@@ -67,7 +64,7 @@ TEST(SweepRing, TakesManyRecordsInOneWriteHoweverManyTheyAre) {
       ++sequence;
     }
     writer.write(batch, first, static_cast<std::uint32_t>(sequence - first));
-    while (reader->take(record) == State::record) {
+    while (reader->take(record) == RingState::record) {
       ASSERT_TRUE(is_ring_record(record, ring_record_size(taken) % 8192 + 64)) << taken;
       ++taken;
     }
@@ -77,7 +74,7 @@ TEST(SweepRing, TakesManyRecordsInOneWriteHoweverManyTheyAre) {
 }
 
 TEST(SweepRing, BeginsBehindTheNewestRecordForWhoOpensItLater) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   for (std::uint64_t sequence = 0; sequence < 77; ++sequence) {
     write_one(writer, sequence, ring_record_size(sequence));
@@ -85,16 +82,16 @@ TEST(SweepRing, BeginsBehindTheNewestRecordForWhoOpensItLater) {
   auto reader = SweepRingReader::open(pages.readable());
   ASSERT_TRUE(reader.has_value());
   Bytes record;
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
   write_one(writer, 77, 128);
-  ASSERT_EQ(reader->take(record), State::record);
+  ASSERT_EQ(reader->take(record), RingState::record);
   EXPECT_EQ(record_prefix(record)->sequence, 77u);
   EXPECT_EQ(reader->records_lost(), 0u);
 }
 
 TEST(SweepRing, CountsExactlyWhatAReaderMissedAndGoesOnWithTheNewest) {
   std::mt19937 random(3);
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   ASSERT_TRUE(reader.has_value());
@@ -106,7 +103,7 @@ TEST(SweepRing, CountsExactlyWhatAReaderMissedAndGoesOnWithTheNewest) {
       write_one(writer, sequence, ring_record_size(sequence));
     }
     const std::uint64_t lost = reader->records_lost();
-    for (std::uint64_t n = random() % 40; n > 0 && reader->take(record) == State::record; --n) {
+    for (std::uint64_t n = random() % 40; n > 0 && reader->take(record) == RingState::record; --n) {
       const std::uint64_t here = record_prefix(record)->sequence;
       ASSERT_TRUE(is_ring_record(record, ring_record_size(here)));
       ++taken;
@@ -114,38 +111,38 @@ TEST(SweepRing, CountsExactlyWhatAReaderMissedAndGoesOnWithTheNewest) {
     }
     overtaken += reader->records_lost() != lost;
   }
-  while (reader->take(record) == State::record) ++taken;
+  while (reader->take(record) == RingState::record) ++taken;
   EXPECT_EQ(taken + reader->records_lost(), sequence - 5);
   EXPECT_GT(overtaken, 20u);
   EXPECT_GT(taken, 1000u);
 }
 
 TEST(SweepRing, JumpsToTheNewestRecordNotBeyondIt) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   for (std::uint64_t sequence = 0; sequence < 100; ++sequence) write_one(writer, sequence, 65'536);
   Bytes record;
-  ASSERT_EQ(reader->take(record), State::record);
+  ASSERT_EQ(reader->take(record), RingState::record);
   EXPECT_EQ(record_prefix(record)->sequence, 99u);
   EXPECT_EQ(reader->records_lost(), 99u);
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
 }
 
 TEST(SweepRing, CountsGapsThatTheWriterHasAndNoneWhereTheBoardBeganAnew) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   Bytes record;
   for (const std::uint64_t sequence : {10u, 11u, 15u, 16u, 0u, 1u}) {
     write_one(writer, sequence, 64);
-    ASSERT_EQ(reader->take(record), State::record);
+    ASSERT_EQ(reader->take(record), RingState::record);
   }
   EXPECT_EQ(reader->records_lost(), 3u);
 }
 
 TEST(SweepRing, RefusesWhatAreNoWholeRecordsAndStaysAsItWas) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   Bytes two = ring_record(0, 128);
@@ -157,24 +154,24 @@ TEST(SweepRing, RefusesWhatAreNoWholeRecordsAndStaysAsItWas) {
   EXPECT_THROW(writer.write(Bytes(64, 0), 0, 1), std::invalid_argument);
   EXPECT_THROW(writer.write(Bytes(64, 0xFF), 0, 1), std::invalid_argument);
   Bytes record;
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
   writer.write({}, 0, 0);
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
   writer.write(two, 0, 2);
-  EXPECT_EQ(reader->take(record), State::record);
+  EXPECT_EQ(reader->take(record), RingState::record);
 }
 
 TEST(SweepRing, IsNotMadeInMemoryThatDoesNotFit) {
-  SharedPages pages(kBytes + 4096);
+  SharedPages pages(kRingBytes + 4096);
   EXPECT_THROW(SweepRingWriter(pages.writable()), std::invalid_argument);
   EXPECT_THROW(SweepRingWriter(pages.writable().first(4096)), std::invalid_argument);
   EXPECT_THROW(SweepRingWriter(pages.writable().first(0)), std::invalid_argument);
-  EXPECT_THROW(SweepRingWriter(pages.writable().subspan(64, kBytes)), std::invalid_argument);
-  EXPECT_NO_THROW(SweepRingWriter(pages.writable().first(kBytes)));
+  EXPECT_THROW(SweepRingWriter(pages.writable().subspan(64, kRingBytes)), std::invalid_argument);
+  EXPECT_NO_THROW(SweepRingWriter(pages.writable().first(kRingBytes)));
 }
 
 TEST(SweepRing, WaitEndsWhenTheTimeIsUpAndAtOnceWhereThereIsSomething) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   SweepRingWriter writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   EXPECT_FALSE(reader->wait(milliseconds(-5)));
@@ -187,18 +184,18 @@ TEST(SweepRing, WaitEndsWhenTheTimeIsUpAndAtOnceWhereThereIsSomething) {
   EXPECT_FALSE(reader->wait(milliseconds(1)));
   writer.close();
   EXPECT_TRUE(reader->wait(std::chrono::hours(1)));
-  EXPECT_EQ(reader->take(record), State::closed);
+  EXPECT_EQ(reader->take(record), RingState::closed);
 }
 
 TEST(SweepRing, MadeAnewInTheSameMemoryIsReadOnWithoutAnOldByte) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   std::optional<SweepRingWriter> writer(pages.writable());
   auto reader = SweepRingReader::open(pages.readable());
   for (std::uint64_t sequence = 0; sequence < 30; ++sequence) write_one(*writer, sequence, 4096);
   Bytes record;
-  ASSERT_EQ(reader->take(record), State::record);
+  ASSERT_EQ(reader->take(record), RingState::record);
   writer.emplace(pages.writable());
-  EXPECT_EQ(reader->take(record), State::empty);
+  EXPECT_EQ(reader->take(record), RingState::empty);
   auto later = SweepRingReader::open(pages.readable());
   ASSERT_TRUE(later.has_value());
   for (std::uint64_t sequence = 500; sequence < 503; ++sequence) {
@@ -206,28 +203,28 @@ TEST(SweepRing, MadeAnewInTheSameMemoryIsReadOnWithoutAnOldByte) {
   }
   for (auto* each : {&reader, &later}) {
     for (std::uint64_t sequence = 500; sequence < 503; ++sequence) {
-      ASSERT_EQ((*each)->take(record), State::record);
+      ASSERT_EQ((*each)->take(record), RingState::record);
       EXPECT_TRUE(is_ring_record(record, ring_record_size(sequence)));
       EXPECT_EQ(record_prefix(record)->sequence, sequence);
     }
-    EXPECT_EQ((*each)->take(record), State::empty);
+    EXPECT_EQ((*each)->take(record), RingState::empty);
   }
   EXPECT_EQ(reader->records_lost(), 499u);  // 1 .. 499 by their sequence
   EXPECT_EQ(later->records_lost(), 0u);
 }
 
 TEST(SweepRing, IsNotOpenedInMemoryThatIsNone) {
-  SharedPages pages(kBytes);
+  SharedPages pages(kRingBytes);
   EXPECT_FALSE(SweepRingReader::open({}).has_value());
   EXPECT_FALSE(SweepRingReader::open(pages.readable()).has_value());
   SweepRingWriter writer(pages.writable());
   ASSERT_TRUE(SweepRingReader::open(pages.readable()).has_value());
-  EXPECT_FALSE(SweepRingReader::open(pages.readable().first(kBytes - 1)).has_value());
+  EXPECT_FALSE(SweepRingReader::open(pages.readable().first(kRingBytes - 1)).has_value());
   EXPECT_FALSE(SweepRingReader::open(pages.readable().first(4096)).has_value());
   EXPECT_FALSE(SweepRingReader::open(pages.readable().subspan(8)).has_value());
   // Magic, version, bytes of the header, and capacity: none at all, odd, and far too much.
   const auto with = [&](std::size_t offset, std::initializer_list<int> bytes) {
-    SharedPages other(kBytes);
+    SharedPages other(kRingBytes);
     SweepRingWriter made(other.writable());
     std::size_t at = offset;
     for (const int byte : bytes) other.writable()[at++] = static_cast<std::uint8_t>(byte);
@@ -250,7 +247,7 @@ TEST(SweepRing, OfGarbageHarmsNoReader) {
   Bytes record;
   std::size_t records = 0;
   for (int round = 0; round < 200; ++round) {
-    SharedPages pages(kBytes);
+    SharedPages pages(kRingBytes);
     SweepRingWriter writer(pages.writable());
     for (std::uint64_t sequence = 0; sequence < 20; ++sequence) {
       write_one(writer, sequence, ring_record_size(sequence) % 4096 + 64);
@@ -267,9 +264,9 @@ TEST(SweepRing, OfGarbageHarmsNoReader) {
         pages.writable()[at + i] = static_cast<std::uint8_t>(random() % 3 == 0 ? 0xFF : random());
       }
       if (choice == 3) write_one(writer, random(), ring_record_size(random()));
-      const State state = reader->take(record);
-      ASSERT_EQ(state == State::record, !record.empty());
-      if (state == State::record) {
+      const RingState state = reader->take(record);
+      ASSERT_EQ(state == RingState::record, !record.empty());
+      if (state == RingState::record) {
         ++records;
         ASSERT_EQ(record_prefix(record)->size, record.size());
       }
