@@ -18,9 +18,9 @@ std::vector<AzimuthGenerator::Pulse> pulses_of(AzimuthGenerator& azimuth, std::s
 
 // 12,500 ticks to an ACP, 51,200,000 to a turn.
 RotationSettings whole() { return {.clock_hz = 20'480'000, .seed = 11}; }
-constexpr double kTurn = 51'200'000.0;
+constexpr double kWholeTurn = 51'200'000.0;
 
-double off_by(Azimuth azimuth, double turns) { return (azimuth.in_turns() - turns) * kTurn; }
+double off_by(Azimuth azimuth, double turns) { return (azimuth.in_turns() - turns) * kWholeTurn; }
 
 TEST(AzimuthGenerator, AtOneAzimuthAcpThenArpThenHeading) {
   AzimuthGenerator azimuth(whole());
@@ -45,7 +45,7 @@ TEST(AzimuthGenerator, TheArpStandsWhereItsErrorPutsIt) {
     }
     const double place = (error < 0 ? 65'536 + error : error) / 65'536.0;
     for (std::size_t n = 0; n < 3; ++n) {
-      EXPECT_NEAR(static_cast<double>(arps[n]), (static_cast<double>(n) + place) * kTurn, 0.5);
+      EXPECT_NEAR(static_cast<double>(arps[n]), (static_cast<double>(n) + place) * kWholeTurn, 0.5);
     }
   }
 }

@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using board::Access;
 
-std::vector<board::RegisterInfo> everything() {
+std::vector<board::RegisterInfo> every_register() {
   std::vector<board::RegisterInfo> all(board::all_registers().begin(),
                                        board::all_registers().end());
   for (std::uint32_t n = 0; n < board::kFaultReasonBytes / 4; ++n) {
@@ -23,7 +23,7 @@ std::vector<board::RegisterInfo> everything() {
 
 std::map<std::uint32_t, std::uint32_t> map_of(const Harness& b) {
   std::map<std::uint32_t, std::uint32_t> map;
-  for (const board::RegisterInfo& info : everything()) map[info.address] = b.read(info.address);
+  for (const board::RegisterInfo& info : every_register()) map[info.address] = b.read(info.address);
   return map;
 }
 
@@ -63,7 +63,7 @@ TEST(RegisterFile, WhatIsRefusedChangesNothing) {
     EXPECT_EQ(b.board.write(address, value), error) << std::hex << address << " = " << value;
     EXPECT_EQ(map_of(b), before) << std::hex << address << " = " << value;
   };
-  for (const board::RegisterInfo& info : everything()) {
+  for (const board::RegisterInfo& info : every_register()) {
     refused(info.address + 1, 0, RegisterError::misaligned);
     refused(info.address + 2, 1, RegisterError::misaligned);
     if (info.access == Access::read_only) {
