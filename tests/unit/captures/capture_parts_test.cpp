@@ -13,8 +13,8 @@
 namespace skerry::captures {
 namespace {
 
-constexpr Ipv4Endpoint kFrom{ipv4(192, 0, 2, 1), 1024}, kTo{ipv4(239, 1, 2, 3), 8600};
-constexpr UtcTime kBegin{Duration(1'714'564'800'123'456'789)};
+constexpr Ipv4Endpoint kTo{ipv4(239, 1, 2, 3), 8600};
+constexpr UtcTime kMoment{Duration(1'714'564'800'123'456'789)};
 
 Bytes numbers(std::size_t count) {
   Bytes bytes(count);
@@ -27,7 +27,7 @@ Bytes capture_of(const std::vector<Bytes>& payloads) {
   PcapWriter writer([&](std::span<const std::uint8_t> more) {
     bytes.insert(bytes.end(), more.begin(), more.end());
   });
-  for (const Bytes& payload : payloads) writer.add(kBegin, kFrom, kTo, payload);
+  for (const Bytes& payload : payloads) writer.add(kMoment, kFrom, kTo, payload);
   return bytes;
 }
 
@@ -38,7 +38,7 @@ TEST(PcapWriter, WritesWhatTheReaderReads) {
   }
   std::vector<Bytes> got;
   const auto counts = capture::read_capture(capture_of(payloads), [&](const auto& datagram) {
-    EXPECT_EQ(datagram.time, kBegin);
+    EXPECT_EQ(datagram.time, kMoment);
     EXPECT_EQ(datagram.from, kFrom);
     EXPECT_EQ(datagram.to, kTo);
     got.emplace_back(datagram.payload.begin(), datagram.payload.end());
@@ -116,7 +116,7 @@ TEST(CaptureFile, IsGivenUpWhenAsked) {
 
 class ShipTrackTest : public testing::Test {
  protected:
-  bool hear(const Bytes& payload) { return ship_.hear({kBegin, kFrom, kTo, payload}); }
+  bool hear(const Bytes& payload) { return ship_.hear({kMoment, kFrom, kTo, payload}); }
   bool hear(const std::string& text) { return hear(Bytes(text.begin(), text.end())); }
   ShipTrack ship_;
 };
@@ -135,7 +135,7 @@ TEST_F(ShipTrackTest, HearsNmeaBareAndInDatagramsOf61162450) {
   vtg.course_deg = 200.0;
   vtg.speed_kn = 12.5;
   EXPECT_TRUE(hear(nmea::encode(vtg)));
-  const wire::OwnShip own = ship_.own_ship(2, kBegin);
+  const wire::OwnShip own = ship_.own_ship(2, kMoment);
   EXPECT_EQ(own.radar(), 2u);
   EXPECT_NEAR(own.latitude_deg(), -33.5, 1e-6);
   EXPECT_NEAR(own.longitude_deg(), 179.75, 1e-6);
@@ -149,13 +149,13 @@ TEST_F(ShipTrackTest, HearsThePacketsOfAHalosNetwork) {
   EXPECT_TRUE(hear(navico::encode(navico::HeadingPacket{1, 270.0})));
   EXPECT_TRUE(hear(navico::encode(navico::NavigationPacket{1, 45.0, 5.0})));
   EXPECT_NEAR(ship_.heading()->in_degrees(), 270.0, 0.01);
-  EXPECT_NEAR(ship_.own_ship(0, kBegin).speed_over_ground_kn(), 9.719, 0.01);
+  EXPECT_NEAR(ship_.own_ship(0, kMoment).speed_over_ground_kn(), 9.719, 0.01);
   EXPECT_FALSE(ship_.position().has_value());
 }
 
 TEST_F(ShipTrackTest, BelievesNothingThatIsNotValid) {
   nmea::Rmc rmc;
-  rmc.utc = kBegin;
+  rmc.utc = kMoment;
   rmc.position = GeoPoint{1.0, 2.0};
   rmc.valid = false;
   rmc.mode = 'N';

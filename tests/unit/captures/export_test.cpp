@@ -12,8 +12,6 @@
 namespace skerry::captures {
 namespace {
 
-constexpr UtcTime kBegin{std::chrono::seconds(1'714'564'800)};
-
 // A recording of one radar with own ship and settings: `spokes` spokes.
 void write_recording(const std::string& path, const ScanGeometry& geometry, std::uint32_t spokes,
                      double reach_m) {

@@ -14,9 +14,7 @@
 namespace skerry::captures {
 namespace {
 
-constexpr Ipv4Endpoint kFrom{ipv4(192, 0, 2, 1), 1024};
 constexpr Ipv4Endpoint kCat240{ipv4(239, 1, 2, 3), 8600}, kQuantum{ipv4(232, 1, 1, 1), 2574};
-constexpr UtcTime kBegin{std::chrono::seconds(1'714'564'800)};
 
 class TestCapture {
  public:

@@ -19,6 +19,10 @@
 
 namespace skerry::captures {
 
+// When captures made for a test begin, and who sends them.
+inline constexpr UtcTime kBegin{std::chrono::seconds(1'714'564'800)};
+inline constexpr Ipv4Endpoint kFrom{ipv4(192, 0, 2, 1), 1024};
+
 // A file of its own that goes with the test.
 class TestFile {
  public:
