@@ -16,6 +16,7 @@
 #include "echo/chart/gdal/vector_chart.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "echo/kernel/hash.hpp"
+#include "tests/unit/chart_gdal/geo_box.hpp"
 #include "tests/unit/chart_gdal/temporary_folder.hpp"
 
 namespace skerry::echo {
@@ -27,7 +28,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-using Line = std::vector<GeoPoint>;
 constexpr double kEarth = 2.1e7;
 
 std::string json_of(const Line& line, bool closed) {
@@ -38,25 +38,22 @@ std::string json_of(const Line& line, bool closed) {
   }
   return fmt::format("[{}]", fmt::join(places, ","));
 }
-std::string feature(const std::string& type, const std::string& coordinates,
-                    const std::string& kind) {
+std::string feature_of(const std::string& type, const std::string& coordinates,
+                       const std::string& kind) {
   return fmt::format(
       R"({{"type": "Feature", "properties": {{"kind": "{}"}},
           "geometry": {{"type": "{}", "coordinates": {}}}}})",
       kind, type, coordinates);
 }
-std::string polygon(const std::vector<Line>& rings, const std::string& kind = "") {
+std::string polygon_of(const std::vector<Line>& rings, const std::string& kind = "") {
   std::vector<std::string> texts;
   for (const Line& ring : rings) texts.push_back(json_of(ring, true));
-  return feature("Polygon", fmt::format("[{}]", fmt::join(texts, ",")), kind);
+  return feature_of("Polygon", fmt::format("[{}]", fmt::join(texts, ",")), kind);
 }
 std::string buoy(double latitude, double longitude) {
-  return feature("Point", fmt::format("[{},{}]", longitude, latitude), "buoy");
+  return feature_of("Point", fmt::format("[{},{}]", longitude, latitude), "buoy");
 }
-Line box(double south, double west, double north, double east) {
-  return {{south, west}, {south, east}, {north, east}, {north, west}};
-}
-const Line kIsland = box(50.0, -1.0, 50.1, -0.9);
+const Line kIslandBox = box(50.0, -1.0, 50.1, -0.9);
 const Line kWorld = box(-90.0, -180.0, 90.0, 180.0);
 
 class ChartBounds : public testing::Test {
@@ -91,7 +88,7 @@ TEST_F(ChartBounds, WorldWidePolygonsAreLandWithHoles) {
   const std::vector<std::vector<Line>> cases = {
       {kWorld}, {kWorld, lake}, {kWorld, lake, pond}, {belt}, {belt, lake}, {cap}, {cap, pond}};
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const CoastChart chart = earth_of({polygon(cases[k])});
+    const CoastChart chart = earth_of({polygon_of(cases[k])});
     EXPECT_THAT(warnings_, IsEmpty()) << "case " << k;
     for (std::uint64_t i = 0; i < 500; ++i) {
       const GeoPoint place = somewhere(i);
@@ -105,7 +102,7 @@ TEST_F(ChartBounds, WorldWidePolygonsAreLandWithHoles) {
 }
 
 TEST_F(ChartBounds, AHoleAcrossTheAntimeridianIsTakenOutOfTheWorld) {
-  const CoastChart chart = earth_of({polygon({kWorld, box(-10.0, 170.0, 10.0, -170.0)})});
+  const CoastChart chart = earth_of({polygon_of({kWorld, box(-10.0, 170.0, 10.0, -170.0)})});
   for (const double longitude : {171.0, 179.9, -180.0, -179.9, -171.0})
     EXPECT_EQ(winding_number(chart, {1.0, longitude}), 0) << longitude;
   for (const double longitude : {169.0, 0.0, -169.0}) {
@@ -116,13 +113,13 @@ TEST_F(ChartBounds, AHoleAcrossTheAntimeridianIsTakenOutOfTheWorld) {
 
 TEST_F(ChartBounds, AWorldWideCoverageWithAHoleLeavesItToTheLowerChart) {
   std::vector<std::unique_ptr<ChartSource>> charts;
-  charts.push_back(
-      open({polygon({kIsland}), polygon({kWorld, box(0.0, 10.0, 10.0, 20.0)}, "coverage")}));
+  charts.push_back(open(
+      {polygon_of({kIslandBox}), polygon_of({kWorld, box(0.0, 10.0, 10.0, 20.0)}, "coverage")}));
   EXPECT_THAT(warnings_, IsEmpty());
   EXPECT_FALSE(dynamic_cast<VectorChart&>(*charts[0]).coverage().contains({5.0, 15.0}));
   for (const double longitude : {-179.9, -90.0, 0.0, 179.9})
     EXPECT_TRUE(dynamic_cast<VectorChart&>(*charts[0]).coverage().contains({-5.0, longitude}));
-  charts.push_back(open({polygon({box(-5.0, 5.0, 5.0, 15.0)})}, "lower.geojson"));
+  charts.push_back(open({polygon_of({box(-5.0, 5.0, 5.0, 15.0)})}, "lower.geojson"));
   const LayeredChart layered(std::move(charts));
   for (const double centre : {15.0, 100.0, -100.0}) {
     const CoastChart window = layered.load({0.0, centre}, metres(1.5e7));
@@ -137,9 +134,9 @@ TEST_F(ChartBounds, AWorldOfLandIsCutByAHigherChart) {
     std::vector<std::unique_ptr<ChartSource>> charts;
     const double east = wrapped_longitude(west + 10.0);
     charts.push_back(open(
-        {polygon({box(1.0, wrapped_longitude(west + 1.0), 2.0, wrapped_longitude(west + 2.0))}),
-         polygon({box(0.0, west, 10.0, east)}, "coverage")}));
-    charts.push_back(open({polygon({kWorld})}, "lower.geojson"));
+        {polygon_of({box(1.0, wrapped_longitude(west + 1.0), 2.0, wrapped_longitude(west + 2.0))}),
+         polygon_of({box(0.0, west, 10.0, east)}, "coverage")}));
+    charts.push_back(open({polygon_of({kWorld})}, "lower.geojson"));
     EXPECT_THAT(warnings_, IsEmpty());
     const GeoPoint centre{5.0, wrapped_longitude(west + 5.0)};
     const CoastChart window = LayeredChart(std::move(charts)).load(centre, metres(1e6));
@@ -157,7 +154,7 @@ TEST_F(ChartBounds, AnUncutPolygonAcrossTheAntimeridianIsLandWithin) {
                   {-17.0, -179.0}, {-16.0, -179.0}, {-16.0, 179.0}};
     const Line lake = box(-16.7, 179.8, -16.3, -179.8);
     if (reversed) std::reverse(outer.begin(), outer.end());
-    const CoastChart chart = earth_of({polygon({outer, lake})});
+    const CoastChart chart = earth_of({polygon_of({outer, lake})});
     EXPECT_THAT(warnings_, IsEmpty());
     for (const double longitude : {179.5, -179.5}) {
       EXPECT_EQ(winding_number(chart, {-16.5, longitude}), 1) << longitude;
@@ -173,7 +170,7 @@ TEST_F(ChartBounds, ARingAroundAPoleHoldsThePoleOfItsHemisphere) {
     ice.push_back({-70.0 + longitude % 20 / 5, 1.0 * longitude});
   for (const bool reversed : {false, true}) {
     if (reversed) std::reverse(ice.begin(), ice.end());
-    const CoastChart chart = earth_of({polygon({ice})});
+    const CoastChart chart = earth_of({polygon_of({ice})});
     EXPECT_THAT(warnings_, IsEmpty());
     for (double longitude = -179.5; longitude < 180.0; longitude += 1.0) {
       EXPECT_EQ(winding_number(chart, {-80.0, longitude}), 1) << longitude;
@@ -182,7 +179,7 @@ TEST_F(ChartBounds, ARingAroundAPoleHoldsThePoleOfItsHemisphere) {
     }
   }
   for (std::size_t i = 0; i < ice.size(); i += 2) ice[i].latitude_deg = 1.0;
-  earth_of({polygon({kIsland}), polygon({ice})});
+  earth_of({polygon_of({kIslandBox}), polygon_of({ice})});
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("which pole")));
 }
 
@@ -191,7 +188,7 @@ TEST_F(ChartBounds, AnOuterRingOfNothingTakesItsHolesAlong) {
   for (const char* kind : {"", "coverage"}) {
     warnings_.clear();
     const CoastChart chart =
-        earth_of({polygon({kIsland}), polygon({flat, box(49.5, 1.0, 49.6, 1.1)}, kind)});
+        earth_of({polygon_of({kIslandBox}), polygon_of({flat, box(49.5, 1.0, 49.6, 1.1)}, kind)});
     EXPECT_THAT(warnings_, Contains(HasSubstr("harbour feature 1")));
     EXPECT_EQ(winding_number(chart, {50.05, -0.95}), 1);
   }
@@ -201,7 +198,7 @@ TEST_F(ChartBounds, ATangledRingIsLeftOutAndNamed) {
   Line tangle;
   for (std::uint64_t i = 0; i < 3000; ++i)
     tangle.push_back({50.0 + as_unit(mixed(i, 1)), as_unit(mixed(i, 2))});
-  const CoastChart chart = earth_of({polygon({kIsland}), polygon({tangle})});
+  const CoastChart chart = earth_of({polygon_of({kIslandBox}), polygon_of({tangle})});
   EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("harbour.geojson: harbour feature 1"),
                                            HasSubstr("cross more than 1000 times"))));
   EXPECT_EQ(chart.rings.size(), 1u);
@@ -217,17 +214,17 @@ TEST_F(ChartBounds, AHoleThatCrossesItsRingEverywhereIsLeftOut) {
     across.insert(across.end(), {{y, 1.2}, {y, -0.05}, {y + 0.005, -0.05}, {y + 0.005, 1.2}});
   }
   comb.insert(comb.end(), {{49.9, 1.5}, {52.0, 1.5}});
-  earth_of({polygon({kIsland}), polygon({comb, across})});
+  earth_of({polygon_of({kIslandBox}), polygon_of({comb, across})});
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("cross more than 1000 times")));
 }
 
 TEST_F(ChartBounds, ManyTangledPolygonsAreMendedUpToABound) {
-  std::vector<std::string> features = {polygon({kIsland})};
+  std::vector<std::string> features = {polygon_of({kIslandBox})};
   for (unsigned k = 0; k < 40; ++k) {
     Line tangle;
     for (std::uint64_t i = 0; i < 45; ++i)
       tangle.push_back({10.0 + as_unit(mixed(k, i, 1)), 1.0 * k + 0.9 * as_unit(mixed(k, i, 2))});
-    features.push_back(polygon({tangle}));
+    features.push_back(polygon_of({tangle}));
   }
   earth_of(features);
   EXPECT_THAT(warnings_, Contains(HasSubstr("mended")));
@@ -241,7 +238,7 @@ TEST_F(ChartBounds, ASlantingCombIsLeftOutBeforeItsEdgesAreComparedWithOneAnothe
     comb.insert(comb.end(), {{20.0 - x, x}, {40.0 - x, 20.0 + x}});
   }
   comb.push_back({45.0, 0.0});
-  earth_of({polygon({kIsland}), polygon({comb})});
+  earth_of({polygon_of({kIslandBox}), polygon_of({comb})});
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("left out")));
 }
 
@@ -250,7 +247,7 @@ TEST_F(ChartBounds, ObjectsAloneCoverNothing) {
   charts.push_back(open({buoy(40.0, -20.0), buoy(60.0, 20.0), buoy(50.05, -0.95)}));
   EXPECT_FALSE(dynamic_cast<VectorChart&>(*charts[0]).coverage().everywhere());
   EXPECT_FALSE(dynamic_cast<VectorChart&>(*charts[0]).coverage().contains({50.05, -0.95}));
-  charts.push_back(open({polygon({kIsland}), buoy(50.2, -0.95)}, "lower.geojson"));
+  charts.push_back(open({polygon_of({kIslandBox}), buoy(50.2, -0.95)}, "lower.geojson"));
   const CoastChart window = LayeredChart(std::move(charts)).load({50.0, -1.0}, metres(50000));
   EXPECT_THAT(warnings_, IsEmpty());
   EXPECT_EQ(winding_number(window, {50.05, -0.95}), 1);
@@ -264,12 +261,12 @@ TEST_F(ChartBounds, ObjectsAloneCoverNothing) {
 }
 
 TEST_F(ChartBounds, ObjectsDoNotWidenTheCoverageOfLand) {
-  const auto chart = open({polygon({kIsland}), buoy(60.0, 20.0)});
+  const auto chart = open({polygon_of({kIslandBox}), buoy(60.0, 20.0)});
   EXPECT_TRUE(chart->coverage().contains({50.05, -0.95}));
   EXPECT_FALSE(chart->coverage().contains({55.0, 10.0}));
   std::vector<std::unique_ptr<ChartSource>> charts;
-  charts.push_back(open({polygon({kIsland}), buoy(60.0, 20.0)}));
-  charts.push_back(open({polygon({box(59.0, 19.0, 61.0, 19.5)})}, "lower.geojson"));
+  charts.push_back(open({polygon_of({kIslandBox}), buoy(60.0, 20.0)}));
+  charts.push_back(open({polygon_of({box(59.0, 19.0, 61.0, 19.5)})}, "lower.geojson"));
   const CoastChart window = LayeredChart(std::move(charts)).load({60.0, 20.0}, metres(100000));
   EXPECT_EQ(window.objects.size(), 1u) << "outside its chart's coverage";
   EXPECT_EQ(winding_number(window, {60.0, 19.2}), 1);
@@ -279,8 +276,8 @@ TEST_F(ChartBounds, WallsPastTheBoundAreLeftOut) {
   Line wall;
   for (int i = 0; i < 150'000; ++i) wall.push_back({50.0 + 1e-5 * i, 1.0});
   const CoastChart chart =
-      open({polygon({kIsland}), feature("LineString", json_of(wall, false), "pier"),
-            feature("LineString", json_of(wall, false), "breakwater"), buoy(50.2, -0.95)})
+      open({polygon_of({kIslandBox}), feature_of("LineString", json_of(wall, false), "pier"),
+            feature_of("LineString", json_of(wall, false), "breakwater"), buoy(50.2, -0.95)})
           ->load({50.5, 0.0}, metres(300000));
   EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("harbour feature 2"), HasSubstr("200000"))));
   EXPECT_EQ(chart.objects.size(), 2u);

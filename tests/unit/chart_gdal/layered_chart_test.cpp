@@ -13,16 +13,11 @@
 #include "echo/chart/gshhg_reader.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "echo/kernel/hash.hpp"
+#include "tests/unit/chart_gdal/geo_box.hpp"
 #include "tests/unit/chart_gdal/temporary_folder.hpp"
 
 namespace skerry::echo {
 namespace {
-
-using Line = std::vector<GeoPoint>;
-
-Line box(double south, double west, double north, double east) {
-  return {{south, west}, {south, east}, {north, east}, {north, west}};
-}
 
 // A chart of rings as given; shorelines all.
 class DrawnChart final : public CoveredChart {

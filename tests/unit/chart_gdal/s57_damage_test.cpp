@@ -9,6 +9,7 @@
 #include "echo/chart/gdal/s57_chart.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "echo/kernel/hash.hpp"
+#include "tests/unit/chart_gdal/geo_box.hpp"
 #include "tests/unit/chart_gdal/made_cell.hpp"
 #include "tests/unit/chart_gdal/temporary_folder.hpp"
 
@@ -17,10 +18,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-std::vector<GeoPoint> box(double south, double west, double north, double east) {
-  return {{south, west}, {south, east}, {north, east}, {north, west}};
-}
 
 class S57Damage : public testing::Test {
  protected:

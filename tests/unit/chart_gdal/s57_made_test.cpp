@@ -6,6 +6,7 @@
 
 #include "echo/chart/gdal/s57_chart.hpp"
 #include "echo/chart/land_mask.hpp"
+#include "tests/unit/chart_gdal/geo_box.hpp"
 #include "tests/unit/chart_gdal/made_cell.hpp"
 #include "tests/unit/chart_gdal/temporary_folder.hpp"
 
@@ -16,10 +17,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::vector<GeoPoint> box(double south, double west, double north, double east) {
-  return {{south, west}, {south, east}, {north, east}, {north, west}};
-}
 
 // A cell from 50.0 N 1.0 W, a tenth of a degree across; its western third is land.
 MadeCell harbour() {
