@@ -6,6 +6,7 @@
 #include <future>
 
 #include "tests/unit/clients/fake_server.hpp"
+#include "tests/unit/clients/long_wait.hpp"
 #include "tests/unit/clients/synthetic_scan.hpp"
 
 namespace skerry::client {
@@ -14,7 +15,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-constexpr auto kLong = 20s;    // never reached by a test that passes
 constexpr auto kShort = 50ms;  // always reached
 
 ClientResult<SpokeClient> connect_to(const FakeServer& server, Duration timeout = kLong) {

@@ -9,6 +9,7 @@
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/spoke_message.hpp"
+#include "tests/unit/clients/long_wait.hpp"
 #include "tests/unit/clients/synthetic_scan.hpp"
 
 namespace skerry::client {
@@ -16,8 +17,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using boost::asio::ip::udp;
-
-constexpr auto kLong = 20s;
 
 // Sends to an address from a socket of its own.
 class Sender {
