@@ -1,6 +1,7 @@
 // A radar over open sea, for the tests of this room.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,18 @@ inline Scene open_sea(double state) {
   scene.sea.state = state;
   scene.sea.wind_from_deg = 40.0;
   return scene;
+}
+
+inline double bearing_deg(const SpokeAim& aim) { return aim.plane_units * (360.0 / 4294967296.0); }
+
+inline double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  double ma = 0.0, mb = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ma += a[i], mb += b[i], aa += a[i] * a[i], bb += b[i] * b[i], ab += a[i] * b[i];
+  }
+  const double n = static_cast<double>(a.size());
+  return (ab / n - ma * mb / n / n) /
+         std::sqrt((aa / n - ma * ma / n / n) * (bb / n - mb * mb / n / n));
 }
 
 // Calls use(aim, power) for spokes first .. first + count - 1, in sectors of 16.

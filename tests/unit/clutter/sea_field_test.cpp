@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "echo/clutter/gamma_law.hpp"
+#include "tests/unit/clutter/clutter_scene.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -31,16 +32,6 @@ double texture_of(const RankLaw& law, float x) {
   double sum = 0.0;
   for (std::size_t k = law.terms.size(); k-- > 0;) sum = sum * t + law.terms[k];
   return std::exp2(sum);
-}
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  double ma = 0.0, mb = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ma += a[i], mb += b[i], aa += a[i] * a[i], bb += b[i] * b[i], ab += a[i] * b[i];
-  }
-  const double n = static_cast<double>(a.size());
-  return (ab / n - ma * mb / n / n) /
-         std::sqrt((aa / n - ma * ma / n / n) * (bb / n - mb * mb / n / n));
 }
 
 // Texture of shape nu on `lines` lines 300 m apart at a time, moved along them by `shift_m`.

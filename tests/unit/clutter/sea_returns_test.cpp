@@ -16,8 +16,6 @@
 namespace skerry::echo {
 namespace {
 
-double bearing_deg(const SpokeAim& aim) { return aim.plane_units * (360.0 / 4294967296.0); }
-
 // Upwind factor of a cell on a spoke over the profile's mean.
 double wind_factor(const SeaReturns& sea, const Scene& scene, const SpokeAim& aim,
                    std::size_t cell) {

@@ -15,8 +15,6 @@
 namespace skerry::echo {
 namespace {
 
-double bearing_deg(const SpokeAim& aim) { return aim.plane_units * (360.0 / 4294967296.0); }
-
 // Share of K-distributed power over t, unit mean: 2 / Gamma(nu) (nu t)^(nu/2) K_nu(2 sqrt(nu t)).
 double k_tail(double nu, double t) {
   if (t <= 0.0) return 1.0;
@@ -135,16 +133,6 @@ TEST(SeaStatistics, AreSpikierTheLowerTheGrazingAngle) {
     EXPECT_LT(nu, before);
     before = nu;
   }
-}
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
-  const double n = static_cast<double>(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ma += a[i] / n, mb += b[i] / n, aa += a[i] * a[i] / n, bb += b[i] * b[i] / n;
-    ab += a[i] * b[i] / n;
-  }
-  return (ab - ma * mb) / std::sqrt((aa - ma * ma) * (bb - mb * mb));
 }
 
 // Decibels over the mean in a window of cells and spokes of one turn.

@@ -13,7 +13,7 @@ namespace skerry::echo {
 namespace {
 
 // Autocorrelation of a ring of values along and across, about its own mean.
-double correlation(std::span<const float> ring, std::uint32_t along, std::uint32_t across) {
+double lattice_correlation(std::span<const float> ring, std::uint32_t along, std::uint32_t across) {
   double mean = 0.0, square = 0.0, product = 0.0;
   for (std::uint32_t i = 0; i < kLatticeSize; ++i) {
     mean += ring[i];
@@ -30,8 +30,11 @@ TEST(LatticeField, CorrelatesAsAskedFor) {
     // Independent values there are about so many; correlations scatter by one over their root.
     const double bound = 4.0 / std::sqrt(kLatticeSize / (1.57 * along * across));
     for (std::uint32_t d = 1; d <= 16; ++d) {
-      EXPECT_NEAR(correlation(field, d, 0), std::exp(-1.0 * d * d / (along * along)), bound) << d;
-      EXPECT_NEAR(correlation(field, 0, d), std::exp(-1.0 * d * d / (across * across)), bound) << d;
+      EXPECT_NEAR(lattice_correlation(field, d, 0), std::exp(-1.0 * d * d / (along * along)), bound)
+          << d;
+      EXPECT_NEAR(lattice_correlation(field, 0, d), std::exp(-1.0 * d * d / (across * across)),
+                  bound)
+          << d;
     }
   }
 }
@@ -42,8 +45,8 @@ TEST(LatticeField, OfNoLengthIsWhiteAndGaussian) {
   for (const float v : field) fourth += std::pow(double{v}, 4.0) / kLatticeSize;
   EXPECT_NEAR(fourth, 3.0, 4.0 * std::sqrt(96.0 / kLatticeSize));
   for (std::uint32_t d = 1; d <= 4; ++d) {
-    EXPECT_NEAR(correlation(field, d, 0), 0.0, 4.0 / std::sqrt(kLatticeSize));
-    EXPECT_NEAR(correlation(field, 0, d), 0.0, 4.0 / std::sqrt(kLatticeSize));
+    EXPECT_NEAR(lattice_correlation(field, d, 0), 0.0, 4.0 / std::sqrt(kLatticeSize));
+    EXPECT_NEAR(lattice_correlation(field, 0, d), 0.0, 4.0 / std::sqrt(kLatticeSize));
   }
 }
 
