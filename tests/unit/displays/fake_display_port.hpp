@@ -20,6 +20,10 @@ struct SentDatagram {
   Bytes payload;
 };
 
+// Where displays of these makers command from.
+inline constexpr Ipv4Endpoint kGarminDisplay{ipv4(172, 16, 6, 37), 50101};
+inline constexpr Ipv4Endpoint kQuantumDisplay{ipv4(198, 18, 3, 108), 2575};
+
 // Applies what is present, as the server does; values are not checked.
 inline void apply_set(const wire::Set& set, wire::Settings& settings) {
 #define SKERRY_TAKE(field) \

@@ -18,7 +18,6 @@ using std::chrono::milliseconds;
 
 constexpr const char* kCapture = "garminxhd_txon_txoff.pcap.gz";
 constexpr std::uint32_t kRadar = ipv4(172, 16, 2, 0);
-constexpr Ipv4Endpoint kDisplay{ipv4(172, 16, 6, 37), 50101};
 
 // Settings of the radar in the capture, as a display would have set them.
 void set_like_the_capture(RadarEmulation& radar, FakeDisplayPort& port) {
@@ -43,7 +42,8 @@ void set_like_the_capture(RadarEmulation& radar, FakeDisplayPort& port) {
                                                   {Type::timed_idle, 300},
                                                   {Type::timed_run, 60}};
   for (const auto& [type, value] : wishes) {
-    radar.on_datagram(0, kDisplay, garmin::encode_packet(type, 4, value), ScenarioTime{}, port);
+    radar.on_datagram(0, kGarminDisplay, garmin::encode_packet(type, 4, value), ScenarioTime{},
+                      port);
   }
 }
 

@@ -16,8 +16,6 @@ namespace {
 using garmin::Type;
 using std::chrono::milliseconds;
 
-constexpr Ipv4Endpoint kDisplay{ipv4(172, 16, 6, 37), 50101};
-
 class GarminXhdTest : public ::testing::Test {
  protected:
   GarminXhdTest() {
@@ -33,7 +31,7 @@ class GarminXhdTest : public ::testing::Test {
     }
   }
   void wish(Type type, std::int64_t value) {
-    radar_->on_datagram(0, kDisplay, garmin::encode_packet(type, 4, value), now_, port_);
+    radar_->on_datagram(0, kGarminDisplay, garmin::encode_packet(type, 4, value), now_, port_);
   }
   // What the radar tells of it next, at most a round later.
   std::optional<std::int32_t> told(Type type, Duration within = milliseconds(2000)) {
@@ -196,14 +194,14 @@ TEST_F(GarminXhdTest, ARadarSwitchedOnFromElsewhereTransmitsAtOnce) {
 TEST_F(GarminXhdTest, MalformedCommandsAreCountedByKindAndChangeNothing) {
   const Bytes good = garmin::encode_packet(Type::gain, 2, 100);
   for (std::size_t length = 0; length < good.size(); ++length) {
-    radar_->on_datagram(0, kDisplay, std::span(good).first(length), now_, port_);
+    radar_->on_datagram(0, kGarminDisplay, std::span(good).first(length), now_, port_);
   }
   EXPECT_EQ(port_.counts["garmin truncated command"], good.size());
   Bytes more = good;
   more.push_back(0);
-  radar_->on_datagram(0, kDisplay, more, now_, port_);
+  radar_->on_datagram(0, kGarminDisplay, more, now_, port_);
   EXPECT_EQ(port_.counts["garmin oversized command"], 1u);
-  radar_->on_datagram(0, kDisplay, garmin::encode_packet(Type::rotation, 4, 1), now_, port_);
+  radar_->on_datagram(0, kGarminDisplay, garmin::encode_packet(Type::rotation, 4, 1), now_, port_);
   EXPECT_EQ(port_.counts["garmin unknown kind command"], 1u);
   wish(Type::gain, 99'999);
   EXPECT_EQ(port_.counts["garmin value out of range"], 1u);

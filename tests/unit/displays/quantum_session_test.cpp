@@ -20,7 +20,6 @@ using std::chrono::milliseconds;
 
 constexpr const char* kCapture = "quantum2-solent-03-gain-sea-rain.pcap.gz";
 constexpr std::uint32_t kRadar = ipv4(198, 18, 4, 117);
-constexpr Ipv4Endpoint kDisplay{ipv4(198, 18, 3, 108), 2575};
 constexpr Ipv4Endpoint kData{ipv4(232, 1, 215, 1), 2574};
 
 using Wishes = std::vector<std::pair<QuantumControl, std::int32_t>>;
@@ -94,7 +93,7 @@ class QuantumSession : public ::testing::Test {
     radar->begin(kRadar, ports, now, port);
     const auto ask = [&](const Wishes& wishes) {
       for (const auto& [control, value] : wishes) {
-        radar->on_datagram(0, kDisplay, encode_quantum_command(control, value), now, port);
+        radar->on_datagram(0, kQuantumDisplay, encode_quantum_command(control, value), now, port);
       }
     };
     const auto& statuses = theirs_.at({kData, kQuantumStatusType});

@@ -16,8 +16,6 @@ namespace {
 using namespace raymarine;
 using std::chrono::milliseconds;
 
-constexpr Ipv4Endpoint kDisplay{ipv4(198, 18, 3, 108), 2575};
-
 class QuantumTest : public ::testing::Test {
  protected:
   QuantumTest() { start({}); }
@@ -36,7 +34,7 @@ class QuantumTest : public ::testing::Test {
     }
   }
   void wish(QuantumControl control, std::int32_t value) {
-    radar_->on_datagram(0, kDisplay, encode_quantum_command(control, value), now_, port_);
+    radar_->on_datagram(0, kQuantumDisplay, encode_quantum_command(control, value), now_, port_);
   }
   // The next status, which after a change comes at once.
   std::optional<QuantumStatus> told(Duration within = milliseconds(10)) {
@@ -190,10 +188,10 @@ TEST_F(QuantumTest, WhatIsRefusedIsCountedAndNotReportedAsSet) {
 TEST_F(QuantumTest, MalformedCommandsAreCountedByKindAndChangeNothing) {
   const Bytes good = encode_quantum_command(QuantumControl::gain, 10);
   for (std::size_t length = 0; length < 6; ++length) {
-    radar_->on_datagram(0, kDisplay, std::span(good).first(length), now_, port_);
+    radar_->on_datagram(0, kQuantumDisplay, std::span(good).first(length), now_, port_);
   }
   EXPECT_EQ(port_.counts["quantum truncated command"], 6u);
-  radar_->on_datagram(0, kDisplay, Bytes(600, 0xAA), now_, port_);
+  radar_->on_datagram(0, kQuantumDisplay, Bytes(600, 0xAA), now_, port_);
   EXPECT_EQ(port_.counts["quantum unknown kind command"], 1u);
   EXPECT_TRUE(port_.changes.empty());
   wish(QuantumControl::gain, 250);
