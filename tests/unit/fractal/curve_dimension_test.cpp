@@ -10,7 +10,7 @@
 namespace skerry::echo {
 namespace {
 
-constexpr int kDepth = 12, kOctaves = 6;
+constexpr int kCurveDepth = 12, kCurveOctaves = 6;
 
 // Mean over 60 edges of 50 km with all the room there is.  One curve's estimate scatters by 0.019
 // at D 1.25 and 0.038 at 1.1 (physics.md B8), the mean of 60 by 0.005 at most; the folds at the
@@ -18,11 +18,11 @@ constexpr int kDepth = 12, kOctaves = 6;
 // octaves.
 double measured(const CoastStyle& style) {
   const samples::Bridges bridges(style);
-  std::vector<double> sum(kOctaves, 0.0);
+  std::vector<double> sum(kCurveOctaves, 0.0);
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const std::vector<double> h =
-        bridges.offsets({{0, 0}, {30000, 40000}, mixed(seed, 4), kMaxHalfAngleTan}, kDepth);
-    for (int k = 0; k < kOctaves; ++k) {
+        bridges.offsets({{0, 0}, {30000, 40000}, mixed(seed, 4), kMaxHalfAngleTan}, kCurveDepth);
+    for (int k = 0; k < kCurveOctaves; ++k) {
       sum[static_cast<std::size_t>(k)] += samples::bend_variogram(h, k);
     }
   }
@@ -71,7 +71,7 @@ TEST(CurveDimension, OfWhatTheRefinerGivesIsTheSameAtAllBearings) {
     for (const double bearing : {0.0, 45.0, 101.25, 135.0, 225.0, 300.0}) {
       const double r = bearing * 0.017453292519943295;
       const PlanePoint to{3000.0 * std::sin(r), 3000.0 * std::cos(r)};
-      std::vector<double> sum(kOctaves, 0.0);
+      std::vector<double> sum(kCurveOctaves, 0.0);
       for (std::uint64_t seed = 0; seed < 8; ++seed) {
         std::vector<PlanePoint> curve;
         refiner.refine({{0, 0}, to, mixed(seed, 9), kMaxHalfAngleTan}, {.cell_m = 0.1}, curve);
@@ -82,7 +82,7 @@ TEST(CurveDimension, OfWhatTheRefinerGivesIsTheSameAtAllBearings) {
           h[static_cast<std::size_t>(std::lround(place))] = samples::cross(to, p) / 3000.0;
         }
         for (std::size_t i = 1024; i <= 3072; ++i) ASSERT_LT(h[i], 1e9) << "not made: " << i;
-        for (int k = 0; k < kOctaves; ++k) {
+        for (int k = 0; k < kCurveOctaves; ++k) {
           sum[static_cast<std::size_t>(k)] += samples::bend_variogram(h, k);
         }
       }
@@ -102,15 +102,15 @@ TEST(CurveDimension, OfFirstDifferencesIsThatOfTheBridge) {
   for (const double d : {1.02, 1.1, 1.2, 1.35, 1.5}) {
     const samples::Bridges bridges({.method = CoastMethod::midpoint, .dimension = d});
     const FractionalBridge& bridge = bridges.graph().bridge;
-    std::vector<double> got(kOctaves, 0.0), want(kOctaves, 0.0);
+    std::vector<double> got(kCurveOctaves, 0.0), want(kCurveOctaves, 0.0);
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
-      const std::vector<double> b = bridges.bridge(mixed(seed, 2), kDepth, 0);
-      for (int k = 0; k < kOctaves; ++k) {
+      const std::vector<double> b = bridges.bridge(mixed(seed, 2), kCurveDepth, 0);
+      for (int k = 0; k < kCurveOctaves; ++k) {
         got[static_cast<std::size_t>(k)] += samples::step_variogram(b, k);
       }
     }
-    for (int k = 0; k < kOctaves; ++k) {
-      const double lag = half_to_the(kDepth - k);
+    for (int k = 0; k < kCurveOctaves; ++k) {
+      const double lag = half_to_the(kCurveDepth - k);
       double sum = 0.0;
       for (int i = 0; i < 64; ++i) {
         const double t = 0.25 + (i + 0.5) / 128.0;

@@ -11,10 +11,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr CoastMethod kMethods[] = {CoastMethod::straight, CoastMethod::regular_koch,
-                                    CoastMethod::random_koch, CoastMethod::midpoint,
-                                    CoastMethod::weierstrass};
-
 std::string refusal(const CoastStyle& style) {
   try {
     EdgeRefiner refiner(style);
@@ -26,7 +22,7 @@ std::string refusal(const CoastStyle& style) {
 
 TEST(EdgeHardCases, LengthsRoomsAndParametersAtTheirLimits) {
   std::size_t most = 0, edges = 0;
-  for (const CoastMethod method : kMethods) {
+  for (const CoastMethod method : samples::kMethods) {
     const double greatest = greatest_dimension(method);
     for (const double dimension :
          {1.0, 1.0 + 1e-15, 1.0 + 1e-9, 1.000001, 1.001, 0.5 * (1.0 + greatest), greatest}) {
@@ -113,7 +109,7 @@ TEST(EdgeHardCases, FiveHundredKilometresDownToCentimetres) {
 TEST(EdgeHardCases, ParametersOutOfRangeAreRefusedWithTheRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
-  for (const CoastMethod method : kMethods) {
+  for (const CoastMethod method : samples::kMethods) {
     const double greatest = greatest_dimension(method);
     EXPECT_EQ(refusal({.method = method, .dimension = greatest}), "");
     EXPECT_EQ(refusal({.method = method, .dimension = 1.0}), "");

@@ -17,11 +17,9 @@ using samples::any_edge;
 using samples::chance;
 using samples::cross;
 using samples::dot;
+using samples::kMethods;
 using samples::length_of;
 
-constexpr CoastMethod kMethods[] = {CoastMethod::straight, CoastMethod::regular_koch,
-                                    CoastMethod::random_koch, CoastMethod::midpoint,
-                                    CoastMethod::weierstrass};
 constexpr SeriesPhases kPhases[] = {SeriesPhases::cosine, SeriesPhases::alternating,
                                     SeriesPhases::random};
 

@@ -15,6 +15,10 @@
 
 namespace skerry::echo::samples {
 
+inline constexpr CoastMethod kMethods[] = {CoastMethod::straight, CoastMethod::regular_koch,
+                                           CoastMethod::random_koch, CoastMethod::midpoint,
+                                           CoastMethod::weierstrass};
+
 inline double dot(PlanePoint a, PlanePoint b) {
   return a.east_m * b.east_m + a.north_m * b.north_m;
 }
