@@ -73,16 +73,17 @@ std::vector<Point> disc(Point middle, double radius) {
   return ring;
 }
 
-constexpr std::uint32_t kSpokes = 4096, kCells = 1024;
+constexpr std::uint32_t kOutlineSpokes = 4096, kOutlineCells = 1024;
 PictureTurn turn_of(const std::vector<std::uint8_t>& video) {
-  return {kSpokes, kCells, 1.0, 2.0, 255, video};
+  return {kOutlineSpokes, kOutlineCells, 1.0, 2.0, 255, video};
 }
 
 TEST(PictureOutline, OfADiscIsALineAndOfASnowflakeIsKochs) {
-  const auto round = video_of(disc({30.0, 560.0}, 400.0), kSpokes, kCells);
-  const auto flake = video_of(koch_snowflake({30.0, 560.0}, 400.0, 5), kSpokes, kCells);
-  const OutlineDimension d = outline_dimensions(turn_of(round), {}, kCells).at_beam;
-  const OutlineDimension k = outline_dimensions(turn_of(flake), {}, kCells).at_beam;
+  const auto round = video_of(disc({30.0, 560.0}, 400.0), kOutlineSpokes, kOutlineCells);
+  const auto flake =
+      video_of(koch_snowflake({30.0, 560.0}, 400.0, 5), kOutlineSpokes, kOutlineCells);
+  const OutlineDimension d = outline_dimensions(turn_of(round), {}, kOutlineCells).at_beam;
+  const OutlineDimension k = outline_dimensions(turn_of(flake), {}, kOutlineCells).at_beam;
   std::printf("disc %.3f %.3f, snowflake %.3f %.3f (1, 1.262)\n", d.below, d.above, k.below,
               k.above);
   EXPECT_NEAR(d.below, 1.0, 0.04);
@@ -93,13 +94,13 @@ TEST(PictureOutline, OfADiscIsALineAndOfASnowflakeIsKochs) {
 }
 
 TEST(PictureOutline, LeavesTargetsAndSpecksOut) {
-  const auto shore = video_of(disc({0.0, 700.0}, 250.0), kSpokes, kCells);
+  const auto shore = video_of(disc({0.0, 700.0}, 250.0), kOutlineSpokes, kOutlineCells);
   auto busy = shore;
   for (std::uint32_t s = 2000; s < 2010; ++s) {
-    for (std::uint32_t c = 500; c < 509; ++c) busy[std::size_t{s} * kCells + c] = 255;
+    for (std::uint32_t c = 500; c < 509; ++c) busy[std::size_t{s} * kOutlineCells + c] = 255;
   }
-  const OutlineDimension with = outline_dimensions(turn_of(busy), {}, kCells).at_beam;
-  const OutlineDimension without = outline_dimensions(turn_of(shore), {}, kCells).at_beam;
+  const OutlineDimension with = outline_dimensions(turn_of(busy), {}, kOutlineCells).at_beam;
+  const OutlineDimension without = outline_dimensions(turn_of(shore), {}, kOutlineCells).at_beam;
   EXPECT_NEAR(with.above, without.above, 0.01);
   // The rim's mean distance is 700 m and a little: sqrt(700^2 + 250^2) to first order.
   EXPECT_NEAR(without.beam_m, 2.0 * std::numbers::pi / 180.0 * 722.0, 0.3);
@@ -110,7 +111,7 @@ TEST(PictureOutline, LeavesTargetsAndSpecksOut) {
 }
 
 TEST(PictureOutline, TakesNothingOutsideTheWindowNorBelowTheThreshold) {
-  auto video = video_of(disc({0.0, 700.0}, 250.0), kSpokes, kCells);
+  auto video = video_of(disc({0.0, 700.0}, 250.0), kOutlineSpokes, kOutlineCells);
   const std::size_t all = outline_of(turn_of(video), {}, 1.0).elements.size();
   EXPECT_GT(all, 1000u);
   EXPECT_EQ(outline_of(turn_of(video), {.from_deg = 60.0, .to_deg = 300.0}, 1.0).elements.size(),
@@ -123,8 +124,8 @@ TEST(PictureOutline, TakesNothingOutsideTheWindowNorBelowTheThreshold) {
 }
 
 TEST(PictureOutline, OfAnEmptyPictureIsNotANumber) {
-  const std::vector<std::uint8_t> nothing(std::size_t{kSpokes} * kCells, 0);
-  const OutlineDimensions d = outline_dimensions(turn_of(nothing), {}, kCells);
+  const std::vector<std::uint8_t> nothing(std::size_t{kOutlineSpokes} * kOutlineCells, 0);
+  const OutlineDimensions d = outline_dimensions(turn_of(nothing), {}, kOutlineCells);
   EXPECT_TRUE(std::isnan(d.at_beam.below));
   EXPECT_TRUE(std::isnan(d.recorded.above));
   EXPECT_TRUE(d.local.empty());
@@ -132,18 +133,18 @@ TEST(PictureOutline, OfAnEmptyPictureIsNotANumber) {
 
 TEST(PictureOutline, RefusesATurnThatContradictsItself) {
   const std::vector<std::uint8_t> few(10, 0);
-  EXPECT_THROW(outline_dimensions(turn_of(few), {}, kCells), std::invalid_argument);
-  const std::vector<std::uint8_t> right(std::size_t{kSpokes} * kCells, 0);
-  EXPECT_THROW(outline_dimensions(turn_of(right), {.threshold = 0.0}, kCells),
+  EXPECT_THROW(outline_dimensions(turn_of(few), {}, kOutlineCells), std::invalid_argument);
+  const std::vector<std::uint8_t> right(std::size_t{kOutlineSpokes} * kOutlineCells, 0);
+  EXPECT_THROW(outline_dimensions(turn_of(right), {.threshold = 0.0}, kOutlineCells),
                std::invalid_argument);
-  EXPECT_THROW(outline_dimensions(turn_of(right), {.from_m = 10.0, .to_m = 10.0}, kCells),
+  EXPECT_THROW(outline_dimensions(turn_of(right), {.from_m = 10.0, .to_m = 10.0}, kOutlineCells),
                std::invalid_argument);
   PictureTurn bad = turn_of(right);
   bad.cell_m = std::nan("");
-  EXPECT_THROW(outline_dimensions(bad, {}, kCells), std::invalid_argument);
+  EXPECT_THROW(outline_dimensions(bad, {}, kOutlineCells), std::invalid_argument);
   bad = turn_of(right);
   bad.spokes = 1u << 31;
-  EXPECT_THROW(outline_dimensions(bad, {}, kCells), std::invalid_argument);
+  EXPECT_THROW(outline_dimensions(bad, {}, kOutlineCells), std::invalid_argument);
 }
 
 }  // namespace
