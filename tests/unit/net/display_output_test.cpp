@@ -61,8 +61,8 @@ struct Display {
   DisplaySocket reports, data;
 };
 
-struct Server {
-  Server(FakeHost& host, std::vector<DisplayOutputConfig> displays)
+struct DisplayServer {
+  DisplayServer(FakeHost& host, std::vector<DisplayOutputConfig> displays)
       : net(host, with(std::move(displays)), {}) {
     net.start();
   }
@@ -79,7 +79,7 @@ struct Server {
 std::string refusal(std::vector<DisplayOutputConfig> displays) {
   FakeHost host(2);
   try {
-    const Server server(host, std::move(displays));
+    const DisplayServer server(host, std::move(displays));
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -89,7 +89,7 @@ std::string refusal(std::vector<DisplayOutputConfig> displays) {
 TEST(DisplayOutput, ADisplayFindsItSeesThePictureAndCommandsIt) {
   FakeHost host;
   Display display(kHere);
-  const Server server(host, {radar_at(kHere)});
+  const DisplayServer server(host, {radar_at(kHere)});
   EXPECT_THAT(display.report("here "), HasSubstr("127.0.0.41:"));
   display.report("tick");
 
@@ -126,7 +126,7 @@ TEST(DisplayOutput, ADisplayFindsItSeesThePictureAndCommandsIt) {
 TEST(DisplayOutput, ItsUnicastEarHearsDisplaysAnywhereOnThisHost) {
   FakeHost host;
   Display display(kHere);
-  const Server server(host, {radar_at(kHere)});
+  const DisplayServer server(host, {radar_at(kHere)});
   const std::string where = display.report("here ");
   DisplaySocket other({0, 0}, kThere);
   other.send({kHere, static_cast<std::uint16_t>(std::stoi(where.substr(where.find(':') + 1)))},
@@ -137,7 +137,7 @@ TEST(DisplayOutput, ItsUnicastEarHearsDisplaysAnywhereOnThisHost) {
 TEST(DisplayOutput, WhatAConsoleChangesReachesDisplaysAndTheViewsInstrumentedRange) {
   FakeHost host;
   Display display(kHere);
-  const Server server(host, {radar_at(kHere)});
+  const DisplayServer server(host, {radar_at(kHere)});
   display.report("here ");
   EXPECT_EQ(host.settings(0, 1).instrumented_range_m(), 12 * 1852.0 * 1.5) << "its hidden view";
   wire::Set set;
@@ -151,7 +151,7 @@ TEST(DisplayOutput, WhatAConsoleChangesReachesDisplaysAndTheViewsInstrumentedRan
 TEST(DisplayOutput, TwoRadarsOfOneFamilyOnTwoAddressesDoNotHearEachOthersDisplays) {
   FakeHost host(2);
   Display here(kHere), there(kThere);
-  const Server server(host, {radar_at(kHere, 0), radar_at(kThere, 1)});
+  const DisplayServer server(host, {radar_at(kHere, 0), radar_at(kThere, 1)});
   here.report("here ");
   there.report("here ");
   there.command("gain 22");
@@ -175,7 +175,7 @@ TEST(DisplayOutput, ASecondRangeHasAViewOfItsOwn) {
   config.sources = {{0, false}, {0, true}};
   Display display(kHere);
   DisplaySocket second({dual.data.address + 1, dual.data.port}, kHere);
-  const Server server(host, {config});
+  const DisplayServer server(host, {config});
   display.report("here ");
   EXPECT_EQ(host.view_count(0), 3u);
   display.command("b gain 66");
@@ -191,7 +191,7 @@ TEST(DisplayOutput, OneThatDoesNotObeyRefuses) {
   DisplayOutputConfig config = radar_at(kHere);
   config.obeys = false;
   Display display(kHere);
-  const Server server(host, {config});
+  const DisplayServer server(host, {config});
   display.report("here ");
   display.command("gain 40");
   EXPECT_THAT(display.report("a refused "), HasSubstr("configured not to obey"));
@@ -201,7 +201,7 @@ TEST(DisplayOutput, OneThatDoesNotObeyRefuses) {
 TEST(DisplayOutput, GarbageIsCountedAndTheNextCommandObeyed) {
   FakeHost host;
   Display display(kHere);
-  const Server server(host, {radar_at(kHere)});
+  const DisplayServer server(host, {radar_at(kHere)});
   display.report("here ");
   display.command("");
   display.command(std::string(9000, 'x'));
@@ -219,7 +219,7 @@ TEST(DisplayOutput, AFloodOfCommandsIsDroppedAndCountedWhileThePictureGoesOn) {
   constexpr int kCommands = 10'000, kSectors = 100;
   FakeHost host;
   Display display(kHere);
-  const Server server(host, {radar_at(kHere)});
+  const DisplayServer server(host, {radar_at(kHere)});
   display.report("here ");
   std::jthread flood([&] {
     DisplaySocket other({0, 0}, kHere);

@@ -13,12 +13,12 @@
 namespace skerry::server {
 namespace {
 
-constexpr std::array<WebFile, 1> kFiles = {
+constexpr std::array<WebFile, 1> kConsolePage = {
     {{"/index.html", "text/html; charset=utf-8", "<p>console</p>"}}};
 
 class Http : public testing::Test {
  protected:
-  Http() : server_(host_, test_config(), kFiles) { server_.start(); }
+  Http() : server_(host_, test_config(), kConsolePage) { server_.start(); }
 
   std::string exchange(const std::string& request) {
     return http_exchange(server_.http_port(), request);
@@ -115,7 +115,7 @@ TEST(HttpTimeLimit, AConnectionThatDoesNotFinishItsRequestIsClosed) {
   FakeHost host;
   NetConfig config = test_config();
   config.http_timeout = std::chrono::milliseconds(200);
-  NetServer server(host, config, kFiles);
+  NetServer server(host, config, kConsolePage);
   server.start();
   TestSocket silent(server.http_port());
   TestSocket half(server.http_port());

@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr std::uint32_t kHere = ipv4(127, 0, 0, 1);
+constexpr std::uint32_t kLoopback = ipv4(127, 0, 0, 1);
 
 StreamOutputConfig stream_to(const DisplaySocket& receiver,
                              std::variant<NativeShape, Cat240StreamShape> shape) {
@@ -28,8 +28,8 @@ StreamOutputConfig stream_to(const DisplaySocket& receiver,
   return stream;
 }
 
-struct Server {
-  Server(FakeHost& host, const StreamOutputConfig& stream) : net(host, with(stream), {}) {
+struct StreamServer {
+  StreamServer(FakeHost& host, const StreamOutputConfig& stream) : net(host, with(stream), {}) {
     net.start();
     TestClient(net.tcp_port()).get_status();  // answered when senders have begun
   }
@@ -60,8 +60,8 @@ std::uint8_t strongest(const FakeHost& host, std::uint64_t spoke, std::uint32_t 
 
 TEST(StreamOutputs, NativeSpokesAreResampledByTheirPeaksAndCountedAnew) {
   FakeHost host;
-  DisplaySocket receiver({0, 0}, kHere);
-  const Server server(host, stream_to(receiver, NativeShape{.cells = 512, .bits = 4}));
+  DisplaySocket receiver({0, 0}, kLoopback);
+  const StreamServer server(host, stream_to(receiver, NativeShape{.cells = 512, .bits = 4}));
   host.publish();
   host.publish();
   DatagramReassembler reassembler;
@@ -82,7 +82,7 @@ TEST(StreamOutputs, NativeSpokesAreResampledByTheirPeaksAndCountedAnew) {
 
 TEST(StreamOutputs, Cat240HasItsOwnSpokesCellsAndRecords) {
   FakeHost host;
-  DisplaySocket receiver({0, 0}, kHere);
+  DisplaySocket receiver({0, 0}, kLoopback);
   Cat240StreamShape shape;
   shape.options.source = {9, 3};
   shape.options.compressed = true;
@@ -90,7 +90,7 @@ TEST(StreamOutputs, Cat240HasItsOwnSpokesCellsAndRecords) {
   shape.cells = 256;
   shape.records = 2;
   shape.summaries = false;
-  const Server server(host, stream_to(receiver, shape));
+  const StreamServer server(host, stream_to(receiver, shape));
   host.publish();
   std::uint64_t spoke = 0;
   for (int block = 0; block < 2; ++block) {
@@ -111,10 +111,10 @@ TEST(StreamOutputs, Cat240HasItsOwnSpokesCellsAndRecords) {
 
 TEST(StreamOutputs, OneWithAViewOfItsOwnIsToldApartInTheStatus) {
   FakeHost host;
-  DisplaySocket receiver({0, 0}, kHere);
+  DisplaySocket receiver({0, 0}, kLoopback);
   StreamOutputConfig stream = stream_to(receiver, NativeShape{});
   stream.own_view = true;
-  const Server server(host, stream);
+  const StreamServer server(host, stream);
   EXPECT_EQ(host.view_count(0), 2u);
   host.publish();
   DatagramReassembler reassembler;
@@ -130,13 +130,13 @@ TEST(StreamOutputs, ShapesThatAProtocolDoesNotHaveAreRefused) {
   const auto refusal = [](const StreamOutputConfig& stream) -> std::string {
     FakeHost host;
     try {
-      const Server server(host, stream);
+      const StreamServer server(host, stream);
     } catch (const std::runtime_error& error) {
       return error.what();
     }
     return "accepted";
   };
-  DisplaySocket receiver({0, 0}, kHere);
+  DisplaySocket receiver({0, 0}, kLoopback);
   EXPECT_THAT(refusal(stream_to(receiver, NativeShape{.turn_spokes = 100})),
               HasSubstr("stream 1 (native): spokes 100 is not 0 (as the radar has them) or 128"));
   EXPECT_THAT(refusal(stream_to(receiver, NativeShape{.bits = 16})),

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<WebFile, 2> kFiles = {{
+constexpr std::array<WebFile, 2> kConsoleFiles = {{
     {"/index.html", "text/html; charset=utf-8", "<p>console</p>"},
     {"/js/ppi.js", "text/javascript; charset=utf-8", "draw();"},
 }};
@@ -40,7 +40,7 @@ class WebRoot : public testing::Test {
 };
 
 TEST(WebFiles, TheBuiltInConsoleIsServedByExactPath) {
-  const WebFiles files(kFiles, "");
+  const WebFiles files(kConsoleFiles, "");
   EXPECT_EQ(files.get("/").body, "<p>console</p>");
   EXPECT_EQ(files.get("/index.html?x=1").body, "<p>console</p>");
   EXPECT_EQ(files.get("/js/ppi.js").mime, "text/javascript; charset=utf-8");
@@ -78,7 +78,7 @@ TEST(WebFiles, PathsThatAreNotCleanAreRefused) {
 }
 
 TEST_F(WebRoot, FilesInTheDirectoryAreServed) {
-  const WebFiles files(kFiles, (base_ / "www").string());
+  const WebFiles files(kConsoleFiles, (base_ / "www").string());
   EXPECT_EQ(files.get("/").body, "own console");
   EXPECT_EQ(files.get("/sub/a.js").body, "a();");
   EXPECT_EQ(files.get("/sub/a.js").mime, "text/javascript; charset=utf-8");
