@@ -3,6 +3,7 @@
 
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
+#include "tests/unit/nmea/sentence_kit.hpp"
 
 namespace skerry::nmea {
 namespace {
@@ -10,17 +11,8 @@ namespace {
 using namespace std::chrono_literals;
 
 // 2026-11-21 09:08:07.060.
-constexpr UtcTime kTime{Duration(1'795'252'087'060'000'000)};
+constexpr UtcTime kUtc{Duration(1'795'252'087'060'000'000)};
 constexpr GeoPoint kBergen{60.39, 5.32};
-
-// Without checksum and end, which are checked here.
-std::string body(const std::string& line) {
-  EXPECT_LE(line.size(), kMaxSentence) << line;
-  EXPECT_TRUE(line.ends_with("\r\n")) << line;
-  const auto sentence = parse_sentence(line);
-  EXPECT_TRUE(sentence) << (sentence ? line : sentence.error().text);
-  return line.substr(0, line.find('*'));
-}
 
 // Decodes a line with `decode`; an exception where it cannot.
 template <typename Decode>
@@ -32,16 +24,12 @@ auto decoded(const std::string& line, Decode decode) {
   return std::move(result).value();
 }
 
-std::string with_checksum(const std::string& between) {
-  return "$" + between + "*" + checksum_text(between);
-}
-
 TEST(Rmc, HasTheDateAsDdmmyy) {
   const std::string line =
-      encode(Rmc{.utc = kTime, .position = kBergen, .speed_kn = 12.34, .course_deg = 270.06});
+      encode(Rmc{.utc = kUtc, .position = kBergen, .speed_kn = 12.34, .course_deg = 270.06});
   EXPECT_EQ(body(line), "$GPRMC,090807.06,A,6023.40000,N,00519.20000,E,12.34,270.1,211126,,,A,V");
   const Rmc rmc = decoded(line, decode_rmc);
-  EXPECT_EQ(rmc.utc, kTime);
+  EXPECT_EQ(rmc.utc, kUtc);
   EXPECT_NEAR(rmc.position->latitude_deg, 60.39, 1e-7);
   EXPECT_EQ(rmc.speed_kn, 12.34);
   EXPECT_EQ(rmc.course_deg, 270.1);
@@ -49,7 +37,7 @@ TEST(Rmc, HasTheDateAsDdmmyy) {
 }
 
 TEST(Rmc, SimulatedIsNotValidAsTheStandardWants) {
-  const std::string line = encode(Rmc{.utc = kTime, .position = kBergen, .mode = 'S'});
+  const std::string line = encode(Rmc{.utc = kUtc, .position = kBergen, .mode = 'S'});
   EXPECT_EQ(body(line), "$GPRMC,090807.06,V,6023.40000,N,00519.20000,E,,,211126,,,S,V");
   EXPECT_FALSE(decoded(line, decode_rmc).valid);
 }
@@ -71,7 +59,7 @@ TEST(Rmc, OfOlderEquipmentIsRead) {
 }
 
 TEST(Gga, IsAsWritten) {
-  const std::string line = encode(Gga{.time_of_day = time_of_day(kTime), .position = kBergen});
+  const std::string line = encode(Gga{.time_of_day = time_of_day(kUtc), .position = kBergen});
   EXPECT_EQ(body(line), "$GPGGA,090807.06,6023.40000,N,00519.20000,E,1,12,0.8,0.0,M,0.0,M,,");
   const Gga gga = decoded(line, decode_gga);
   EXPECT_EQ(gga.quality, 1u);
@@ -100,9 +88,9 @@ TEST(Vtg, IsAsWritten) {
 }
 
 TEST(Zda, IsAsWritten) {
-  const std::string line = encode(Zda{.utc = kTime});
+  const std::string line = encode(Zda{.utc = kUtc});
   EXPECT_EQ(body(line), "$GPZDA,090807.06,21,11,2026,00,00");
-  EXPECT_EQ(decoded(line, decode_zda).utc, kTime);
+  EXPECT_EQ(decoded(line, decode_zda).utc, kUtc);
   EXPECT_THROW(decoded(with_checksum("GPZDA,090807,30,02,2026,00,00"), decode_zda),
                std::runtime_error);
 }

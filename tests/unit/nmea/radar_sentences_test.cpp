@@ -3,23 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "protocol/nmea/tracked_target_data.hpp"
+#include "tests/unit/nmea/sentence_kit.hpp"
 
 namespace skerry::nmea {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kTime = 9h + 8min + 7s + 60ms;
-
-std::string body(const std::string& line) {
-  EXPECT_LE(line.size(), kMaxSentence) << line;
-  EXPECT_TRUE(parse_sentence(line)) << line;
-  return line.substr(0, line.find('*'));
-}
-
-std::string with_checksum(const std::string& between) {
-  return "$" + between + "*" + checksum_text(between);
-}
+constexpr Duration kTimeOfDay = 9h + 8min + 7s + 60ms;
 
 TEST(Rsd, HasTheRangeInItsEleventhField) {
   const std::string line = encode(Rsd{.range_nm = 1.5});
@@ -52,7 +43,7 @@ Ttm a_target() {
           .tcpa_min = -4.44,
           .name = "ASTRID",
           .status = TargetStatus::tracking,
-          .time_of_day = kTime};
+          .time_of_day = kTimeOfDay};
 }
 
 TEST(Ttm, HasRangesToTwoMetres) {
@@ -64,7 +55,7 @@ TEST(Ttm, HasRangesToTwoMetres) {
   EXPECT_EQ(ttm->range_nm, 3.457);
   EXPECT_EQ(ttm->tcpa_min, -4.4);
   EXPECT_EQ(ttm->name, "ASTRID");
-  EXPECT_EQ(ttm->time_of_day, kTime);
+  EXPECT_EQ(ttm->time_of_day, kTimeOfDay);
 }
 
 TEST(Ttm, GivesUpPartOfTheNameAndNotOfTheNumbers) {
@@ -97,7 +88,7 @@ TEST(Tll, IsAsWritten) {
   const std::string line = encode(Tll{.number = 12,
                                       .position = {-33.5, -70.25},
                                       .name = "NO NAME IS SO LONG AS THIS ONE",
-                                      .time_of_day = kTime,
+                                      .time_of_day = kTimeOfDay,
                                       .status = TargetStatus::lost});
   EXPECT_TRUE(body(line).starts_with("$RATLL,12,3330.00000,S,07015.00000,W,NO NAME IS SO LONG"))
       << line;
