@@ -5,11 +5,10 @@
 
 #include <cmath>
 
+#include "tests/unit/propagation/radio.hpp"
+
 namespace skerry::echo {
 namespace {
-
-constexpr double kMile = 1852.0, kEarth = 6371000.0 * 4.0 / 3.0;
-constexpr double kX = 299792458.0 / 9.41e9, kS = 299792458.0 / 3.05e9;
 
 TEST(Diffraction, KnifeEdge) {
   EXPECT_NEAR(knife_edge_loss_db(0.0), 6.03, 0.005);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/unit/propagation/radio.hpp"
+
 namespace skerry::echo {
 namespace {
-
-constexpr double kMile = 1852.0;
 
 double db(double ratio) { return 10.0 * std::log10(ratio); }
 

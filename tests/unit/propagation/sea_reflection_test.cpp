@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/unit/propagation/radio.hpp"
+
 namespace skerry::echo {
 namespace {
 
-constexpr double kMile = 1852.0, kEarth = 6371000.0 * 4.0 / 3.0;
-constexpr double kX = 299792458.0 / 9.41e9, kS = 299792458.0 / 3.05e9;
 constexpr double kFlat = 1e13;  // an Earth as good as flat
 constexpr double kPi = std::numbers::pi;
 
