@@ -5,17 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/unit/quantity/operators.hpp"
+
 namespace skerry {
 namespace {
-
-template <typename A, typename B>
-concept Addable = requires(A a, B b) {
-  a + b;
-};
-template <typename A, typename B>
-concept Subtractable = requires(A a, B b) {
-  a - b;
-};
 
 // What must not compile.
 static_assert(!Addable<TrueBearing, TrueBearing>);

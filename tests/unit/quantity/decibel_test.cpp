@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/quantity/operators.hpp"
+
 namespace skerry {
 namespace {
-
-template <typename A, typename B>
-concept Addable = requires(A a, B b) {
-  a + b;
-};
 
 static_assert(!Addable<PowerDbm, PowerDbm>);
 static_assert(Addable<PowerDbm, Decibels>);
