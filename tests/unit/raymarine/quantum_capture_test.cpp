@@ -14,16 +14,16 @@
 namespace skerry::raymarine {
 namespace {
 
-constexpr const char* kCapture = "quantum2-solent-03-gain-sea-rain.pcap.gz";
+constexpr const char* kQuantumCapture = "quantum2-solent-03-gain-sea-rain.pcap.gz";
 constexpr std::uint32_t kRadar = ipv4(198, 18, 4, 117);
-constexpr Ipv4Endpoint kData{ipv4(232, 1, 215, 1), 2574};
+constexpr Ipv4Endpoint kQuantumData{ipv4(232, 1, 215, 1), 2574};
 constexpr std::uint32_t kLink = 0xd680d988;
 
 class QuantumCapture : public ::testing::Test {
  protected:
   // It is large: read once.
   static void SetUpTestSuite() {
-    if (have_radar_captures()) datagrams_ = read_radar_capture(kCapture);
+    if (have_radar_captures()) datagrams_ = read_radar_capture(kQuantumCapture);
   }
   static void TearDownTestSuite() { datagrams_ = {}; }
   void SetUp() override {
@@ -36,7 +36,7 @@ class QuantumCapture : public ::testing::Test {
   static std::vector<const CapturedDatagram*> of_type(std::uint32_t type) {
     std::vector<const CapturedDatagram*> found;
     for (const auto& datagram : datagrams_) {
-      if (datagram.to == kData && type_of(datagram) == type) found.push_back(&datagram);
+      if (datagram.to == kQuantumData && type_of(datagram) == type) found.push_back(&datagram);
     }
     return found;
   }
@@ -44,14 +44,14 @@ class QuantumCapture : public ::testing::Test {
 };
 
 TEST_F(QuantumCapture, SpokesAreDecodedAsAnIndependentDecoderDoes) {
-  const ExpectedDecode expected = expected_decode(kCapture);
+  const ExpectedDecode expected = expected_decode(kQuantumCapture);
   DecodedCells cells;
   std::map<std::string, std::uint64_t> ranges;
   std::uint64_t wraps = 0;
   std::uint16_t last = 0;
   long range_m = 0;  // told by the status alone
   for (const auto& datagram : datagrams_) {
-    if (datagram.to != kData) continue;
+    if (datagram.to != kQuantumData) continue;
     if (type_of(datagram) == kQuantumStatusType) {
       const auto status = decode_quantum_status(datagram.payload);
       ASSERT_TRUE(status.ok()) << status.error().text;
@@ -141,7 +141,7 @@ TEST_F(QuantumCapture, TheLocatorIsEncodedByteByByte) {
       case 36: {
         const auto read = decode_locator_addresses(datagram.payload);
         ASSERT_TRUE(read.ok());
-        EXPECT_EQ(read->data, kData);
+        EXPECT_EQ(read->data, kQuantumData);
         EXPECT_EQ(read->radar, radar);
         EXPECT_EQ(read->id.model, kQuantumModel);
         EXPECT_EQ(encode_locator_addresses(*read), datagram.payload);

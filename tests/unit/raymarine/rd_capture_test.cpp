@@ -12,19 +12,19 @@
 namespace skerry::raymarine {
 namespace {
 
-constexpr const char* kCapture = "raymarine-e120-analog-tx-stdby.pcap.gz";
-constexpr Ipv4Endpoint kData{ipv4(224, 29, 69, 231), 2566};
+constexpr const char* kRdCapture = "raymarine-e120-analog-tx-stdby.pcap.gz";
+constexpr Ipv4Endpoint kRdData{ipv4(224, 29, 69, 231), 2566};
 
 class RdCapture : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
-    datagrams_ = read_radar_capture(kCapture);
+    datagrams_ = read_radar_capture(kRdCapture);
   }
   std::vector<Bytes> of_type(std::uint32_t type) const {
     std::vector<Bytes> found;
     for (const auto& datagram : datagrams_) {
-      if (datagram.to == kData &&
+      if (datagram.to == kRdData &&
           ByteReader(datagram.payload).little_endian<std::uint32_t>() == type) {
         found.push_back(datagram.payload);
       }
@@ -35,7 +35,7 @@ class RdCapture : public ::testing::Test {
 };
 
 TEST_F(RdCapture, SpokesAreDecodedAsAnIndependentDecoderDoes) {
-  const ExpectedDecode expected = expected_decode(kCapture);
+  const ExpectedDecode expected = expected_decode(kRdCapture);
   DecodedCells cells;
   const auto packets = of_type(kRdSpokesType);
   std::uint64_t wraps = 0;
