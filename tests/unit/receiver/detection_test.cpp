@@ -8,11 +8,10 @@
 
 #include "echo/receiver/log_video.hpp"
 #include "echo/receiver/receiver_noise.hpp"
+#include "tests/unit/receiver/view_setup.hpp"
 
 namespace skerry::echo {
 namespace {
-
-constexpr std::uint32_t kCells = 1024;
 
 // physics.md B0.
 TEST(Detection, HasTheTestVectors) {

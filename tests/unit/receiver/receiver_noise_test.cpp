@@ -9,10 +9,10 @@
 #include <numeric>
 #include <vector>
 
+#include "tests/unit/receiver/view_setup.hpp"
+
 namespace skerry::echo {
 namespace {
-
-constexpr std::uint32_t kCells = 1024;
 
 std::vector<float> powers(const ReceiverNoise& noise, std::uint32_t spoke, std::uint32_t scan = 0,
                           float echo = 0.0f) {

@@ -12,7 +12,7 @@ namespace skerry::echo {
 namespace {
 
 // Power of a ship of the given peak as the two-way beam passes her at `bearing` spokes.
-double in_beam(double peak, double spoke, double bearing, double beam_spokes) {
+double passing_power(double peak, double spoke, double bearing, double beam_spokes) {
   const double off = (spoke - bearing) / beam_spokes;  // of the -3 dB width, one way
   return std::fabs(off) > 1.3 ? 0.0 : peak * std::exp2(-8.0 * off * off);
 }
@@ -23,7 +23,7 @@ TEST(Rejection, TakesAwayAStrobeAndLeavesAShip) {
   const auto scene = [&](std::uint64_t spoke, std::uint32_t cell) {
     double power = 0.0;
     if (cell >= 300 && cell < 303)
-      power += in_beam(1e5, static_cast<double>(spoke), 100.0, beam_spokes);
+      power += passing_power(1e5, static_cast<double>(spoke), 100.0, beam_spokes);
     if (spoke == 60 && cell > 500) power += 1e3;
     return power;
   };
