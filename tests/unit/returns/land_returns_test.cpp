@@ -11,18 +11,18 @@
 namespace skerry::echo {
 namespace {
 
-std::vector<float> power_of(std::vector<LandInterval> land, LandModel model,
-                            std::size_t cells = 1024) {
+std::vector<float> land_power(std::vector<LandInterval> land, LandModel model,
+                              std::size_t cells = 1024) {
   std::vector<float> power(cells, 0.0f);
   add_land(land, model, lattice_path({60.0, 5.0}, {}, 0x20000000u, model.cell_m), power);
   return power;
 }
 
-LandModel model_of(double cell_m) { return {cell_m, 20.0, 0.0015, 1e18, 9}; }
+LandModel land_model(double cell_m) { return {cell_m, 20.0, 0.0015, 1e18, 9}; }
 
 TEST(LandReturns, TheLeadingEdgeStandsInTheCellOfTheCrossing) {
   for (double begin = 500.0; begin < 9000.0; begin += 123.4) {
-    const auto power = power_of({{begin, begin + 4000.0}}, model_of(10.8));
+    const auto power = land_power({{begin, begin + 4000.0}}, land_model(10.8));
     const auto first = static_cast<std::size_t>(begin / 10.8);
     for (std::size_t i = 0; i < first; ++i) ASSERT_EQ(power[i], 0.0f);
     ASSERT_GT(power[first], 0.0f) << begin;
@@ -32,7 +32,7 @@ TEST(LandReturns, TheLeadingEdgeStandsInTheCellOfTheCrossing) {
 TEST(LandReturns, LandHasDepthAndShadows) {
   double echoing = 0, silent = 0, deep = 0;
   for (double begin = 1000.0; begin < 6000.0; begin += 53.0) {
-    const auto power = power_of({{begin, begin + 2500.0}}, model_of(10.8));
+    const auto power = land_power({{begin, begin + 2500.0}}, land_model(10.8));
     const auto first = static_cast<std::size_t>(begin / 10.8);
     for (std::size_t k = 0; k < 200; ++k) {
       (power[first + k] > 0.0f ? echoing : silent) += 1;
@@ -48,9 +48,9 @@ TEST(LandReturns, LandHasDepthAndShadows) {
 // A surface falls off as R^-3: the bank's own return, over distances well within the horizon.
 TEST(LandReturns, FallOffWithTheCubeOfRange) {
   const auto bank = [&](double range) {
-    const auto model = model_of(10.0);
+    const auto model = land_model(10.0);
     return static_cast<double>(
-        power_of({{range, range + 1.0}}, model, 2048)[static_cast<std::size_t>(range / 10.0)]);
+        land_power({{range, range + 1.0}}, model, 2048)[static_cast<std::size_t>(range / 10.0)]);
   };
   double sum = 0.0;
   int n = 0;
@@ -61,9 +61,9 @@ TEST(LandReturns, FallOffWithTheCubeOfRange) {
 
 TEST(LandReturns, LowLandSinksBelowTheHorizon) {
   const double horizon = radar_horizon(20.0, 4.0);
-  const auto model = model_of(100.0);
-  const auto near = power_of({{0.8 * horizon, 0.8 * horizon + 1.0}}, model);
-  const auto far = power_of({{1.6 * horizon, 1.6 * horizon + 1.0}}, model);
+  const auto model = land_model(100.0);
+  const auto near = land_power({{0.8 * horizon, 0.8 * horizon + 1.0}}, model);
+  const auto far = land_power({{1.6 * horizon, 1.6 * horizon + 1.0}}, model);
   EXPECT_GT(near[static_cast<std::size_t>(0.8 * horizon / 100.0)], 0.0f);
   EXPECT_EQ(far[static_cast<std::size_t>(1.6 * horizon / 100.0)], 0.0f);
 }

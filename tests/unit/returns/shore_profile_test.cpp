@@ -8,18 +8,19 @@
 namespace skerry::echo {
 namespace {
 
-ShoreState of(CoastType type, float height = 0.0f, double level = 0.0, double foreshore = 0.0) {
+ShoreState state_of(CoastType type, float height = 0.0f, double level = 0.0,
+                    double foreshore = 0.0) {
   return {{type, false, height}, level, foreshore};
 }
 
-const ShoreState kAll[] = {of(CoastType::unknown),
-                           of(CoastType::rocky),
-                           of(CoastType::rocky, 25.0f),
-                           of(CoastType::artificial),
-                           of(CoastType::artificial, 7.5f, -2.0),
-                           of(CoastType::sandy),
-                           of(CoastType::sandy, 0.0f, -3.0, 150.0),
-                           of(CoastType::sandy, 0.0f, 2.0, -100.0)};
+const ShoreState kAll[] = {state_of(CoastType::unknown),
+                           state_of(CoastType::rocky),
+                           state_of(CoastType::rocky, 25.0f),
+                           state_of(CoastType::artificial),
+                           state_of(CoastType::artificial, 7.5f, -2.0),
+                           state_of(CoastType::sandy),
+                           state_of(CoastType::sandy, 0.0f, -3.0, 150.0),
+                           state_of(CoastType::sandy, 0.0f, 2.0, -100.0)};
 
 TEST(ShoreProfile, IsContinuousAndNeverHigherThanItsGreatest) {
   std::mt19937_64 random(3);
@@ -41,22 +42,22 @@ TEST(ShoreProfile, IsContinuousAndNeverHigherThanItsGreatest) {
 }
 
 TEST(ShoreProfile, AQuayStandsAsHighAsChartedOverTheTide) {
-  EXPECT_EQ(face_height(of(CoastType::artificial)), 3.0);
-  EXPECT_EQ(face_height(of(CoastType::artificial, 5.0f)), 5.0);
-  EXPECT_EQ(face_height(of(CoastType::artificial, 5.0f, -2.0)), 7.0);
-  EXPECT_EQ(face_height(of(CoastType::artificial, 5.0f, 9.0)), 0.5);  // awash
-  EXPECT_EQ(face_height(of(CoastType::rocky, 5.0f)), 0.0);
-  EXPECT_EQ(ground_behind(of(CoastType::artificial, 5.0f), 10.0, 0.7, -0.9).height_m, 5.0);
+  EXPECT_EQ(face_height(state_of(CoastType::artificial)), 3.0);
+  EXPECT_EQ(face_height(state_of(CoastType::artificial, 5.0f)), 5.0);
+  EXPECT_EQ(face_height(state_of(CoastType::artificial, 5.0f, -2.0)), 7.0);
+  EXPECT_EQ(face_height(state_of(CoastType::artificial, 5.0f, 9.0)), 0.5);  // awash
+  EXPECT_EQ(face_height(state_of(CoastType::rocky, 5.0f)), 0.0);
+  EXPECT_EQ(ground_behind(state_of(CoastType::artificial, 5.0f), 10.0, 0.7, -0.9).height_m, 5.0);
 }
 
 TEST(ShoreProfile, ARockyBankStandsAsHighAsCharted) {
-  EXPECT_DOUBLE_EQ(ground_behind(of(CoastType::rocky), 0.0, 0.3, 0.3).height_m, 4.0);
-  EXPECT_DOUBLE_EQ(ground_behind(of(CoastType::rocky, 25.0f), 0.0, 0.3, 0.3).height_m, 25.0);
+  EXPECT_DOUBLE_EQ(ground_behind(state_of(CoastType::rocky), 0.0, 0.3, 0.3).height_m, 4.0);
+  EXPECT_DOUBLE_EQ(ground_behind(state_of(CoastType::rocky, 25.0f), 0.0, 0.3, 0.3).height_m, 25.0);
 }
 
 TEST(ShoreProfile, SandRisesOneInFiftyFromTheWaterOfTheMoment) {
   for (const double foreshore : {0.0, 80.0, -60.0}) {
-    const ShoreState sand = of(CoastType::sandy, 0.0f, -foreshore / 50.0, foreshore);
+    const ShoreState sand = state_of(CoastType::sandy, 0.0f, -foreshore / 50.0, foreshore);
     for (double d = 0.0; d < 150.0 + foreshore; d += 5.0)
       EXPECT_NEAR(ground_behind(sand, d, 0.5, -0.5).height_m, d / 50.0, 1e-12);
     // 3 m at 150 m above high water, and half of 12 m more 900 m behind it.
@@ -64,7 +65,7 @@ TEST(ShoreProfile, SandRisesOneInFiftyFromTheWaterOfTheMoment) {
                 (150.0 + foreshore) / 50.0 + 6.0, 1e-12);
     // Above high water the land is the same land, whatever the tide.
     EXPECT_NEAR(ground_behind(sand, 900.0 + foreshore, 0.5, -0.5).height_m - foreshore / 50.0,
-                ground_behind(of(CoastType::sandy), 900.0, 0.5, -0.5).height_m, 1e-12);
+                ground_behind(state_of(CoastType::sandy), 900.0, 0.5, -0.5).height_m, 1e-12);
   }
 }
 

@@ -28,7 +28,7 @@ double signal_to_noise(double sigma, double range) {
 
 double decibels(double ratio) { return 10.0 * std::log10(ratio); }
 
-LandModel model_of(double cell_m) {
+LandModel shore_model(double cell_m) {
   return {cell_m, kAntenna, kArc, unit_signal_to_noise(RadarSet{}, {0.1e-6, 10e6}), 9};
 }
 
@@ -39,12 +39,13 @@ ShoreStretch stretch_of(CoastType type, double begin, double end) {
   return {begin, end, {state, begin, false}, {state, end, false}};
 }
 
-std::vector<float> power_of(std::vector<ShoreStretch> land, double cell_m, std::size_t cells = 1024,
-                            const ShoreWater& water = {}, std::uint32_t bearing = 0x20000000u,
-                            const ChartedRelief* relief = nullptr,
-                            GroundProfile* profile = nullptr) {
+std::vector<float> shore_power(std::vector<ShoreStretch> land, double cell_m,
+                               std::size_t cells = 1024, const ShoreWater& water = {},
+                               std::uint32_t bearing = 0x20000000u,
+                               const ChartedRelief* relief = nullptr,
+                               GroundProfile* profile = nullptr) {
   std::vector<float> power(cells, 0.0f);
-  add_shores(land, model_of(cell_m), water, lattice_path(kShip, {}, bearing, cell_m), relief,
+  add_shores(land, shore_model(cell_m), water, lattice_path(kShip, {}, bearing, cell_m), relief,
              profile, power);
   return power;
 }
@@ -56,7 +57,7 @@ std::vector<double> mean_profile(CoastType type, const ShoreWater& water = {}) {
   for (double begin = 2000.0; begin < 2100.0; begin += 5.0) {
     for (std::uint32_t k = 0; k < 16; ++k, ++n) {
       const auto power =
-          power_of({stretch_of(type, begin, begin + 1500.0)}, 5.0, 1024, water, k << 28);
+          shore_power({stretch_of(type, begin, begin + 1500.0)}, 5.0, 1024, water, k << 28);
       const auto first = static_cast<std::size_t>(begin / 5.0);
       for (std::size_t i = 0; i < mean.size(); ++i) {
         // To 2 km, as R^-3 has it.
@@ -71,7 +72,7 @@ std::vector<double> mean_profile(CoastType type, const ShoreWater& water = {}) {
 
 TEST(ShoreReturns, AQuaysFaceIsThatOfTheRadarEquation) {
   for (const double range : {502.5, 2002.5, 4502.5}) {
-    const auto power = power_of({stretch_of(CoastType::artificial, range, range + 400.0)}, 5.0);
+    const auto power = shore_power({stretch_of(CoastType::artificial, range, range + 400.0)}, 5.0);
     const auto cell = static_cast<std::size_t>(range / 5.0);
     const double sigma = std::pow(10.0, -0.15) * 3.0 * range * kArc;
     EXPECT_NEAR(decibels(static_cast<double>(power[cell]) / signal_to_noise(sigma, range)), 0.0,
@@ -138,7 +139,7 @@ TEST(ShoreReturns, TypesDifferInLevelSharpnessAndDepth) {
 TEST(ShoreReturns, NothingEchoesBeforeAnEdgeAcrossTheRay) {
   for (const CoastType type : {CoastType::artificial, CoastType::rocky, CoastType::sandy}) {
     for (double begin = 700.0; begin < 4000.0; begin += 61.7) {
-      const auto power = power_of({stretch_of(type, begin, begin + 800.0)}, 5.0);
+      const auto power = shore_power({stretch_of(type, begin, begin + 800.0)}, 5.0);
       const auto first = static_cast<std::size_t>(begin / 5.0);
       for (std::size_t i = 0; i < first; ++i) ASSERT_EQ(power[i], 0.0f);
       double near = 0.0;
@@ -153,9 +154,9 @@ TEST(ShoreReturns, NothingEchoesBeforeAnEdgeAcrossTheRay) {
 
 TEST(ShoreReturns, AFaceAlongTheRaySpreadsWhatItReturns) {
   ShoreStretch s = stretch_of(CoastType::artificial, 2002.5, 2600.0);
-  const auto square = power_of({s}, 5.0);
+  const auto square = shore_power({s}, 5.0);
   s.face_near_m = 42.5, s.face_far_m = 57.5;  // cells 392 .. 411
-  const auto along = power_of({s}, 5.0);
+  const auto along = shore_power({s}, 5.0);
   const double whole = static_cast<double>(square[400]) * std::pow(2002.5, 3);
   double sum = 0.0;
   for (std::size_t i = 392; i < 412; ++i) {
@@ -185,18 +186,18 @@ TEST(ShoreReturns, PlainLandHasTheBitsOfAddLand) {
     const auto bearing = static_cast<std::uint32_t>(random());
     std::vector<float> plain(1024, 0.0f);
     const LatticePath path = lattice_path(kShip, {}, bearing, cell);
-    add_land(land, model_of(cell), path, plain);
+    add_land(land, shore_model(cell), path, plain);
     GroundProfile profile;
     profile.clear(1024);
-    ASSERT_EQ(power_of(stretches, cell, 1024, {}, bearing), plain);
-    ASSERT_EQ(power_of(stretches, cell, 1024, {}, bearing, nullptr, &profile), plain);
+    ASSERT_EQ(shore_power(stretches, cell, 1024, {}, bearing), plain);
+    ASSERT_EQ(shore_power(stretches, cell, 1024, {}, bearing, nullptr, &profile), plain);
   }
 }
 
 TEST(ShoreReturns, SandIsMadeAnewInTimeOnlyWhereThereAreWaves) {
   const auto at = [](CoastType type, double waves, double seconds) {
     const auto stretch = stretch_of(type, 2000.0, 3000.0);
-    return power_of({stretch}, 5.0, 1024, {0.0, waves, seconds, 9});
+    return shore_power({stretch}, 5.0, 1024, {0.0, waves, seconds, 9});
   };
   EXPECT_EQ(at(CoastType::sandy, 0.0, 1.0), at(CoastType::sandy, 0.0, 77.0));
   EXPECT_EQ(at(CoastType::rocky, 2.0, 1.0), at(CoastType::rocky, 2.0, 77.0));
@@ -236,14 +237,14 @@ ElevationGrid hills() {
 TEST(ShoreReturns, ReliefIsThatOfTheRasterAtTheCell) {
   const ElevationGrid grid = hills();
   constexpr double kCell = 10.0, kBegin = 1000.0, kEnd = 7000.0;
-  const LandModel model = model_of(kCell);
+  const LandModel model = shore_model(kCell);
   int shown_cells = 0, hidden_cells = 0;
   double worst = 0.0;
   for (const double bearing : {5.0, 10.0, 22.0, 35.0, 48.0, 60.0, 77.0, 83.0}) {
     const auto units = static_cast<std::uint32_t>(bearing / 360.0 * 4294967296.0);
     const ChartedRelief relief{grid, GroundTrack(kShip, {}, units)};
     const auto power =
-        power_of({stretch_of(CoastType::rocky, kBegin, kEnd)}, kCell, 1024, {}, units, &relief);
+        shore_power({stretch_of(CoastType::rocky, kBegin, kEnd)}, kCell, 1024, {}, units, &relief);
     const LatticePath path = lattice_path(kShip, {}, units, kCell);
     double steepest = -1e9;
     for (std::size_t i = 100; i < 700; ++i) {
@@ -291,8 +292,8 @@ TEST(ShoreReturns, WhereTheRasterHasNoDataReliefIsSynthetic) {
   const ChartedRelief empty{grid, GroundTrack(kShip, {}, 0x08000000u)};
   const std::vector<ShoreStretch> land = {stretch_of(CoastType::rocky, 1000.0, 4000.0)};
   // Without a raster the longer waves of the relief are joined between cells (natural_land.hpp).
-  const auto with = power_of(land, 10.0, 1024, {}, 0x08000000u, &empty);
-  const auto without = power_of(land, 10.0, 1024, {}, 0x08000000u);
+  const auto with = shore_power(land, 10.0, 1024, {}, 0x08000000u, &empty);
+  const auto without = shore_power(land, 10.0, 1024, {}, 0x08000000u);
   double sum = 0.0, difference = 0.0;
   for (std::size_t i = 0; i < with.size(); ++i) {
     sum += static_cast<double>(without[i]);
@@ -317,8 +318,9 @@ TEST(ShoreReturns, ARasterKeepsTheBankAtTheEdge) {
 TEST(ShoreReturns, ASeamIsNoCoast) {
   const ShoreState rock{shore_of(CoastType::rocky), 0.0, 0.0};
   const ShoreEnd begin{rock, 1000.0, false}, end{rock, 5000.0, false};
-  const auto whole = power_of({{1000.0, 5000.0, begin, end}}, 5.0);
-  const auto seamed = power_of({{1000.0, 2001.0, begin, end}, {2003.0, 5000.0, begin, end}}, 5.0);
+  const auto whole = shore_power({{1000.0, 5000.0, begin, end}}, 5.0);
+  const auto seamed =
+      shore_power({{1000.0, 2001.0, begin, end}, {2003.0, 5000.0, begin, end}}, 5.0);
   int echoing = 0;
   for (std::size_t i = 0; i < whole.size(); ++i) {
     if (i == 400) continue;  // the cell of the seam has both

@@ -16,12 +16,14 @@ namespace {
 
 constexpr std::uint32_t kRays = 4096;
 constexpr double kTurn = 4294967296.0;
-constexpr double kArc = 2.0 * std::numbers::pi / kRays;
+constexpr double kRayArc = 2.0 * std::numbers::pi / kRays;
 
-StructureModel model_of(double cell_m) { return {cell_m, 20.0, 1e12, 0xFFFFFFFFu / kRays + 1}; }
+StructureModel structure_model(double cell_m) {
+  return {cell_m, 20.0, 1e12, 0xFFFFFFFFu / kRays + 1};
+}
 
-std::shared_ptr<const Structures> of(std::vector<Wall> walls,
-                                     std::vector<PointObject> points = {}) {
+std::shared_ptr<const Structures> structures_of(std::vector<Wall> walls,
+                                                std::vector<PointObject> points = {}) {
   return std::make_shared<const Structures>(Structures{std::move(walls), std::move(points)});
 }
 
@@ -77,7 +79,7 @@ std::vector<std::vector<double>> brute_force(const std::vector<Wall>& walls,
       const double across = std::fabs(e * dn - m * de) / range / n;
       const double along = std::fabs(e * de + m * dn) / range / n;
       const double sigma = wall_gamma(wall.kind) * height * (across + kAlongTheLine * along);
-      const double at = std::fmod(std::atan2(e, m) / kArc + kRays, kRays);
+      const double at = std::fmod(std::atan2(e, m) / kRayArc + kRays, kRays);
       const auto left = static_cast<std::size_t>(at);
       const double to_right = at - std::floor(at);
       const double power = model.unit_signal_to_noise * sigma / std::pow(range, 4);
@@ -112,11 +114,11 @@ TEST(StructureReturns, AWallIsWhatBruteForceMakesOfIt) {
   walls.push_back({{0.2, 1500}, {-0.3, 1300}, 0.0f, 4.0f, ObjectClass::building});
   ASSERT_GT(walls.size(), 40u);
 
-  const StructureModel model = model_of(6.0);
+  const StructureModel model = structure_model(6.0);
   double worst_cell = 0.0, total = 0.0, off = 0.0;
   for (const PlanePoint own_ship : {PlanePoint{0, 0}, PlanePoint{31, 17}}) {
     const auto reference = brute_force(walls, model, own_ship, 1024);
-    const Fan fan = fan_of(*of(walls), model, own_ship);
+    const Fan fan = fan_of(*structures_of(walls), model, own_ship);
     for (std::uint32_t k = 0; k < kRays; ++k) {
       const double peak = *std::max_element(reference[k].begin(), reference[k].end());
       for (std::size_t i = 0; i < 1024; ++i) {
@@ -139,9 +141,10 @@ TEST(StructureReturns, AWallIsWhatBruteForceMakesOfIt) {
 
 // 100 m of pier, square to the ray at 2 km: gamma h R dtheta on each ray, by the radar equation.
 TEST(StructureReturns, AWallSquareToTheRayIsThatOfTheRadarEquation) {
-  const StructureModel model = model_of(10.0);
-  const Fan fan = fan_of(*of({{{-50, 2005}, {50, 2005}, 0.0f, 5.0f, ObjectClass::pier}}), model);
-  const double sigma = 0.501 * 5.0 * 2005.0 * kArc;
+  const StructureModel model = structure_model(10.0);
+  const Fan fan =
+      fan_of(*structures_of({{{-50, 2005}, {50, 2005}, 0.0f, 5.0f, ObjectClass::pier}}), model);
+  const double sigma = 0.501 * 5.0 * 2005.0 * kRayArc;
   EXPECT_NEAR(static_cast<double>(fan.rays[0][200]) / (1e12 * sigma / std::pow(2005.0, 4)), 1.0,
               1e-3);
   EXPECT_NEAR(fan.sum_of_cross_sections(10.0, 1e12), 0.501 * 5.0 * 100.0, 0.5);
@@ -150,13 +153,13 @@ TEST(StructureReturns, AWallSquareToTheRayIsThatOfTheRadarEquation) {
 // Exactly end on, whatever ray it falls on and however the bow turns: it returns its share of its
 // length, over all cells it covers, and never vanishes.
 TEST(StructureReturns, AWallSeenEndOnNeverVanishes) {
-  const StructureModel model = model_of(10.0);
+  const StructureModel model = structure_model(10.0);
   const double sigma = 0.501 * 4.0 * kAlongTheLine * 200.0;
   for (const PlanePoint to : {PlanePoint{0, 1}, PlanePoint{0.6, 0.8}, PlanePoint{-0.8, 0.6},
                               PlanePoint{0, -1}, PlanePoint{-1, 0}}) {
     const Wall pier{to * 1000.0, to * 1200.0, 0.0f, 4.0f, ObjectClass::pier};
     for (const std::uint32_t turned : {0u, 1u, 99999u, 524288u, 1048575u}) {
-      const Fan fan = fan_of(*of({pier}), model, {}, turned);
+      const Fan fan = fan_of(*structures_of({pier}), model, {}, turned);
       double sum = 0.0;
       for (const auto& ray : fan.rays) {
         for (std::size_t i = 0; i < ray.size(); ++i) {
@@ -173,12 +176,12 @@ TEST(StructureReturns, AWallSeenEndOnNeverVanishes) {
 }
 
 TEST(StructureReturns, ABridgeSinksByItsDeckAndAPierByItsFoot) {
-  const StructureModel model = model_of(100.0);
+  const StructureModel model = structure_model(100.0);
   const double range = 30000.0;  // the Earth hides 7.9 m
   const double hidden = hidden_height(range, 20.0);
   const auto sigma = [&](Wall wall) {
     wall.from = {-50, range}, wall.to = {50, range};
-    return fan_of(*of({wall}), model).sum_of_cross_sections(100.0, 1e12) *
+    return fan_of(*structures_of({wall}), model).sum_of_cross_sections(100.0, 1e12) *
            std::pow(range / (300.5 * 100.0), 4) / 100.0;
   };
   EXPECT_NEAR(hidden, 7.88, 0.1);
@@ -189,14 +192,14 @@ TEST(StructureReturns, ABridgeSinksByItsDeckAndAPierByItsFoot) {
 }
 
 TEST(StructureReturns, APointStandsAtItsRangeAndBearingWithItsCrossSection) {
-  const StructureModel model = model_of(10.0);
+  const StructureModel model = structure_model(10.0);
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < 200; ++i) {
     const double bearing = 2.0 * std::numbers::pi * unit(random), range = 60 + 9000 * unit(random);
     const PointObject buoy{
         {range * std::sin(bearing), range * std::cos(bearing)}, 4.0f, 7.5f, ObjectClass::buoy, 1};
-    const Fan fan = fan_of(*of({}, {buoy}), model);
+    const Fan fan = fan_of(*structures_of({}, {buoy}), model);
     double sum = 0.0, middle = 0.0;
     int rays = 0;
     for (std::uint32_t k = 0; k < kRays; ++k) {
@@ -210,19 +213,19 @@ TEST(StructureReturns, APointStandsAtItsRangeAndBearingWithItsCrossSection) {
       }
       const double power = static_cast<double>(fan.rays[k][cell]);
       sum += power;
-      middle += power * std::remainder(k * kArc - bearing, 2.0 * std::numbers::pi);
+      middle += power * std::remainder(k * kRayArc - bearing, 2.0 * std::numbers::pi);
     }
     EXPECT_LE(rays, 2);
     EXPECT_NEAR(sum / (1e12 * 7.5 / std::pow(range, 4)), 1.0, 1e-5);
-    EXPECT_NEAR(middle / sum, 0.0, 0.01 * kArc);
+    EXPECT_NEAR(middle / sum, 0.0, 0.01 * kRayArc);
   }
 }
 
 TEST(StructureReturns, APointSinksBelowTheHorizon) {
-  const StructureModel model = model_of(100.0);
+  const StructureModel model = structure_model(100.0);
   const auto level = [&](double range) {
     const PointObject mast{{0, range}, 30.0f, 10.0f, ObjectClass::landmark, 1};
-    const Fan fan = fan_of(*of({}, {mast}), model);
+    const Fan fan = fan_of(*structures_of({}, {mast}), model);
     return fan.sum_of_cross_sections(100.0, 1e12) / 10.0 /
            std::pow((std::floor(range / 100.0) + 0.5) * 100.0 / range, 4);
   };
@@ -234,7 +237,7 @@ TEST(StructureReturns, APointSinksBelowTheHorizon) {
 // Land 30 m high before it hides a beacon and the lower part of a tower; a building on the land
 // stands out of it.
 TEST(StructureReturns, LandHidesWhatStandsBehindIt) {
-  const StructureModel model = model_of(10.0);
+  const StructureModel model = structure_model(10.0);
   GroundProfile ground;
   ground.clear(1024);
   const double slope = (30.0 - 20.0 - 1000.0 * 1000.0 / (2.0 * kEffectiveEarth)) / 1005.0;
@@ -242,7 +245,8 @@ TEST(StructureReturns, LandHidesWhatStandsBehindIt) {
   for (std::size_t i = 150; i < 200; ++i) ground.height_m[i] = 34.0f;
   const auto sigma = [&](double range, float top, ObjectClass kind) {
     const Wall wall{{-20, range}, {20, range}, 0.0f, top, kind};
-    return fan_of(*of({wall}), model, {}, 0, 1024, &ground).sum_of_cross_sections(10.0, 1e12) /
+    return fan_of(*structures_of({wall}), model, {}, 0, 1024, &ground)
+               .sum_of_cross_sections(10.0, 1e12) /
            (40.0 * wall_gamma(kind)) * std::pow(range / (std::floor(range / 10.0) * 10.0 + 5.0), 4);
   };
   const double hides = 20.0 + 3000.0 * 3000.0 / (2.0 * kEffectiveEarth) + slope * 3000.0;
@@ -258,12 +262,12 @@ TEST(StructureReturns, LandHidesWhatStandsBehindIt) {
   EXPECT_NEAR(sigma(1700.0, 80.0f, ObjectClass::building), 80.0 - 37.0, 0.3);
 
   const PointObject hidden{{0, 3000}, 20.0f, 10.0f, ObjectClass::beacon, 1};
-  const Fan fan = fan_of(*of({}, {hidden}), model, {}, 0, 1024, &ground);
+  const Fan fan = fan_of(*structures_of({}, {hidden}), model, {}, 0, 1024, &ground);
   EXPECT_EQ(fan.sum_of_cross_sections(10.0, 1.0), 0.0);
 }
 
 TEST(StructureReturns, SurvivesWhatAChartMayHold) {
-  const StructureModel model = model_of(10.0);
+  const StructureModel model = structure_model(10.0);
   const Structures odd{{{{0, 0}, {0, 0}, 0.0f, 5.0f, ObjectClass::pier},
                         {{-100, 0}, {100, 0}, 0.0f, 5.0f, ObjectClass::pier},
                         {{-1e7, 5}, {1e7, 5}, 0.0f, 5.0f, ObjectClass::pier},
@@ -300,7 +304,7 @@ TEST(StructureIndex, OffersAllThatEchoes) {
                      ObjectClass::pier});
     points.push_back({{at.north_m, -at.east_m}, 5.0f, 1.0f, ObjectClass::buoy, 0});
   }
-  const auto all = of(walls, points);
+  const auto all = structures_of(walls, points);
   const StructureIndex index(all, {0, 0}, 40.0);
   NearStructures everything, near;
   for (std::uint32_t i = 0; i < 400; ++i) {
@@ -309,7 +313,7 @@ TEST(StructureIndex, OffersAllThatEchoes) {
   }
   std::size_t offered = 0, rays = 0;
   for (const std::uint32_t turn : {256u, 4096u, 8192u}) {
-    StructureModel model = model_of(5.0);
+    StructureModel model = structure_model(5.0);
     model.ray_units = static_cast<std::uint32_t>(kTurn / turn);
     for (const PlanePoint own_ship : {PlanePoint{0, 0}, PlanePoint{28, 28}, PlanePoint{-40, 0}}) {
       EXPECT_TRUE(index.serves(own_ship));
