@@ -5,21 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 #include "protocol/video/range_scale.hpp"
 #include "tests/scenes/charts.hpp"
+#include "tests/unit/scene/coast_helpers.hpp"
 
 namespace skerry::echo {
 namespace {
 
-RadarResolution resolution(double nm, std::uint32_t cells = 1024, std::uint32_t spokes = 4096) {
-  return {nm * 1852.0, nm * 1852.0 / cells, 360.0 / spokes};
-}
+using test::resolution;
+using test::VertexSet;
 
-using Vertices = std::set<std::pair<double, double>>;
-Vertices vertices_of(const CoastPicture& picture, double within_m) {
-  Vertices set;
+VertexSet vertices_within(const CoastPicture& picture, double within_m) {
+  VertexSet set;
   for (const PlanePoint& v : picture.vertices) {
     const PlanePoint d = v - picture.centre;
     if (std::hypot(d.east_m, d.north_m) < within_m) set.insert({v.east_m, v.north_m});
@@ -30,11 +28,11 @@ Vertices vertices_of(const CoastPicture& picture, double within_m) {
 TEST(CoastPicture, AFinerPictureKeepsEveryVertexOfACoarserOne) {
   CoastPreparer preparer(scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 80, 3),
                          scenes::kBergen, echo::CoastRules{.seed = 1});
-  Vertices before;
+  VertexSet before;
   for (double nm : {6.0, 3.0, 1.5, 0.75, 0.25}) {
     const auto picture = preparer.prepare(scenes::kBergen, resolution(nm));
     const double within = nm * 1852.0 * 0.5;
-    const Vertices fine = vertices_of(*picture, within);
+    const VertexSet fine = vertices_within(*picture, within);
     for (const auto& v : before) {
       if (std::hypot(v.first, v.second) >= within) continue;
       EXPECT_TRUE(fine.count(v)) << nm;
@@ -49,7 +47,7 @@ TEST(CoastPicture, IsTheSameCoastSeenFromElsewhere) {
   const auto here = preparer.prepare(scenes::kBergen, resolution(3));
   const auto there = preparer.prepare({60.28, 5.16}, resolution(3));
   // Near both, both stop at half a cell; only at the edges of their slack do they differ.
-  const Vertices a = vertices_of(*here, 2000), b = vertices_of(*there, 6000);
+  const VertexSet a = vertices_within(*here, 2000), b = vertices_within(*there, 6000);
   std::size_t common = 0;
   for (const auto& v : a) common += b.count(v);
   EXPECT_GT(a.size(), 1000u);
