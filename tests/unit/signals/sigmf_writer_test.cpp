@@ -12,9 +12,6 @@ namespace {
 using namespace testing_signals;
 using testing::HasSubstr;
 
-const std::vector<SignalChannel> kAll(kAllSignalChannels.begin(), kAllSignalChannels.end());
-const GoOn kAlways = [](double) { return true; };
-
 ToolOutput check(const std::string& collection) {
   return run_tool("python3 " SKERRY_SOURCE_DIR "/tests/unit/signals/sigmf_check.py " + collection +
                   " 2>&1");

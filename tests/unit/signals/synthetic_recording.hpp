@@ -9,6 +9,9 @@
 
 namespace skerry::client::testing_signals {
 
+inline const std::vector<SignalChannel> kAll(kAllSignalChannels.begin(), kAllSignalChannels.end());
+inline const GoOn kAlways = [](double) { return true; };
+
 // 16 random bits, the same on every machine.
 inline std::uint32_t dice(std::uint64_t n) {
   n = (n + 0x9E3779B97F4A7C15u) * 0xBF58476D1CE4E5B9u;

@@ -14,8 +14,6 @@ namespace {
 using namespace testing_signals;
 using testing::HasSubstr;
 
-const GoOn kAlways = [](double) { return true; };
-
 struct SigrokTicks {
   std::uint64_t samples_per_second = 0;
   std::vector<std::uint8_t> bytes;  // of every tick one or more, bit 0 of the first: first wire

@@ -15,9 +15,6 @@ namespace {
 using namespace testing_signals;
 using testing::HasSubstr;
 
-const std::vector<SignalChannel> kAll(kAllSignalChannels.begin(), kAllSignalChannels.end());
-const GoOn kAlways = [](double) { return true; };
-
 std::vector<std::int16_t> as_samples(const std::vector<std::uint8_t>& bytes, std::size_t from = 0) {
   std::vector<std::int16_t> samples;
   for (std::size_t i = from; i + 1 < bytes.size(); i += 2) {

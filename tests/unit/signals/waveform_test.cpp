@@ -10,8 +10,6 @@ namespace {
 
 using namespace testing_signals;
 
-const std::vector<SignalChannel> kAll(kAllSignalChannels.begin(), kAllSignalChannels.end());
-
 // By blocks of the lengths given by turns.
 std::vector<std::int16_t> filled(Waveform& waveform, const std::vector<std::size_t>& blocks) {
   std::vector<std::int16_t> all;
