@@ -12,10 +12,8 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kRangeDb = kLogVideoDb;
-
 std::vector<double> noise_powers(SweepReceiver& receiver, std::uint64_t trigger) {
-  return powers_of(receiver.channel(), kRangeDb, noise_sweep(receiver, trigger));
+  return powers_of(receiver.channel(), kLogVideoDb, noise_sweep(receiver, trigger));
 }
 
 // 200 triggers of 2048 independent ticks: Kolmogorov and Smirnov's 1e-6 point is 2.7 / sqrt(N) =
@@ -145,7 +143,7 @@ TEST(SweepNoise, IsSharedByChannelsOfOtherDelayAndDetector) {
   const auto c = noise_sweep(log, 4);
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (b[i] < 50 || c[i] == 0) continue;
-    const double power = power_of(late.channel(), kRangeDb, b[i]);
+    const double power = power_of(late.channel(), kLogVideoDb, b[i]);
     EXPECT_NEAR(log.level_of(power, 0), c[i] + 0.5, 0.5 + 16384.0 / 45.0 * 8.7 * 0.6 / b[i]) << i;
   }
 }

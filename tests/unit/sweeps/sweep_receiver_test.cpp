@@ -14,8 +14,6 @@
 namespace skerry::echo {
 namespace {
 
-constexpr double kRangeDb = kLogVideoDb;
-
 // Power at a range between two rows, as the header has it; in double, on its own.
 double power_at(double range_m, const std::vector<float>& before, const std::vector<float>& after,
                 double share) {
@@ -33,8 +31,10 @@ double level(const SweepChannel& c, double power, double range_m) {
   const double full = std::exp2(c.bits);
   const double gain = c.gain_db - stc_db(c.stc, range_m);
   if (c.detector == VideoDetector::log)
-    return full / kRangeDb * (10.0 * std::log10(power) + kRangeDb * 2.0 / 9.0 + gain) + c.offset;
-  return full * std::sqrt(power) * std::pow(10.0, (gain - kRangeDb * 7.0 / 9.0) / 20.0) + c.offset;
+    return full / kLogVideoDb * (10.0 * std::log10(power) + kLogVideoDb * 2.0 / 9.0 + gain) +
+           c.offset;
+  return full * std::sqrt(power) * std::pow(10.0, (gain - kLogVideoDb * 7.0 / 9.0) / 20.0) +
+         c.offset;
 }
 
 // Rows so strong, 95 to 115 dB over noise, that noise moves a sample by less than 2e-4 dB.
@@ -74,7 +74,7 @@ TEST(SweepReceiver, MatchesAReferenceInRangeAzimuthAndDetector) {
               const double relative =
                   3e-4 + 0.85 * (1.3e-4 * metres_per_tick_of(c) / 20.0 + 1.2e-7 * 400.0);
               const double allowed = detector == VideoDetector::log
-                                         ? std::exp2(bits) / kRangeDb *
+                                         ? std::exp2(bits) / kLogVideoDb *
                                                (4.343 * relative + 1.2e-4 * kDecibelsPerOctave)
                                          : 0.5 * relative * exact;
               const double off = std::max({0.0, codes[i] - exact, exact - (codes[i] + 1.0)});
@@ -119,7 +119,7 @@ TEST(SweepReceiver, ASteadyEchoIsRicianAndAStrongOneFillsTheScale) {
   for (std::uint64_t t = 0; t < 100; ++t) {
     const auto codes = sweep_of(receiver, echo, echo, 0.5f, t);
     for (std::size_t i = 0; i < 1300; ++i) {
-      const double p = power_of(c, kRangeDb, codes[i]);
+      const double p = power_of(c, kLogVideoDb, codes[i]);
       sum += p, squares += p * p, n += 1.0;
     }
   }
