@@ -8,11 +8,6 @@
 namespace skerry::echo {
 namespace {
 
-Hull ship_at(PlanePoint centre, double heading_deg, double length_m, double beam_m,
-             std::uint64_t identity = 7) {
-  return {centre, {0, 0}, heading_deg, 0.0, length_m, beam_m, 20.0, identity};
-}
-
 // Greatest power of the picture about that bearing in one passing.
 struct Seen {
   double peak = 0.0;

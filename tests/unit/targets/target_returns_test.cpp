@@ -9,9 +9,6 @@
 namespace skerry::echo {
 namespace {
 
-Hull ship_at(PlanePoint centre, double heading_deg, double length_m = 120.0, double beam_m = 18.0) {
-  return {centre, {0, 0}, heading_deg, 0.0, length_m, beam_m, 20.0, 7};
-}
 PointTarget buoy_at(PlanePoint place, Fluctuation fluctuation = Fluctuation::steady) {
   return {place, {0, 0}, 3.5, 10.0, 1.0, fluctuation, 9};
 }

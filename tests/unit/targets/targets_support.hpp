@@ -35,6 +35,10 @@ inline PlanePoint place_at(double range_m, double bearing_deg) {
   const double angle = bearing_deg * std::numbers::pi / 180.0;
   return {range_m * std::sin(angle), range_m * std::cos(angle)};
 }
+inline Hull ship_at(PlanePoint centre, double heading_deg, double length_m = 120.0,
+                    double beam_m = 18.0, std::uint64_t identity = 7) {
+  return {centre, {0, 0}, heading_deg, 0.0, length_m, beam_m, 20.0, identity};
+}
 inline PointEcho echo_at(double range_m, double bearing_deg, float power, std::uint32_t body = 0,
                          float phase = 0.0f) {
   return {range_m, units_at(bearing_deg), power, phase, body, 10.0f};
