@@ -88,13 +88,13 @@ TEST(DatagramHeader, EveryCutIsRefused) {
   }
 }
 
-struct Wrong {
+struct WrongByte {
   const char* what;
   std::size_t at;
   std::uint8_t byte;
   WireErrorKind kind;
 };
-class WrongDatagram : public testing::TestWithParam<Wrong> {};
+class WrongDatagram : public testing::TestWithParam<WrongByte> {};
 
 TEST_P(WrongDatagram, IsRefused) {
   Bytes datagram = kGoldenHeader;
@@ -105,21 +105,22 @@ TEST_P(WrongDatagram, IsRefused) {
   EXPECT_EQ(name_of(header.error().kind), name_of(GetParam().kind)) << header.error().text;
 }
 
-INSTANTIATE_TEST_SUITE_P(EachField, WrongDatagram,
-                         testing::Values(Wrong{"Magic", 0, 0x54, WireErrorKind::malformed},
-                                         Wrong{"Version", 4, 2, WireErrorKind::unknown_kind},
-                                         Wrong{"SmallHeader", 5, 31, WireErrorKind::malformed},
-                                         Wrong{"OtherHeader", 5, 33, WireErrorKind::malformed},
-                                         Wrong{"IndexBeyondCount", 11, 3, WireErrorKind::malformed},
-                                         Wrong{"Index", 11, 1, WireErrorKind::malformed},
-                                         Wrong{"ManyFragments", 13, 4, WireErrorKind::malformed},
-                                         Wrong{"NoFragments", 13, 0, WireErrorKind::malformed},
-                                         Wrong{"FragmentSize", 15, 0xA1, WireErrorKind::malformed},
-                                         Wrong{"LongBody", 25, 1, WireErrorKind::oversized},
-                                         Wrong{"OtherBody", 27, 0x41, WireErrorKind::malformed},
-                                         Wrong{"Offset", 31, 0x42, WireErrorKind::malformed},
-                                         Wrong{"FarOffset", 28, 0xFF, WireErrorKind::malformed}),
-                         [](const auto& each) { return std::string(each.param.what); });
+INSTANTIATE_TEST_SUITE_P(
+    EachField, WrongDatagram,
+    testing::Values(WrongByte{"Magic", 0, 0x54, WireErrorKind::malformed},
+                    WrongByte{"Version", 4, 2, WireErrorKind::unknown_kind},
+                    WrongByte{"SmallHeader", 5, 31, WireErrorKind::malformed},
+                    WrongByte{"OtherHeader", 5, 33, WireErrorKind::malformed},
+                    WrongByte{"IndexBeyondCount", 11, 3, WireErrorKind::malformed},
+                    WrongByte{"Index", 11, 1, WireErrorKind::malformed},
+                    WrongByte{"ManyFragments", 13, 4, WireErrorKind::malformed},
+                    WrongByte{"NoFragments", 13, 0, WireErrorKind::malformed},
+                    WrongByte{"FragmentSize", 15, 0xA1, WireErrorKind::malformed},
+                    WrongByte{"LongBody", 25, 1, WireErrorKind::oversized},
+                    WrongByte{"OtherBody", 27, 0x41, WireErrorKind::malformed},
+                    WrongByte{"Offset", 31, 0x42, WireErrorKind::malformed},
+                    WrongByte{"FarOffset", 28, 0xFF, WireErrorKind::malformed}),
+    [](const auto& each) { return std::string(each.param.what); });
 
 TEST(Datagrams, CarryATcpFrameWithoutItsLength) {
   const Spoke spoke = test_spoke({4096, 4096, 8}, 5, 17);

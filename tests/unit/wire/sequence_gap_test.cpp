@@ -9,26 +9,26 @@
 namespace skerry {
 namespace {
 
-LossCounter fed(const std::vector<std::uint64_t>& sequence) {
+LossCounter counted(const std::vector<std::uint64_t>& sequence) {
   LossCounter counter;
   for (const std::uint64_t each : sequence) counter.take(each);
   return counter;
 }
 
 TEST(LossCounter, LosesNothingInAWholeStream) {
-  const LossCounter counter = fed({100, 101, 102, 103});
+  const LossCounter counter = counted({100, 101, 102, 103});
   EXPECT_EQ(counter.received(), 4u);
   EXPECT_EQ(counter.lost(), 0u);
 }
 
 TEST(LossCounter, CountsWhatIsMissingBetweenFirstAndNewest) {
-  const LossCounter counter = fed({100, 101, 105, 110});
+  const LossCounter counter = counted({100, 101, 105, 110});
   EXPECT_EQ(counter.received(), 4u);
   EXPECT_EQ(counter.lost(), 3u + 4u);
 }
 
 TEST(LossCounter, TakesBackALossThatWasOnlyLate) {
-  const LossCounter counter = fed({100, 103, 102});
+  const LossCounter counter = counted({100, 103, 102});
   EXPECT_EQ(counter.received(), 3u);
   EXPECT_EQ(counter.lost(), 1u);
   EXPECT_EQ(counter.late(), 1u);
@@ -36,7 +36,7 @@ TEST(LossCounter, TakesBackALossThatWasOnlyLate) {
 }
 
 TEST(LossCounter, TellsDuplicatesFromLateOnes) {
-  LossCounter counter = fed({100, 103});
+  LossCounter counter = counted({100, 103});
   EXPECT_TRUE(counter.take(102));
   EXPECT_FALSE(counter.take(102));
   EXPECT_FALSE(counter.take(103));
@@ -46,14 +46,14 @@ TEST(LossCounter, TellsDuplicatesFromLateOnes) {
 }
 
 TEST(LossCounter, LeavesOutWhatCameBeforeItsFirst) {
-  const LossCounter counter = fed({100, 99, 101});
+  const LossCounter counter = counted({100, 99, 101});
   EXPECT_EQ(counter.received(), 2u);
   EXPECT_EQ(counter.lost(), 0u);
   EXPECT_EQ(counter.late(), 1u);
 }
 
 TEST(LossCounter, BeginsANewRunWhenTheSenderStartedAgain) {
-  const LossCounter counter = fed({1'000'000, 1'000'001, 0, 1, 3});
+  const LossCounter counter = counted({1'000'000, 1'000'001, 0, 1, 3});
   EXPECT_EQ(counter.restarts(), 1u);
   EXPECT_EQ(counter.received(), 5u);
   EXPECT_EQ(counter.lost(), 1u);
@@ -62,11 +62,11 @@ TEST(LossCounter, BeginsANewRunWhenTheSenderStartedAgain) {
 TEST(LossCounter, BothSidesOfTheWindow) {
   const std::uint64_t newest = 10'000;
   const LossCounter within =
-      fed({newest - LossCounter::kWindow - 5, newest, newest - LossCounter::kWindow});
+      counted({newest - LossCounter::kWindow - 5, newest, newest - LossCounter::kWindow});
   EXPECT_EQ(within.restarts(), 0u);
   EXPECT_EQ(within.late(), 1u);
   const LossCounter beyond =
-      fed({newest - LossCounter::kWindow - 5, newest, newest - LossCounter::kWindow - 1});
+      counted({newest - LossCounter::kWindow - 5, newest, newest - LossCounter::kWindow - 1});
   EXPECT_EQ(beyond.restarts(), 1u);
 }
 
@@ -89,7 +89,7 @@ TEST(LossCounter, AccountsForEverySpokeUnderLossReorderAndDuplicates) {
     for (std::size_t i = 2; i + 50 < sent.size(); i += 50) {
       std::shuffle(sent.begin() + i, sent.begin() + i + 50, random);
     }
-    const LossCounter counter = fed(sent);
+    const LossCounter counter = counted(sent);
     ASSERT_EQ(counter.lost(), missing);
     ASSERT_EQ(counter.duplicates(), duplicates);
     ASSERT_EQ(counter.received(), kLast - kFirst + 1 - missing);

@@ -88,14 +88,14 @@ TEST(SpokeMessage, DopplerHasTheNearestCellInTheLowestBits) {
   EXPECT_EQ(static_cast<std::uint8_t>(message.doppler()[64]), 0x02);
 }
 
-struct Wrong {
+struct WrongField {
   const char* what;
   std::function<void(wire::Spoke&)> change;
   WireErrorKind kind;
   const char* named;  // in the text
 };
 
-class WrongSpokeMessage : public testing::TestWithParam<Wrong> {};
+class WrongSpokeMessage : public testing::TestWithParam<WrongField> {};
 
 TEST_P(WrongSpokeMessage, IsRefusedByName) {
   wire::Spoke message = message_of(test_spoke({360, 257, 4}, 7, 359));
@@ -114,51 +114,53 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 INSTANTIATE_TEST_SUITE_P(
     EachField, WrongSpokeMessage,
     testing::Values(
-        Wrong{"Radar", [](auto& m) { m.set_radar(65536); }, kRange, "radar"},
-        Wrong{"View", [](auto& m) { m.set_view(65536); }, kRange, "view"},
-        Wrong{"Index", [](auto& m) { m.set_index(360); }, kRange, "index"},
-        Wrong{"FewSpokes", [](auto& m) { m.set_spokes_per_turn(127); }, kRange, "spokes"},
-        Wrong{"ManySpokes", [](auto& m) { m.set_spokes_per_turn(8193); }, kRange, "spokes"},
-        Wrong{"FewCells", [](auto& m) { m.set_cell_count(127); }, kRange, "cells"},
-        Wrong{"ManyCells", [](auto& m) { m.set_cell_count(0xFFFFFFFF); }, kRange, "cells"},
-        Wrong{"Bits", [](auto& m) { m.set_bits(5); }, kRange, "bits"},
-        Wrong{"Scale", [](auto& m) { m.set_range_scale(12); }, kRange, "range_scale"},
-        Wrong{"OtherScale", [](auto& m) { m.set_range_scale(5); }, kRange, "cell_size_m"},
-        Wrong{"CellSize", [](auto& m) { m.set_cell_size_m(kNan); }, kRange, "cell_size_m"},
-        Wrong{"Pole", [](auto& m) { m.set_latitude_deg(90.001); }, kRange, "latitude_deg"},
-        Wrong{"NanLatitude", [](auto& m) { m.set_latitude_deg(kNan); }, kRange, "latitude_deg"},
-        Wrong{"East", [](auto& m) { m.set_longitude_deg(180.001); }, kRange, "longitude_deg"},
-        Wrong{"Infinity", [](auto& m) { m.set_longitude_deg(kInfinity); }, kRange, "longitude_deg"},
-        Wrong{"Utc", [](auto& m) { m.set_utc_ns(1ull << 63); }, kRange, "utc_ns"},
-        Wrong{"Scenario", [](auto& m) { m.set_scenario_ns(~0ull); }, kRange, "scenario_ns"},
-        Wrong{"ShortCells", [](auto& m) { m.mutable_cells()->pop_back(); },
-              WireErrorKind::truncated, "bytes of cells"},
-        Wrong{"NoCells", [](auto& m) { m.clear_cells(); }, WireErrorKind::truncated, "bytes"},
-        Wrong{"LongCells", [](auto& m) { m.mutable_cells()->push_back(0); },
-              WireErrorKind::oversized, "bytes of cells"},
-        Wrong{"TooNear", [](auto& m) { m.set_cell_size_m(m.cell_size_m() * 0.0624); }, kRange,
-              "cell_size_m"},
-        Wrong{"TooFar", [](auto& m) { m.set_cell_size_m(m.cell_size_m() * 2.001); }, kRange,
-              "cell_size_m"},
-        Wrong{"NoSize", [](auto& m) { m.set_cell_size_m(0.0); }, kRange, "cell_size_m"},
-        Wrong{"ShortDoppler", [](auto& m) { m.set_doppler(std::string(64, 0)); },
-              WireErrorKind::truncated, "bytes of doppler"},
-        Wrong{"LongDoppler", [](auto& m) { m.set_doppler(std::string(66, 0)); },
-              WireErrorKind::oversized, "bytes of doppler"},
-        Wrong{"NoClass",
-              [](auto& m) {
-                m.set_doppler(std::string(65, 0));
-                (*m.mutable_doppler())[1] = 0x0C;
-              },
-              WireErrorKind::malformed, "doppler of cell 5 is 3"},
-        Wrong{"ClassOfNoCell",
-              [](auto& m) {
-                m.set_doppler(std::string(65, 0));
-                (*m.mutable_doppler())[64] = 0x04;
-              },
-              WireErrorKind::malformed, "doppler of cell 257 is 1"},
-        Wrong{"HalfByte", [](auto& m) { m.mutable_cells()->back() = 0x10; },
-              WireErrorKind::malformed, "nibble"}),
+        WrongField{"Radar", [](auto& m) { m.set_radar(65536); }, kRange, "radar"},
+        WrongField{"View", [](auto& m) { m.set_view(65536); }, kRange, "view"},
+        WrongField{"Index", [](auto& m) { m.set_index(360); }, kRange, "index"},
+        WrongField{"FewSpokes", [](auto& m) { m.set_spokes_per_turn(127); }, kRange, "spokes"},
+        WrongField{"ManySpokes", [](auto& m) { m.set_spokes_per_turn(8193); }, kRange, "spokes"},
+        WrongField{"FewCells", [](auto& m) { m.set_cell_count(127); }, kRange, "cells"},
+        WrongField{"ManyCells", [](auto& m) { m.set_cell_count(0xFFFFFFFF); }, kRange, "cells"},
+        WrongField{"Bits", [](auto& m) { m.set_bits(5); }, kRange, "bits"},
+        WrongField{"Scale", [](auto& m) { m.set_range_scale(12); }, kRange, "range_scale"},
+        WrongField{"OtherScale", [](auto& m) { m.set_range_scale(5); }, kRange, "cell_size_m"},
+        WrongField{"CellSize", [](auto& m) { m.set_cell_size_m(kNan); }, kRange, "cell_size_m"},
+        WrongField{"Pole", [](auto& m) { m.set_latitude_deg(90.001); }, kRange, "latitude_deg"},
+        WrongField{"NanLatitude", [](auto& m) { m.set_latitude_deg(kNan); }, kRange,
+                   "latitude_deg"},
+        WrongField{"East", [](auto& m) { m.set_longitude_deg(180.001); }, kRange, "longitude_deg"},
+        WrongField{"Infinity", [](auto& m) { m.set_longitude_deg(kInfinity); }, kRange,
+                   "longitude_deg"},
+        WrongField{"Utc", [](auto& m) { m.set_utc_ns(1ull << 63); }, kRange, "utc_ns"},
+        WrongField{"Scenario", [](auto& m) { m.set_scenario_ns(~0ull); }, kRange, "scenario_ns"},
+        WrongField{"ShortCells", [](auto& m) { m.mutable_cells()->pop_back(); },
+                   WireErrorKind::truncated, "bytes of cells"},
+        WrongField{"NoCells", [](auto& m) { m.clear_cells(); }, WireErrorKind::truncated, "bytes"},
+        WrongField{"LongCells", [](auto& m) { m.mutable_cells()->push_back(0); },
+                   WireErrorKind::oversized, "bytes of cells"},
+        WrongField{"TooNear", [](auto& m) { m.set_cell_size_m(m.cell_size_m() * 0.0624); }, kRange,
+                   "cell_size_m"},
+        WrongField{"TooFar", [](auto& m) { m.set_cell_size_m(m.cell_size_m() * 2.001); }, kRange,
+                   "cell_size_m"},
+        WrongField{"NoSize", [](auto& m) { m.set_cell_size_m(0.0); }, kRange, "cell_size_m"},
+        WrongField{"ShortDoppler", [](auto& m) { m.set_doppler(std::string(64, 0)); },
+                   WireErrorKind::truncated, "bytes of doppler"},
+        WrongField{"LongDoppler", [](auto& m) { m.set_doppler(std::string(66, 0)); },
+                   WireErrorKind::oversized, "bytes of doppler"},
+        WrongField{"NoClass",
+                   [](auto& m) {
+                     m.set_doppler(std::string(65, 0));
+                     (*m.mutable_doppler())[1] = 0x0C;
+                   },
+                   WireErrorKind::malformed, "doppler of cell 5 is 3"},
+        WrongField{"ClassOfNoCell",
+                   [](auto& m) {
+                     m.set_doppler(std::string(65, 0));
+                     (*m.mutable_doppler())[64] = 0x04;
+                   },
+                   WireErrorKind::malformed, "doppler of cell 257 is 1"},
+        WrongField{"HalfByte", [](auto& m) { m.mutable_cells()->back() = 0x10; },
+                   WireErrorKind::malformed, "nibble"}),
     [](const auto& each) { return std::string(each.param.what); });
 
 }  // namespace
