@@ -32,7 +32,7 @@ std::map<std::uint32_t, std::uint32_t> registers(const std::string& board) {
   return values;
 }
 
-std::string refusal(const std::string& board) {
+std::string board_refusal(const std::string& board) {
   try {
     parse_scenario(text_with(board), "test.yaml");
   } catch (const ConfigError& error) {
@@ -95,48 +95,50 @@ TEST(BoardRegisters, HaveTheUnitsOfTheBoard) {
 
 TEST(BoardRegisters, ThatContradictEachOtherAreRefusedByNameAndLine) {
   const std::string at = "own_ships[0].radars[1].board.";
-  EXPECT_EQ(refusal("{acp_per_turn: 359}"),
+  EXPECT_EQ(board_refusal("{acp_per_turn: 359}"),
             "8: " + at + "acp_per_turn: 359 is out of range; allowed: 360 to 16384");
-  EXPECT_EQ(refusal("{channel_a: {source: Far}}"),
+  EXPECT_EQ(board_refusal("{channel_a: {source: Far}}"),
             "8: " + at + "channel_a.source: \"Far\" is no radar of Frida; allowed: X, S");
-  EXPECT_EQ(refusal("{channel_a: {samples: 511}}"),
+  EXPECT_EQ(board_refusal("{channel_a: {samples: 511}}"),
             "8: " + at + "channel_a.samples: 511 is odd; allowed: even numbers");
-  EXPECT_EQ(refusal("{prf_hz: 1000, delay_us: 100, channel_a: {samples: 16384, decimation: 2}}"),
-            "8: " + at +
-                "channel_a.samples: a sweep of 16384 samples * decimation 2 + delay 2000 takes "
-                "34768 ticks of 20 MHz, but at 1000 Hz triggers come after 20000; allowed: fewer "
-                "or a lower PRF");
+  EXPECT_EQ(
+      board_refusal("{prf_hz: 1000, delay_us: 100, channel_a: {samples: 16384, decimation: 2}}"),
+      "8: " + at +
+          "channel_a.samples: a sweep of 16384 samples * decimation 2 + delay 2000 takes "
+          "34768 ticks of 20 MHz, but at 1000 Hz triggers come after 20000; allowed: fewer "
+          "or a lower PRF");
   // Jitter and stagger count twice: one trigger late, the next one early.
-  EXPECT_EQ(refusal("{prf_hz: 1000, jitter_percent: 5, stagger_percent: 10, "
-                    "channel_a: {samples: 14002}}"),
+  EXPECT_EQ(board_refusal("{prf_hz: 1000, jitter_percent: 5, stagger_percent: 10, "
+                          "channel_a: {samples: 14002}}"),
             "8: " + at +
                 "channel_a.samples: a sweep of 14002 samples * decimation 1 + delay 0 takes 14002 "
                 "ticks of 20 MHz, but at 1000 Hz triggers come after 14000; allowed: fewer or a "
                 "lower PRF");
-  EXPECT_EQ(refusal("{prf_hz: 1000, jitter_percent: 5, stagger_percent: 10, "
-                    "channel_a: {samples: 14000}}"),
+  EXPECT_EQ(board_refusal("{prf_hz: 1000, jitter_percent: 5, stagger_percent: 10, "
+                          "channel_a: {samples: 14000}}"),
             "");
-  EXPECT_EQ(refusal("{channel_b: {samples: 513}}"),
+  EXPECT_EQ(board_refusal("{channel_b: {samples: 513}}"),
             "8: " + at + "channel_b.samples: 513 is odd; allowed: even numbers");
-  EXPECT_EQ(refusal("{fifo: 4000, channel_b: {source: S}}"),
+  EXPECT_EQ(board_refusal("{fifo: 4000, channel_b: {source: S}}"),
             "8: " + at +
                 "fifo: 4000 samples, but one sweep of all channels has 4096; allowed: at least "
                 "that");
-  EXPECT_EQ(refusal("{channel_a: {bits: 14, samples: 16, decimation: 5, decimation_mode: sum}}"),
-            "8: " + at +
-                "channel_a.decimation: sums of 5 values of 14 bits are wider than 16 bits; "
-                "allowed: at most 4, or the mean");
-  EXPECT_EQ(refusal("{pulse: 7}"),
+  EXPECT_EQ(
+      board_refusal("{channel_a: {bits: 14, samples: 16, decimation: 5, decimation_mode: sum}}"),
+      "8: " + at +
+          "channel_a.decimation: sums of 5 values of 14 bits are wider than 16 bits; "
+          "allowed: at most 4, or the mean");
+  EXPECT_EQ(board_refusal("{pulse: 7}"),
             "8: " + at + "pulse: 7, but the set has 4 pulses; allowed: 0 to 4");
-  EXPECT_EQ(refusal("{pulse: 4, prf_hz: 2500}"),
+  EXPECT_EQ(board_refusal("{pulse: 4, prf_hz: 2500}"),
             "8: " + at +
                 "prf_hz: a pulse of 1 us at 2500 Hz is a duty cycle of 0.0025; allowed: 0.002, at "
                 "most 2000 Hz");
-  EXPECT_NE(refusal("{blanked_sectors: [{from_deg: 1, to_deg: 2}, {from_deg: 3, to_deg: 4}, "
-                    "{from_deg: 5, to_deg: 6}]}")
+  EXPECT_NE(board_refusal("{blanked_sectors: [{from_deg: 1, to_deg: 2}, {from_deg: 3, to_deg: 4}, "
+                          "{from_deg: 5, to_deg: 6}]}")
                 .find("board.blanked_sectors: 3 entries; allowed: at most 2"),
             std::string::npos);
-  EXPECT_EQ(refusal("{channel_a: {test: target, test_value: 2048}}"),
+  EXPECT_EQ(board_refusal("{channel_a: {test: target, test_value: 2048}}"),
             "8: " + at +
                 "channel_a.test_value: a target at sample 2048 of 2048; allowed: less "
                 "than that");

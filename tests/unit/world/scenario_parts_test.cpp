@@ -9,19 +9,10 @@
 #include "server/config/config_error.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/scenario.hpp"
+#include "tests/unit/world/refusal.hpp"
 
 namespace skerry::server {
 namespace {
-
-// "LINE:COLUMN: what is wrong", or "" if the text is accepted.
-std::string refusal(const std::string& text) {
-  try {
-    parse_scenario(text, "f");
-  } catch (const ConfigError& error) {
-    return std::string(error.what()).substr(2);
-  }
-  return "";
-}
 
 // Line 4 holds the radar, line 5 begins what is added.
 std::string with_radar(const std::string& keys) {

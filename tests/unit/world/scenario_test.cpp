@@ -6,19 +6,10 @@
 #include <fstream>
 
 #include "server/config/config_error.hpp"
+#include "tests/unit/world/refusal.hpp"
 
 namespace skerry::server {
 namespace {
-
-// The words after "test.yaml:", or "" if the text is accepted.
-std::string refusal(const std::string& text) {
-  try {
-    parse_scenario(text, "test.yaml");
-  } catch (const ConfigError& error) {
-    return std::string(error.what()).substr(std::string("test.yaml:").size());
-  }
-  return "";
-}
 
 const std::string kOwnShip =
     "name: s\n"

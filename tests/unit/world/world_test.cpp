@@ -113,7 +113,7 @@ TEST(World, RefusesImpossibleOrdersWhole) {
   }
 }
 
-World world_with(const std::string& sea) {
+World world_with_sea(const std::string& sea) {
   return World(
       parse_scenario("name: Tide\nown_ships:\n"
                      "  - {name: Tern, position: {lat: 60, lon: 5}, radars: [{}]}\n" +
@@ -123,7 +123,7 @@ World world_with(const std::string& sea) {
 
 // M2 has a period of 12.4206 h: 447 141.6 ticks.
 TEST(World, TheTideFallsFromHighWaterByItsRangeInHalfAPeriod) {
-  World world = world_with("sea: {tide_range_m: 4, wave_height_m: 1.5, high_water_h: 1}");
+  World world = world_with_sea("sea: {tide_range_m: 4, wave_height_m: 1.5, high_water_h: 1}");
   const auto run_to_hour = [&](double hour) {
     while (world.tick() < static_cast<std::uint64_t>(hour * 36000.0)) world.step();
     return world.state().water_level_m;
@@ -135,7 +135,7 @@ TEST(World, TheTideFallsFromHighWaterByItsRangeInHalfAPeriod) {
 }
 
 TEST(World, ASeaOfWhichNothingIsSaidIsStillAtTheChartedCoastline) {
-  World world = world_with("");
+  World world = world_with_sea("");
   world.step();
   EXPECT_EQ(world.state().water_level_m, 0.0);
   EXPECT_EQ(world.state().environment->wave_height_m, 0.0);
