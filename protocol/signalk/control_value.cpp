@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/quantity/speed.hpp"
+#include "protocol/signalk/units.hpp"
+
 namespace skerry::signalk {
 namespace {
 
@@ -23,9 +26,9 @@ struct Unit {
   double factor;
 };
 constexpr Unit kUnits[] = {{"m", "km", 1000.0},
-                           {"m", "nm", 1852.0},
-                           {"m/s", "kn", 1852.0 / 3600.0},
-                           {"rad", "deg", std::numbers::pi / 180.0},
+                           {"m", "nm", Length::kMetresPerNauticalMile},
+                           {"m/s", "kn", kKnot},
+                           {"rad", "deg", kRadian},
                            {"rad/s", "rpm", std::numbers::pi / 30.0}};
 
 // A choice is meant that is off by at most so much of itself: 3 NM may come as 5556 or 5560 m.

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "protocol/signalk/radar_message.hpp"
 #include "protocol/signalk/target.hpp"
+#include "protocol/signalk/units.hpp"
 #include "protocol/video/range_scale.hpp"
 
 namespace skerry::signalk {
 namespace {
-
-constexpr double kRadian = std::numbers::pi / 180.0;
 
 const ControlState* state_in(const ControlStates& states, std::string_view key) {
   const auto found = std::find_if(states.begin(), states.end(),

@@ -69,7 +69,7 @@ void put_doppler(const RadarSpoke& spoke, std::uint8_t* out) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto moving = static_cast<std::uint8_t>(doppler[i]);
     const auto colour = static_cast<std::uint8_t>(before_first + moving);
-    out[i] = (moving != 0) & (out[i] != 0) ? colour : out[i];
+    out[i] = ((moving != 0) & (out[i] != 0)) ? colour : out[i];
   }
 }
 

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
+
+#include "protocol/signalk/units.hpp"
 
 namespace skerry::signalk {
 namespace {
-
-constexpr double kRadian = std::numbers::pi / 180.0;
 
 double turned(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
