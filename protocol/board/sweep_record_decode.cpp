@@ -194,10 +194,6 @@ Event read_event(Fields& in, std::size_t size) {
   return event;
 }
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return Failure{WireError{kind, offset, std::move(text)}};
-}
-
 }  // namespace
 
 std::optional<RecordPrefix> record_prefix(std::span<const std::uint8_t> bytes) {

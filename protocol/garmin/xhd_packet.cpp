@@ -37,10 +37,6 @@ constexpr std::array<CommandRange, 21> kCommands = {{
     {Type::timed_run, 0, 65'535},
 }};
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return {WireError{kind, offset, std::move(text)}};
-}
-
 }  // namespace
 
 std::optional<std::uint32_t> Packet::number() const {

@@ -11,10 +11,6 @@ namespace {
 constexpr std::uint16_t kLayout = 0x108;                     // of unknown meaning; always this
 constexpr std::size_t kAfterLength = kSpokeHeaderBytes - 8;  // header bytes that a length counts
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return {WireError{kind, offset, std::move(text)}};
-}
-
 }  // namespace
 
 Result<SpokePacket, WireError> decode_spoke(std::span<const std::uint8_t> datagram) {

@@ -26,10 +26,6 @@ int hex_digit(char c) {
   return -1;
 }
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return Failure{WireError{kind, offset, std::move(text)}};
-}
-
 // Degrees and minutes in units of 1e-5 minute.
 std::string angle_text(double degrees, int degree_digits) {
   constexpr long long kMinute = 100'000, kDegree = 60 * kMinute;

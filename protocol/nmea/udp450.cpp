@@ -57,7 +57,7 @@ void read_parameters(std::string_view block, TaggedLine& line) {
   }
 }
 
-Failure<WireError> failure(std::size_t offset, std::string text) {
+Failure<WireError> malformed(std::size_t offset, std::string text) {
   return Failure{WireError{WireErrorKind::malformed, offset, std::move(text)}};
 }
 
@@ -94,7 +94,7 @@ std::vector<Bytes> Udp450Encoder::encode(std::span<const std::string> lines) {
 
 Result<std::vector<TaggedLine>, WireError> decode_udp450(std::span<const std::uint8_t> datagram) {
   if (!is_udp450(datagram))
-    return failure(0, "the datagram does not begin with \"UdPbC\" and a zero");
+    return malformed(0, "the datagram does not begin with \"UdPbC\" and a zero");
   std::vector<TaggedLine> lines;
   const std::string_view text(reinterpret_cast<const char*>(datagram.data()), datagram.size());
   std::size_t at = kUdp450Header.size();
@@ -105,12 +105,12 @@ Result<std::vector<TaggedLine>, WireError> decode_udp450(std::span<const std::ui
     TaggedLine line;
     while (rest.starts_with('\\')) {
       const std::size_t close = rest.find('\\', 1);
-      if (close == std::string_view::npos) return failure(at, "a TAG block does not end");
+      if (close == std::string_view::npos) return malformed(at, "a TAG block does not end");
       const std::string_view block = rest.substr(1, close - 1);
       const std::size_t star = block.rfind('*');
       if (star == std::string_view::npos ||
           block.substr(star + 1) != checksum_text(block.substr(0, star))) {
-        return failure(at, "a TAG block has no or a wrong checksum");
+        return malformed(at, "a TAG block has no or a wrong checksum");
       }
       read_parameters(block.substr(0, star), line);
       rest.remove_prefix(close + 1);

@@ -56,10 +56,6 @@ void put_number(Bytes& out, std::size_t offset, std::uint32_t number) {
   for (int i = 0; i < 4; ++i) out[offset++] = static_cast<std::uint8_t>(number >> 8 * i);
 }
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return {WireError{kind, offset, std::move(text)}};
-}
-
 std::string text_at(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t length) {
   const auto letters = bytes.subspan(offset, length);
   return {letters.begin(), std::find(letters.begin(), letters.end(), 0)};

@@ -13,10 +13,6 @@ constexpr std::size_t kHeaderBytes = 20, kLengthOffset = 18;
 // Of unknown meaning, the same in all spokes of the capture.
 constexpr std::uint16_t kAfterSequence = 0x0101, kAfterSpokes = 8;
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return {WireError{kind, offset, std::move(text)}};
-}
-
 }  // namespace
 
 Result<QuantumSpoke, WireError> decode_quantum_spoke(std::span<const std::uint8_t> datagram) {

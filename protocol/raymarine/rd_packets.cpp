@@ -12,10 +12,6 @@ constexpr std::size_t kFrameHeaderBytes = 32, kSpokeHeaderBytes = 40, kDataHeade
 constexpr std::uint32_t kSpokeHeader = 1, kExtraHeader = 2, kData = 3, kLastOfFrame = 0x80000000;
 constexpr std::uint32_t kFourBits = 1;  // of a spoke header; 3 with HD scanners
 
-Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
-  return {WireError{kind, offset, std::move(text)}};
-}
-
 // A part of a frame: its kind, how long it tells it is, and what stands between.
 struct Part {
   std::uint32_t kind = 0;
@@ -115,10 +111,10 @@ Result<std::vector<RdSpoke>, WireError> decode_rd_spokes(std::span<const std::ui
 }
 
 Result<RdStatus, WireError> decode_rd_status(std::span<const std::uint8_t> datagram) {
-  constexpr std::size_t kState = 180, kWarmUp = 184, kBars = 185, kRange = 193;
-  if (datagram.size() <= kRange) {
+  constexpr std::size_t kStateAt = 180, kWarmUpAt = 184, kBarsAt = 185, kRangeAt = 193;
+  if (datagram.size() <= kRangeAt) {
     return failure(WireErrorKind::truncated, datagram.size(),
-                   fmt::format("{} bytes, a status has more than {}", datagram.size(), kRange));
+                   fmt::format("{} bytes, a status has more than {}", datagram.size(), kRangeAt));
   }
   ByteReader reader(datagram);
   if (reader.little_endian<std::uint32_t>() != kRdStatusType) {
@@ -126,12 +122,12 @@ Result<RdStatus, WireError> decode_rd_status(std::span<const std::uint8_t> datag
   }
   RdStatus status;
   for (std::uint32_t& range : status.ranges) range = reader.little_endian<std::uint32_t>();
-  status.state = datagram[kState];
-  status.warm_up_s = datagram[kWarmUp];
-  status.signal_bars = datagram[kBars];
-  status.range_index = datagram[kRange];
+  status.state = datagram[kStateAt];
+  status.warm_up_s = datagram[kWarmUpAt];
+  status.signal_bars = datagram[kBarsAt];
+  status.range_index = datagram[kRangeAt];
   if (status.range_index >= kRdRanges) {
-    return failure(WireErrorKind::out_of_range, kRange,
+    return failure(WireErrorKind::out_of_range, kRangeAt,
                    fmt::format("range {} of {}", status.range_index, kRdRanges));
   }
   return status;

@@ -16,8 +16,6 @@ constexpr std::uint32_t kMaxNumber = std::numeric_limits<std::uint16_t>::max();
 // Relative difference allowed between the stated cell size and what it should be; far above the
 // rounding of any sender's arithmetic, far below the difference between two scales.
 constexpr double kCellSizeTolerance = 1e-6;
-// Of the range scale: where the last cell may end.
-constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;
 
 Failure<WireError> out_of_range(std::string_view field, double value, std::string_view expected) {
   return Failure{WireError{WireErrorKind::out_of_range, 0,

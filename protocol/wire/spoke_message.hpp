@@ -8,6 +8,9 @@
 
 namespace skerry {
 
+// Of the range scale: where the last cell may end, so what an instrumented range may be.
+inline constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;
+
 // Writes every field of `message`, whose memory is used again: a message kept from spoke to spoke
 // costs no allocation.  Requires a valid geometry and geometry.cells cells; of a 4-bit cell only
 // the low nibble counts. Thread: any.

@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "protocol/quantity/result.hpp"
 
 namespace skerry {
 
@@ -40,5 +43,10 @@ struct WireError {
   std::size_t offset = 0;  // byte at which it went wrong
   std::string text;        // what was wrong, what was expected
 };
+
+// What a decoder gives in place of a value.
+inline Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
+  return {WireError{kind, offset, std::move(text)}};
+}
 
 }  // namespace skerry
