@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <list>
 #include <string>
 #include <vector>
 
 namespace skerry::board {
 namespace {
-
-constexpr std::int64_t kMost32 = 0xFFFF'FFFF;
 
 struct Row {
   Digdar offset = Digdar::command;
@@ -65,9 +64,9 @@ struct Counted {
   std::optional<Reg> live = {}, latched = {};
 };
 
-constexpr auto kPulses = DigdarUse::pulses;
-constexpr auto kSame = DigdarUse::same;
-constexpr auto kConverted = DigdarUse::converted;
+constexpr auto kUsePulses = DigdarUse::pulses;
+constexpr auto kUseSame = DigdarUse::same;
+constexpr auto kUseConverted = DigdarUse::converted;
 
 constexpr std::array kMetadata = {
     Counted{Digdar::trig_clock,
@@ -75,8 +74,8 @@ constexpr std::array kMetadata = {
             "TRIG_CLOCK",
             "ticks",
             "of the last trigger",
-            kPulses,
-            kSame,
+            kUsePulses,
+            kUseSame,
             {},
             Reg::latched_clock_low},
     Counted{Digdar::trig_prev_clock, true, "TRIG_PREV_CLOCK", "ticks", "of the one before it"},
@@ -84,22 +83,22 @@ constexpr std::array kMetadata = {
     Counted{Digdar::acp_prev_clock, true, "ACP_PREV_CLOCK", "ticks", "of the one before it"},
     Counted{Digdar::arp_clock, true, "ARP_CLOCK", "ticks", "of the last ARP"},
     Counted{Digdar::arp_prev_clock, true, "ARP_PREV_CLOCK", "ticks", "of the one before it"},
-    Counted{Digdar::trig_count, false, "TRIG_COUNT", "", "triggers since the reset", kSame, kSame,
-            Reg::trigger_count_low, Reg::latched_trigger_count_low},
+    Counted{Digdar::trig_count, false, "TRIG_COUNT", "", "triggers since the reset", kUseSame,
+            kUseSame, Reg::trigger_count_low, Reg::latched_trigger_count_low},
     Counted{Digdar::acp_count, false, "ACP_COUNT", "", "ACPs since the reset"},
-    Counted{Digdar::arp_count, false, "ARP_COUNT", "", "ARPs since the reset", kSame, kSame,
+    Counted{Digdar::arp_count, false, "ARP_COUNT", "", "ARPs since the reset", kUseSame, kUseSame,
             Reg::arp_count, Reg::latched_arp_count},
     Counted{Digdar::acp_per_arp,
             false,
             "ACP_PER_ARP",
             "",
             "ACPs of the last whole turn",
-            kSame,
-            kPulses,
+            kUseSame,
+            kUsePulses,
             Reg::acp_per_arp,
             {}},
     Counted{Digdar::adc_counter, false, "ADC_COUNTER", "ticks", "the clock's low 14 bits",
-            kConverted, kConverted, Reg::clocks_low, Reg::latched_clock_low},
+            kUseConverted, kUseConverted, Reg::clocks_low, Reg::latched_clock_low},
     Counted{Digdar::acp_at_arp, false, "ACP_AT_ARP", "", "ACPs since the reset, at the last ARP"},
     Counted{Digdar::clock_since_acp_at_arp, false, "CLOCK_SINCE_ACP_AT_ARP", "ticks",
             "from the ACP before the last ARP to that ARP"},
@@ -122,8 +121,8 @@ struct Page {
              "CLOCKS",
              "ticks",
              "now, since scenario time 0",
-             kSame,
-             kSame,
+             kUseSame,
+             kUseSame,
              Reg::clocks_low,
              {}},
             false);
@@ -143,7 +142,7 @@ struct Page {
   }
   void read_only(std::uint32_t address, std::string_view name, std::string_view unit,
                  std::string_view what, DigdarUse use, std::optional<Reg> reg,
-                 std::int64_t max = kMost32) {
+                 std::int64_t max = std::numeric_limits<std::uint32_t>::max()) {
     add({address, name, Access::read_only, false, 0, max, 0, unit, what}, use, reg);
   }
   void counted(const Counted& each, bool latched) {

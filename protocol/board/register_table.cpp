@@ -9,7 +9,7 @@ namespace skerry::board {
 namespace {
 
 constexpr std::int64_t kMost32 = 0xFFFF'FFFF;
-constexpr std::int64_t kFaults = 0x7F, kEvents = 0x7F;
+constexpr std::int64_t kAllFaults = 0x7F, kAllEvents = 0x7F;
 
 constexpr RegisterInfo reads(Reg reg, std::string_view name, std::int64_t max,
                              std::string_view unit, std::string_view what) {
@@ -53,10 +53,11 @@ constexpr std::array kBoard = {
     reads(Reg::pulse_codes, "PULSE_CODES", 16, "", "pulses of the radar's set"),
     sets(Reg::control, "CONTROL", 0, 15, 1, "bits", "run, reset, arm, FIFO"),
     reads(Reg::status, "STATUS", 31, "bits", "running, armed, captured, radiating, fault"),
-    reads(Reg::faults, "FAULTS", kFaults, "bits", "faults as they are now"),
-    clears(Reg::faults_latched, "FAULTS_LATCHED", kFaults, "faults since they were last cleared"),
-    clears(Reg::events, "EVENTS", kEvents, "events since they were last cleared"),
-    sets(Reg::event_enable, "EVENT_ENABLE", 0, kEvents, kEvents, "bits",
+    reads(Reg::faults, "FAULTS", kAllFaults, "bits", "faults as they are now"),
+    clears(Reg::faults_latched, "FAULTS_LATCHED", kAllFaults,
+           "faults since they were last cleared"),
+    clears(Reg::events, "EVENTS", kAllEvents, "events since they were last cleared"),
+    sets(Reg::event_enable, "EVENT_ENABLE", 0, kAllEvents, kAllEvents, "bits",
          "events that are also sent as records"),
 
     sets(Reg::sample_clock_hz, "SAMPLE_CLOCK_HZ", 1'000'000, 125'000'000, 20'000'000, "Hz",
@@ -119,7 +120,7 @@ constexpr std::array kBoard = {
 };
 
 // Their names get the letter of the channel.
-constexpr std::array kChannel = {
+constexpr std::array kOfChannel = {
     sets(Reg::source_a, "SOURCE", 0, 64, 1, "",
          "0: off; n: radar n - 1, of the same own ship; at start the board's own in A"),
     sets(Reg::detector_a, "DETECTOR", 0, 1, 0, "", "0 logarithmic, 1 linear"),
@@ -166,7 +167,7 @@ struct Table {
   Table() {
     rows.assign(kBoard.begin(), kBoard.end());
     for (std::uint32_t channel = 0; channel < 2; ++channel) {
-      for (RegisterInfo info : kChannel) {
+      for (RegisterInfo info : kOfChannel) {
         names.push_back(std::string(info.name) + (channel == 0 ? "_A" : "_B"));
         info.name = names.back();
         if (channel == 1 && info.address == address_of(Reg::source_a)) info.reset = 0;

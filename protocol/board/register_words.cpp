@@ -8,21 +8,21 @@
 namespace skerry::board {
 namespace {
 
-constexpr std::array<BitName, 7> kFaults = {{{fault::config, "config"},
-                                             {fault::acp_missing, "acp_missing"},
-                                             {fault::acp_extra, "acp_extra"},
-                                             {fault::arp_missing, "arp_missing"},
-                                             {fault::stalled, "stalled"},
-                                             {fault::overrun, "overrun"},
-                                             {fault::late, "late"}}};
+constexpr std::array<BitName, 7> kFaultNames = {{{fault::config, "config"},
+                                                 {fault::acp_missing, "acp_missing"},
+                                                 {fault::acp_extra, "acp_extra"},
+                                                 {fault::arp_missing, "arp_missing"},
+                                                 {fault::stalled, "stalled"},
+                                                 {fault::overrun, "overrun"},
+                                                 {fault::late, "late"}}};
 
-constexpr std::array<BitName, 7> kEvents = {{{event::arp, "arp"},
-                                             {event::heading, "heading"},
-                                             {event::fault_raised, "fault_raised"},
-                                             {event::fault_cleared, "fault_cleared"},
-                                             {event::captured, "captured"},
-                                             {event::configured, "configured"},
-                                             {event::reset, "reset"}}};
+constexpr std::array<BitName, 7> kEventNames = {{{event::arp, "arp"},
+                                                 {event::heading, "heading"},
+                                                 {event::fault_raised, "fault_raised"},
+                                                 {event::fault_cleared, "fault_cleared"},
+                                                 {event::captured, "captured"},
+                                                 {event::configured, "configured"},
+                                                 {event::reset, "reset"}}};
 
 bool is_source(std::uint32_t address) {
   return address == address_of(Reg::source_a) || address == address_of(Reg::source_b);
@@ -30,13 +30,13 @@ bool is_source(std::uint32_t address) {
 
 }  // namespace
 
-std::span<const BitName> fault_bits() { return kFaults; }
-std::span<const BitName> event_bits() { return kEvents; }
+std::span<const BitName> fault_bits() { return kFaultNames; }
+std::span<const BitName> event_bits() { return kEventNames; }
 
 std::string fault_names(std::uint32_t faults) {
   std::string names;
   const auto add = [&](std::string_view name) { (names += names.empty() ? "" : ", ") += name; };
-  for (const BitName& each : kFaults) {
+  for (const BitName& each : kFaultNames) {
     if ((faults & each.bit) != 0) add(each.name);
     faults &= ~each.bit;
   }
@@ -45,7 +45,7 @@ std::string fault_names(std::uint32_t faults) {
 }
 
 std::string_view event_name(std::uint32_t event) {
-  for (const BitName& each : kEvents) {
+  for (const BitName& each : kEventNames) {
     if (each.bit == event) return each.name;
   }
   return "unknown";

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kPage = 4096;
 
-RingHeader& header_of(std::span<std::uint8_t> memory) {
+RingHeader& header_to_write(std::span<std::uint8_t> memory) {
   return *std::launder(reinterpret_cast<RingHeader*>(memory.data()));
 }
 
@@ -72,7 +72,7 @@ SweepRingWriter::SweepRingWriter(std::span<std::uint8_t> memory) : memory_(memor
   }
   // So that no write waits for its pages.
   madvise(memory.data(), memory.size(), MADV_POPULATE_WRITE);
-  RingHeader& header = header_of(memory);
+  RingHeader& header = header_to_write(memory);
   start_ = position_ = start_of(header, capacity());
   header.reserved.store(start_, std::memory_order_release);
   header.newest.store(kNoRecord, std::memory_order_release);
@@ -97,7 +97,7 @@ void SweepRingWriter::write(std::span<const std::uint8_t> records, std::uint64_t
     throw std::invalid_argument("a sweep ring was given another number of records");
   if (count == 0) return;
   if (position_ == start_) {
-    header_of(memory_).first_sequence.store(first_sequence, std::memory_order_release);
+    header_to_write(memory_).first_sequence.store(first_sequence, std::memory_order_release);
   }
   while (!records.empty()) {
     const std::size_t part = whole_records_within(records, capacity() / 4);
@@ -107,7 +107,7 @@ void SweepRingWriter::write(std::span<const std::uint8_t> records, std::uint64_t
 }
 
 void SweepRingWriter::publish(std::span<const std::uint8_t> records) {
-  RingHeader& header = header_of(memory_);
+  RingHeader& header = header_to_write(memory_);
   const std::uint64_t to_end = capacity() - position_ % capacity();
   const std::size_t before_end = whole_records_within(records, to_end);
   const std::uint64_t filler = before_end < records.size() ? to_end - before_end : 0;
@@ -138,7 +138,7 @@ void SweepRingWriter::copy_in(std::span<const std::uint8_t> records) {
 }
 
 void SweepRingWriter::close() {
-  RingHeader& header = header_of(memory_);
+  RingHeader& header = header_to_write(memory_);
   header.closed.store(1, std::memory_order_release);
   wake_all(header.wakes);
 }
