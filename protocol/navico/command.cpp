@@ -167,7 +167,7 @@ std::optional<Command> read(const Row& row, std::span<const std::uint8_t> in) {
   return command;
 }
 
-WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
+WireError wrong_command(WireErrorKind kind, std::size_t offset, std::string text) {
   return {kind, offset, "Navico command: " + std::move(text)};
 }
 
@@ -176,27 +176,29 @@ WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
 Result<Command, WireError> decode_command(std::span<const std::uint8_t> datagram) {
   const std::size_t size = datagram.size();
   if (size < 2) {
-    return Failure{wrong(WireErrorKind::truncated, size, fmt::format("{} octets", size))};
+    return Failure{wrong_command(WireErrorKind::truncated, size, fmt::format("{} octets", size))};
   }
   if (size > kMaxCommand) {
-    return Failure{wrong(WireErrorKind::oversized, kMaxCommand,
-                         fmt::format("{} octets, expected at most {}", size, kMaxCommand))};
+    return Failure{wrong_command(WireErrorKind::oversized, kMaxCommand,
+                                 fmt::format("{} octets, expected at most {}", size, kMaxCommand))};
   }
   const auto code = static_cast<std::uint16_t>(datagram[0] << 8 | datagram[1]);
   const auto row =
       std::find_if(kRows.begin(), kRows.end(), [&](const Row& each) { return each.code == code; });
   if (row == kRows.end()) {
-    return Failure{wrong(WireErrorKind::unknown_kind, 0, fmt::format("{:04X} is not known", code))};
+    return Failure{
+        wrong_command(WireErrorKind::unknown_kind, 0, fmt::format("{:04X} is not known", code))};
   }
   const std::size_t needed = octets_of(row->form);
   if (size < needed) {
-    return Failure{wrong(WireErrorKind::truncated, size,
-                         fmt::format("{:04X} of {} octets, expected {}", code, size, needed))};
+    return Failure{
+        wrong_command(WireErrorKind::truncated, size,
+                      fmt::format("{:04X} of {} octets, expected {}", code, size, needed))};
   }
   const auto command = read(*row, datagram);
   if (!command) {
-    return Failure{wrong(WireErrorKind::unknown_kind, row->form == Form::halo_sea ? 5 : 2,
-                         fmt::format("{:04X} for a control that is not known", code))};
+    return Failure{wrong_command(WireErrorKind::unknown_kind, row->form == Form::halo_sea ? 5 : 2,
+                                 fmt::format("{:04X} for a control that is not known", code))};
   }
   return *command;
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint16_t kHeadingTrue = 0x4000, kHeadingUnits = 0x0FFF;
 
-WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
+WireError wrong_frame(WireErrorKind kind, std::size_t offset, std::string text) {
   return {kind, offset, "Navico frame: " + std::move(text)};
 }
 
@@ -18,32 +18,32 @@ WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
 Result<std::vector<FrameSpoke>, WireError> decode_frame(Model model,
                                                         std::span<const std::uint8_t> datagram) {
   if (datagram.size() < kFrameHeader + kSpokeOctets) {
-    return Failure{wrong(WireErrorKind::truncated, datagram.size(),
-                         fmt::format("{} octets, expected {} or more", datagram.size(),
-                                     kFrameHeader + kSpokeOctets))};
+    return Failure{wrong_frame(WireErrorKind::truncated, datagram.size(),
+                               fmt::format("{} octets, expected {} or more", datagram.size(),
+                                           kFrameHeader + kSpokeOctets))};
   }
   if (datagram.size() > kFrameOctets) {
     return Failure{
-        wrong(WireErrorKind::oversized, kFrameOctets,
-              fmt::format("{} octets, expected at most {}", datagram.size(), kFrameOctets))};
+        wrong_frame(WireErrorKind::oversized, kFrameOctets,
+                    fmt::format("{} octets, expected at most {}", datagram.size(), kFrameOctets))};
   }
   const std::size_t spokes = datagram[5];
   if (datagram[0] != 1 || read_le<std::uint16_t>(datagram, 6) != kSpokeCells / 2) {
-    return Failure{wrong(WireErrorKind::malformed, 0,
-                         "does not begin 01, or spokes are not of 512 "
-                         "octets")};
+    return Failure{wrong_frame(WireErrorKind::malformed, 0,
+                               "does not begin 01, or spokes are not of 512 "
+                               "octets")};
   }
   if (spokes * kSpokeOctets + kFrameHeader != datagram.size()) {
-    return Failure{wrong(WireErrorKind::malformed, 5,
-                         fmt::format("{} spokes in {} octets", spokes, datagram.size()))};
+    return Failure{wrong_frame(WireErrorKind::malformed, 5,
+                               fmt::format("{} spokes in {} octets", spokes, datagram.size()))};
   }
   std::vector<FrameSpoke> out(spokes);
   for (std::size_t i = 0; i < spokes; ++i) {
     const std::size_t at = kFrameHeader + i * kSpokeOctets;
     const auto header = datagram.subspan(at, kSpokeHeader);
     if (header[0] != kSpokeHeader) {
-      return Failure{wrong(WireErrorKind::malformed, at,
-                           fmt::format("spoke header of {} octets, expected 24", header[0]))};
+      return Failure{wrong_frame(WireErrorKind::malformed, at,
+                                 fmt::format("spoke header of {} octets, expected 24", header[0]))};
     }
     SpokeFields& fields = out[i].fields;
     fields.status = header[1];
@@ -53,8 +53,8 @@ Result<std::vector<FrameSpoke>, WireError> decode_frame(Model model,
     fields.rotation = read_le<std::uint16_t>(header, 14);
     fields.reach = reach_of(model, header);
     if (fields.angle >= kTurnUnits) {
-      return Failure{wrong(WireErrorKind::malformed, at + 8,
-                           fmt::format("angle {}, expected less than 4096", fields.angle))};
+      return Failure{wrong_frame(WireErrorKind::malformed, at + 8,
+                                 fmt::format("angle {}, expected less than 4096", fields.angle))};
     }
     const auto octets = datagram.subspan(at + kSpokeHeader, kSpokeCells / 2);
     for (std::size_t c = 0; c < octets.size(); ++c) {

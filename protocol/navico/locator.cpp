@@ -36,7 +36,7 @@ std::uint16_t read_word(ByteReader& in) {
   return static_cast<std::uint16_t>(low | in.octet() << 8);
 }
 
-WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
+WireError wrong_locator(WireErrorKind kind, std::size_t offset, std::string text) {
   return {kind, offset, "Navico locator: " + std::move(text)};
 }
 
@@ -106,13 +106,13 @@ Bytes encode_locator(const Locator& locator) {
 Result<Locator, WireError> decode_locator(std::span<const std::uint8_t> datagram) {
   if (datagram.size() > kMaxLocator) {
     return Failure{
-        wrong(WireErrorKind::oversized, kMaxLocator,
-              fmt::format("{} octets, expected at most {}", datagram.size(), kMaxLocator))};
+        wrong_locator(WireErrorKind::oversized, kMaxLocator,
+                      fmt::format("{} octets, expected at most {}", datagram.size(), kMaxLocator))};
   }
   ByteReader in(datagram);
   const std::uint8_t first = in.octet(), second = in.octet();
   if (!in.truncated() && (first != 0x01 || second != 0xB2)) {
-    return Failure{wrong(WireErrorKind::unknown_kind, 0, "does not begin 01B2")};
+    return Failure{wrong_locator(WireErrorKind::unknown_kind, 0, "does not begin 01B2")};
   }
   Locator locator;
   for (const std::uint8_t character : in.take(kSerialCharacters)) {
@@ -128,8 +128,8 @@ Result<Locator, WireError> decode_locator(std::span<const std::uint8_t> datagram
     service.instance = in.octet();
     const std::size_t groups = read_word(in);
     if (!in.truncated() && mark != kServiceMark) {
-      return Failure{wrong(WireErrorKind::malformed, in.offset() - 4,
-                           fmt::format("service marked {:02X}, expected 20", mark))};
+      return Failure{wrong_locator(WireErrorKind::malformed, in.offset() - 4,
+                                   fmt::format("service marked {:02X}, expected 20", mark))};
     }
     for (std::size_t g = 0; g < groups && !in.truncated(); ++g) {
       LocatorGroup group;
@@ -141,7 +141,7 @@ Result<Locator, WireError> decode_locator(std::span<const std::uint8_t> datagram
     if (!in.truncated()) locator.services.push_back(std::move(service));
   }
   if (in.truncated()) {
-    return Failure{wrong(
+    return Failure{wrong_locator(
         WireErrorKind::truncated, datagram.size(),
         fmt::format("ends after {} octets, within its {} services", datagram.size(), services))};
   }

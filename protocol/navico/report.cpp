@@ -18,7 +18,7 @@ constexpr std::size_t kMaxReport = 2048;
 constexpr std::size_t kInstallationSectors = 34, kBlankingSectors = 36, kNewBlankingSectors = 42;
 constexpr std::size_t kFirmwareDate = 58, kFirmwareTime = 90, kFirmwareCharacters = 15;
 
-Bytes begin(std::uint8_t kind, std::size_t octets) {
+Bytes begin_report(std::uint8_t kind, std::size_t octets) {
   Bytes out(octets);
   out[0] = kind;
   out[1] = kReport;
@@ -109,14 +109,14 @@ AdvancedReport read_advanced(std::span<const std::uint8_t> in) {
   return report;
 }
 
-WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
+WireError wrong_report(WireErrorKind kind, std::size_t offset, std::string text) {
   return {kind, offset, "Navico report: " + std::move(text)};
 }
 
 }  // namespace
 
 Bytes encode(Model model, const StateReport& report) {
-  Bytes out = begin(0x01, kStateOctets);
+  Bytes out = begin_report(0x01, kStateOctets);
   out[2] = static_cast<std::uint8_t>(report.state);
   if (is_first_generation(model) && report.state == RadarState::spinning_up) {
     out[2] = 3;
@@ -126,7 +126,7 @@ Bytes encode(Model model, const StateReport& report) {
 }
 
 Bytes encode(Model, const ControlReport& report) {
-  Bytes out = begin(0x02, kControlOctets);
+  Bytes out = begin_report(0x02, kControlOctets);
   write_le(out, 2, report.range_dm, 4);
   out[7] = report.mode;
   out[8] = report.gain_auto ? 1 : 0;
@@ -141,7 +141,7 @@ Bytes encode(Model, const ControlReport& report) {
 }
 
 Bytes encode(Model, const IdentityReport& report) {
-  Bytes out = begin(0x03, kIdentityOctets);
+  Bytes out = begin_report(0x03, kIdentityOctets);
   out[2] = report.type;
   write_le(out, 34, report.hours, 4);
   put_text(out, kFirmwareDate, report.firmware_date);
@@ -151,7 +151,7 @@ Bytes encode(Model, const IdentityReport& report) {
 }
 
 Bytes encode(Model model, const InstallationReport& report) {
-  Bytes out = begin(0x04, kInstallationOctets);
+  Bytes out = begin_report(0x04, kInstallationOctets);
   write_le(out, 6, report.bearing_alignment, 2);
   write_le(out, 8, report.parking, 2);
   write_le(out, 10, report.antenna_height_mm, 2);
@@ -161,7 +161,7 @@ Bytes encode(Model model, const InstallationReport& report) {
 }
 
 Bytes encode(Model, const BlankingReport& report) {
-  Bytes out = begin(0x06, kBlankingOctets);
+  Bytes out = begin_report(0x06, kBlankingOctets);
   out[6] = 0x01;  // these five in all recordings
   out[8] = 0x0E;
   out[24] = 0x02;
@@ -172,9 +172,9 @@ Bytes encode(Model, const BlankingReport& report) {
 }
 
 Bytes encode(Model model, const AdvancedReport& report) {
-  Bytes out = begin(0x08, model == Model::halo20 ? 22u
-                          : model == Model::halo ? 21u
-                                                 : kAdvancedOctets);
+  Bytes out = begin_report(0x08, model == Model::halo20 ? 22u
+                                 : model == Model::halo ? 21u
+                                                        : kAdvancedOctets);
   out[2] = report.sea_state;
   out[3] = report.local_interference;
   out[4] = report.scan_speed;
@@ -196,22 +196,25 @@ Bytes encode(Model, const HeartbeatReport&) { return {0x11, 0xC6, 0x00}; }
 Result<Report, WireError> decode_report(std::span<const std::uint8_t> in) {
   const std::size_t size = in.size();
   if (size < 3) {
-    return Failure{wrong(WireErrorKind::truncated, size, fmt::format("{} octets", size))};
+    return Failure{wrong_report(WireErrorKind::truncated, size, fmt::format("{} octets", size))};
   }
   if (size > kMaxReport) {
-    return Failure{wrong(WireErrorKind::oversized, kMaxReport, fmt::format("{} octets", size))};
+    return Failure{
+        wrong_report(WireErrorKind::oversized, kMaxReport, fmt::format("{} octets", size))};
   }
   const unsigned code = static_cast<unsigned>(in[0]) << 8 | in[1];
   const auto not_of = [&](std::size_t expected) {
-    return Failure{wrong(size < expected ? WireErrorKind::truncated : WireErrorKind::oversized,
-                         std::min(size, expected),
-                         fmt::format("{:04X} of {} octets, expected {}", code, size, expected))};
+    return Failure{
+        wrong_report(size < expected ? WireErrorKind::truncated : WireErrorKind::oversized,
+                     std::min(size, expected),
+                     fmt::format("{:04X} of {} octets, expected {}", code, size, expected))};
   };
   switch (code) {
     case 0x01C4: {
       if (size != kStateOctets) return not_of(kStateOctets);
       if (in[2] > 3 && in[2] != 5) {
-        return Failure{wrong(WireErrorKind::out_of_range, 2, fmt::format("state {}", in[2]))};
+        return Failure{
+            wrong_report(WireErrorKind::out_of_range, 2, fmt::format("state {}", in[2]))};
       }
       return Report(read_state(in));
     }
@@ -239,7 +242,7 @@ Result<Report, WireError> decode_report(std::span<const std::uint8_t> in) {
       return Report(HeartbeatReport{});
     default:
       return Failure{
-          wrong(WireErrorKind::unknown_kind, 0, fmt::format("{:04X} is not known", code))};
+          wrong_report(WireErrorKind::unknown_kind, 0, fmt::format("{:04X} is not known", code))};
   }
 }
 

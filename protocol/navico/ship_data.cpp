@@ -31,7 +31,7 @@ std::uint16_t to_steps(double value, double step) {
   return static_cast<std::uint16_t>(std::clamp(std::floor(value / step + 0.5), 0.0, 65535.0));
 }
 
-Bytes begin(std::uint16_t counter, std::uint16_t kind) {
+Bytes begin_packet(std::uint16_t counter, std::uint16_t kind) {
   Bytes out(kShipOctets);
   std::copy(kMark.begin(), kMark.end(), out.begin());
   out[5] = 0x01;
@@ -43,20 +43,20 @@ Bytes begin(std::uint16_t counter, std::uint16_t kind) {
   return out;
 }
 
-WireError wrong(WireErrorKind kind, std::size_t offset, std::string text) {
+WireError wrong_packet(WireErrorKind kind, std::size_t offset, std::string text) {
   return {kind, offset, "Navico ship packet: " + std::move(text)};
 }
 
 }  // namespace
 
 Bytes encode(const HeadingPacket& packet) {
-  Bytes out = begin(packet.counter, kHeadingKind);
+  Bytes out = begin_packet(packet.counter, kHeadingKind);
   write_le(out, kHeading, to_turn_units(packet.heading_deg), 2);
   return out;
 }
 
 Bytes encode(const NavigationPacket& packet) {
-  Bytes out = begin(packet.counter, kNavigationKind);
+  Bytes out = begin_packet(packet.counter, kNavigationKind);
   write_le(out, kCourse, to_turn_units(packet.course_deg), 2);
   write_le(out, kSpeed, to_steps(packet.speed_mps, 0.01), 2);
   return out;
@@ -77,16 +77,16 @@ Result<std::variant<HeadingPacket, NavigationPacket, SpeedPacket>, WireError> de
   const bool speed = in.size() >= 2 && in[0] == 0x01 && in[1] == 0xD3;
   const std::size_t expected = speed ? kSpeedOctets : kShipOctets;
   if (in.size() != expected) {
-    return Failure{wrong(in.size() < expected ? WireErrorKind::truncated : WireErrorKind::oversized,
-                         std::min(in.size(), expected),
-                         fmt::format("{} octets, expected {}", in.size(), expected))};
+    return Failure{wrong_packet(
+        in.size() < expected ? WireErrorKind::truncated : WireErrorKind::oversized,
+        std::min(in.size(), expected), fmt::format("{} octets, expected {}", in.size(), expected))};
   }
   const auto degrees = [&](std::size_t at, double turn) {
     return read_le<std::uint16_t>(in, at) / turn * 360.0;
   };
   const auto beyond = [&](std::size_t at) {
-    return Failure{wrong(WireErrorKind::out_of_range, at,
-                         fmt::format("an angle of {}", read_le<std::uint16_t>(in, at)))};
+    return Failure{wrong_packet(WireErrorKind::out_of_range, at,
+                                fmt::format("an angle of {}", read_le<std::uint16_t>(in, at)))};
   };
   if (speed) {
     const SpeedPacket packet{read_le<std::uint16_t>(in, 6) * 0.1, degrees(14, 3600.0)};
@@ -94,7 +94,7 @@ Result<std::variant<HeadingPacket, NavigationPacket, SpeedPacket>, WireError> de
     return Packet(packet);
   }
   if (!std::equal(kMark.begin(), kMark.end(), in.begin())) {
-    return Failure{wrong(WireErrorKind::unknown_kind, 0, "does not begin NKOE")};
+    return Failure{wrong_packet(WireErrorKind::unknown_kind, 0, "does not begin NKOE")};
   }
   const auto counter = static_cast<std::uint16_t>(in[kCounter] << 8 | in[kCounter + 1]);
   const auto kind = read_le<std::uint16_t>(in, kKind);
@@ -109,8 +109,8 @@ Result<std::variant<HeadingPacket, NavigationPacket, SpeedPacket>, WireError> de
     if (packet.course_deg >= 360.0) return beyond(kCourse);
     return Packet(packet);
   }
-  return Failure{
-      wrong(WireErrorKind::unknown_kind, kKind, fmt::format("kind {:04X} is not known", kind))};
+  return Failure{wrong_packet(WireErrorKind::unknown_kind, kKind,
+                              fmt::format("kind {:04X} is not known", kind))};
 }
 
 }  // namespace skerry::navico
