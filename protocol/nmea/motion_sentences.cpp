@@ -1,14 +1,11 @@
 #include "protocol/nmea/motion_sentences.hpp"
 
 #include "protocol/nmea/field_reader.hpp"
+#include "protocol/nmea/optional_fields.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 
 namespace skerry::nmea {
 namespace {
-
-SentenceWriter& optional_angle(SentenceWriter& out, std::optional<double> value) {
-  return value ? out.angle(*value, 2) : out.empty();
-}
 
 void add_speed(SentenceWriter& out, std::optional<double> ahead, std::optional<double> starboard) {
   if (ahead) {
@@ -22,7 +19,7 @@ void add_speed(SentenceWriter& out, std::optional<double> ahead, std::optional<d
 
 std::string encode(const Hdt& hdt, std::string_view talker) {
   SentenceWriter out('$', talker, "HDT");
-  return optional_angle(out, hdt.heading_deg).letter('T').finish();
+  return optional_angle(out, hdt.heading_deg, 2).letter('T').finish();
 }
 
 Result<Hdt, WireError> decode_hdt(const Sentence& sentence) {
@@ -32,7 +29,7 @@ Result<Hdt, WireError> decode_hdt(const Sentence& sentence) {
 
 std::string encode(const Ths& ths, std::string_view talker) {
   SentenceWriter out('$', talker, "THS");
-  return optional_angle(out, ths.heading_deg).letter(ths.mode).finish();
+  return optional_angle(out, ths.heading_deg, 2).letter(ths.mode).finish();
 }
 
 Result<Ths, WireError> decode_ths(const Sentence& sentence) {
@@ -64,7 +61,7 @@ Result<Rot, WireError> decode_rot(const Sentence& sentence) {
 
 std::string encode(const Vhw& vhw, std::string_view talker) {
   SentenceWriter out('$', talker, "VHW");
-  optional_angle(out, vhw.heading_deg).letter('T').empty().letter('M');
+  optional_angle(out, vhw.heading_deg, 2).letter('T').empty().letter('M');
   if (vhw.speed_kn) {
     out.number(*vhw.speed_kn, 2).letter('N').number(*vhw.speed_kn * kKmhPerKnot, 2).letter('K');
   } else {

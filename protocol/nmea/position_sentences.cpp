@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "protocol/nmea/field_reader.hpp"
+#include "protocol/nmea/optional_fields.hpp"
 
 namespace skerry::nmea {
 namespace {
@@ -16,12 +17,6 @@ year_month_day date_of(UtcTime utc) { return year_month_day(std::chrono::floor<d
 
 bool is_valid_mode(char mode) { return mode == 'A' || mode == 'D'; }
 
-SentenceWriter& optional_number(SentenceWriter& out, std::optional<double> value, int decimals) {
-  return value ? out.number(*value, decimals) : out.empty();
-}
-SentenceWriter& optional_angle(SentenceWriter& out, std::optional<double> value, int decimals) {
-  return value ? out.angle(*value, decimals) : out.empty();
-}
 SentenceWriter& optional_position(SentenceWriter& out, std::optional<GeoPoint> point) {
   return point ? out.position(*point) : out.empty().empty().empty().empty();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocol/nmea/field_reader.hpp"
+#include "protocol/nmea/optional_fields.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 
 namespace skerry::nmea {
@@ -11,12 +12,6 @@ namespace {
 constexpr double kMostRangeNm = 10'000.0, kMostMinutes = 100'000.0;
 constexpr unsigned kMostTargetNumber = 1023;  // some radars count further than 99
 
-SentenceWriter& optional_number(SentenceWriter& out, std::optional<double> value, int decimals) {
-  return value ? out.number(*value, decimals) : out.empty();
-}
-SentenceWriter& optional_angle(SentenceWriter& out, std::optional<double> value) {
-  return value ? out.angle(*value, 1) : out.empty();
-}
 SentenceWriter& optional_time(SentenceWriter& out, std::optional<Duration> of_day) {
   return of_day ? out.time(*of_day) : out.empty();
 }
@@ -47,7 +42,7 @@ std::string encode(const Rsd& rsd, std::string_view talker) {
   SentenceWriter out('$', talker, "RSD");
   for (int field = 0; field < 8; ++field) out.empty();
   optional_number(out, rsd.cursor_range_nm, 3);
-  optional_angle(out, rsd.cursor_bearing_deg);
+  optional_angle(out, rsd.cursor_bearing_deg, 1);
   return optional_number(out, rsd.range_nm, 3).letter(rsd.unit).letter(rsd.rotation).finish();
 }
 
@@ -64,10 +59,10 @@ Result<Rsd, WireError> decode_rsd(const Sentence& sentence) {
 
 std::string encode(const Osd& osd, std::string_view talker) {
   SentenceWriter out('$', talker, "OSD");
-  optional_angle(out, osd.heading_deg).letter(osd.heading_valid ? 'A' : 'V');
-  optional_angle(out, osd.course_deg).letter(osd.course_reference);
+  optional_angle(out, osd.heading_deg, 1).letter(osd.heading_valid ? 'A' : 'V');
+  optional_angle(out, osd.course_deg, 1).letter(osd.course_reference);
   optional_number(out, osd.speed_kn, 2).letter(osd.speed_reference);
-  optional_angle(out, osd.set_deg);
+  optional_angle(out, osd.set_deg, 1);
   return optional_number(out, osd.drift_kn, 2).letter('N').finish();
 }
 

@@ -12,9 +12,9 @@ namespace skerry::nmea {
 namespace {
 
 constexpr std::size_t kTargetBits = 90, kMostSentences = 255;
-constexpr std::uint32_t kNoAngle = 4095, kNoSpeed = 4095, kNoRange = 16383;
+constexpr std::uint32_t kNoAngle = 4095, kNoTargetSpeed = 4095, kNoRange = 16383;
 
-std::uint32_t angle_bits(std::optional<double> degrees) {
+std::uint32_t tenths_bits(std::optional<double> degrees) {
   if (!degrees || !std::isfinite(*degrees)) return kNoAngle;
   double tenths = std::fmod(std::round(*degrees * 10.0), 3600.0);
   if (tenths < 0) tenths += 3600.0;
@@ -39,10 +39,10 @@ std::optional<double> amount_of(std::uint32_t bits, double scale, std::uint32_t 
 void add(SixBitWriter& out, const TtdTarget& target) {
   out.add(0, 2);
   out.add(target.number, 10);
-  out.add(angle_bits(target.bearing_deg), 12);
-  out.add(amount_bits(target.speed_kn, 10.0, kNoSpeed), 12);
-  out.add(angle_bits(target.course_deg), 12);
-  out.add(angle_bits(target.heading_deg), 12);
+  out.add(tenths_bits(target.bearing_deg), 12);
+  out.add(amount_bits(target.speed_kn, 10.0, kNoTargetSpeed), 12);
+  out.add(tenths_bits(target.course_deg), 12);
+  out.add(tenths_bits(target.heading_deg), 12);
   out.add(static_cast<std::uint32_t>(target.status), 3);
   out.add(0, 1);
   out.add(amount_bits(target.range_nm, 100.0, kNoRange), 14);
@@ -57,7 +57,7 @@ TtdTarget take(SixBitReader& in) {
   in.skip(2);
   target.number = in.take(10);
   target.bearing_deg = angle_of(in.take(12));
-  target.speed_kn = amount_of(in.take(12), 10.0, kNoSpeed);
+  target.speed_kn = amount_of(in.take(12), 10.0, kNoTargetSpeed);
   target.course_deg = angle_of(in.take(12));
   target.heading_deg = angle_of(in.take(12));
   target.status = static_cast<TtdStatus>(in.take(3));
