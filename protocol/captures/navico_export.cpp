@@ -20,7 +20,7 @@ constexpr Duration kPause = std::chrono::milliseconds(500);
 constexpr double kMaxCells = 8192.0;
 
 // How much further than the set range spokes reach.  Source: protocol/navico/spoke_range.cpp.
-double reach_per_range(navico::Model model) {
+double exported_reach_per_range(navico::Model model) {
   return model == navico::Model::g4 ? 1000.0 / 512.0 : 880.0 / 512.0;
 }
 
@@ -104,7 +104,7 @@ void NavicoExport::fit_range(const Spoke& spoke) {
   const double reach_m = spoke.header.reach().in_metres();
   if (reach_m == reach_m_) return;
   reach_m_ = reach_m;
-  const double dm = std::floor(reach_m / reach_per_range(model_) * 10.0 + 0.5);
+  const double dm = std::floor(reach_m / exported_reach_per_range(model_) * 10.0 + 0.5);
   range_dm_ = static_cast<std::uint32_t>(std::clamp(
       dm, double{navico::kMinRangeDm}, static_cast<double>(navico::max_range_dm(model_))));
   range_ = navico::spoke_range(model_, range_dm_);

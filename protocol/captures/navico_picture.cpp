@@ -16,7 +16,7 @@ double percent_of_level(std::uint8_t raw) { return raw * 100.0 / 255.0; }
 double percent_of_step(int raw, int most) { return std::clamp(raw, 0, most) * 100.0 / most; }
 
 // What a spoke reaches beyond the set range.  Source: protocol/navico/spoke_range.hpp.
-double reach_per_range(Model model) {
+double captured_reach_per_range(Model model) {
   return navico::is_first_generation(model) ? 1.769 : model == Model::g4 ? 1.953 : 1.719;
 }
 
@@ -49,7 +49,7 @@ class NavicoPicture : public PictureDecoder {
     if (!traits_.reports || datagram.to != *traits_.reports) return;
     const auto report = navico::decode_report(datagram.payload);
     if (!report) return;
-    std::visit([this](const auto& each) { take(each); }, *report);
+    std::visit([this](const auto& each) { this->take(each); }, *report);
   }
 
  private:
@@ -60,7 +60,7 @@ class NavicoPicture : public PictureDecoder {
     spoke.index = from.fields.angle / 2u;
     spoke.bits = 4;
     spoke.reach = from.fields.reach;
-    spoke.nominal = from.fields.reach / reach_per_range(traits_.model);
+    spoke.nominal = from.fields.reach / captured_reach_per_range(traits_.model);
     spoke.missing = gap_.take(from.fields.scan, time, traits_.turn);
     if (const auto heading = navico::heading_of(from.fields.heading)) {
       spoke.heading = TrueBearing::of_spoke(heading->units, navico::kTurnUnits);

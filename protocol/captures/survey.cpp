@@ -7,6 +7,8 @@
 
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/captures/navico_facts.hpp"
+#include "protocol/captures/spoke_widths.hpp"
+#include "protocol/captures/turn_timer.hpp"
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/navico/frame.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
@@ -19,87 +21,6 @@ namespace {
 constexpr std::size_t kMostOthers = 256, kOthersTold = 4;
 // The Quantum 2 with Doppler.
 constexpr std::string_view kDopplerQuantum = "E70498";
-constexpr std::uint32_t kNorthUnits = 65'536;  // azimuths of CAT240 in a turn
-
-// How long a turn takes: the middle one of many measurements, each of a sixteenth of a turn or more
-// without a pause.
-class TurnTimer {
- public:
-  void take(std::uint32_t index, std::uint32_t spokes, UtcTime time) {
-    const std::uint32_t steps = spokes == spokes_ ? (index + spokes - index_) % spokes : spokes;
-    const Duration passed = time - time_;
-    index_ = index;
-    spokes_ = spokes;
-    time_ = time;
-    if (steps >= spokes / 4 || passed < Duration{} || passed > kPause) {
-      steps_ = 0;
-      begin_ = time;
-      return;
-    }
-    steps_ += steps;
-    // Radars send in bursts: only a spoke that comes after a while ends a measurement.
-    if (steps_ < spokes / 16 || passed < kWhile) return;
-    const double turn_s = in_seconds(time - begin_) * spokes / steps_;
-    if (turn_s >= kShortest_s && turn_s <= kLongest_s && turns_s_.size() < kMost) {
-      turns_s_.push_back(turn_s);
-    }
-    steps_ = 0;
-    begin_ = time;
-  }
-  // 0: not known.
-  Duration turn() const {
-    if (turns_s_.empty()) return {};
-    std::vector<double> sorted = turns_s_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return seconds_as_duration(*middle);
-  }
-
- private:
-  static constexpr Duration kPause = std::chrono::milliseconds(500);
-  static constexpr Duration kWhile = std::chrono::milliseconds(1);
-  static constexpr double kShortest_s = 0.2, kLongest_s = 120.0;
-  static constexpr std::size_t kMost = 10'000;
-
-  std::uint32_t index_ = 0, spokes_ = 0, steps_ = 0;
-  UtcTime time_{}, begin_{};
-  std::vector<double> turns_s_;
-};
-
-// How many spokes a CAT240 sender has in a turn: by how wide they say they are, or by how far one
-// is from the next where they say nothing.
-class SpokeWidths {
- public:
-  void take(const Cat240Video& video) {
-    const std::uint16_t own = static_cast<std::uint16_t>(video.end_azimuth - video.start_azimuth);
-    const std::uint16_t step = static_cast<std::uint16_t>(video.start_azimuth - last_);
-    if (own > 0 && own < kWidest) add(own, own_);
-    if (begun_ && step > 0 && step < kWidest) add(step, steps_);
-    last_ = video.start_azimuth;
-    begun_ = true;
-  }
-  std::uint32_t spokes_per_turn() const {
-    const Sum& sum = own_.count > 0 ? own_ : steps_;
-    if (sum.count == 0) return ScanGeometry::kMinSpokes;
-    const double width = static_cast<double>(sum.total) / static_cast<double>(sum.count);
-    return static_cast<std::uint32_t>(std::clamp(std::round(kNorthUnits / width),
-                                                 double{ScanGeometry::kMinSpokes},
-                                                 double{ScanGeometry::kMaxSpokes}));
-  }
-
- private:
-  static constexpr std::uint16_t kWidest = 4096;
-  struct Sum {
-    std::uint64_t total = 0, count = 0;
-  };
-  static void add(std::uint16_t width, Sum& sum) {
-    sum.total += width;
-    ++sum.count;
-  }
-  Sum own_, steps_;
-  std::uint16_t last_ = 0;
-  bool begun_ = false;
-};
 
 }  // namespace
 
