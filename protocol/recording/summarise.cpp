@@ -17,7 +17,7 @@ constexpr std::size_t kMaxMarkBytes = 1024;
 // Octets of a Contents; where it has more the chunks are counted.
 constexpr std::size_t kMaxContents = 8 << 20;
 
-UtcTime utc_of(std::uint64_t ns) { return UtcTime(Duration(time_of(ns))); }
+UtcTime clamped_utc(std::uint64_t ns) { return UtcTime(Duration(time_of(ns))); }
 
 void note(Summary& summary, RecordingError damage) {
   if (!summary.damage) summary.damage = std::move(damage);
@@ -51,8 +51,8 @@ std::optional<Contents> read_attachments(OpenRecording& recording) {
     }
     if (held + read->data.size() > kMaxAttachment) continue;
     held += read->data.size();
-    recording.summary.attachments.push_back(
-        {read->name, read->media_type, utc_of(read->time), std::string(data, read->data.size())});
+    recording.summary.attachments.push_back({read->name, read->media_type, clamped_utc(read->time),
+                                             std::string(data, read->data.size())});
   }
   return contents;
 }
@@ -63,10 +63,10 @@ void take(const Contents& contents, Summary& summary) {
   }
   for (const Contents::Mark& mark : contents.marks()) {
     if (summary.marks.size() >= kMaxMarks) break;
-    summary.marks.push_back({utc_of(mark.utc_ns()), mark.name()});
+    summary.marks.push_back({clamped_utc(mark.utc_ns()), mark.name()});
   }
-  summary.begin = utc_of(contents.begin_utc_ns());
-  summary.end = std::max(utc_of(contents.end_utc_ns()), summary.begin);
+  summary.begin = clamped_utc(contents.begin_utc_ns());
+  summary.end = std::max(clamped_utc(contents.end_utc_ns()), summary.begin);
 }
 
 // Without Contents: numbers from the index, and marks and what is packed from the chunks
@@ -89,7 +89,7 @@ class Counting {
       }
     }
     if (index.chunks.empty()) return std::nullopt;
-    summary_.begin = utc_of(start_of(recording_.by_start.front()));
+    summary_.begin = clamped_utc(start_of(recording_.by_start.front()));
     for (const ChunkPlace& chunk : index.chunks) end_ = std::max(end_, chunk.end);
     std::uint64_t read = 0;
     for (std::size_t number = 0; number < index.chunks.size() && !to_read_.empty(); ++number) {
@@ -100,7 +100,7 @@ class Counting {
         return recording_.file.error(index.chunks[number].offset, "given up");
       }
     }
-    summary_.end = utc_of(static_cast<std::uint64_t>(end_));
+    summary_.end = clamped_utc(static_cast<std::uint64_t>(end_));
     return std::nullopt;
   }
 
@@ -132,7 +132,7 @@ class Counting {
     if (summary_.marks.size() < kMaxMarks && bytes.size() <= kMaxMarkBytes &&
         event.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) &&
         event.kind() == Event::MARK) {
-      summary_.marks.push_back({utc_of(static_cast<std::uint64_t>(time)), event.text()});
+      summary_.marks.push_back({clamped_utc(static_cast<std::uint64_t>(time)), event.text()});
     }
   }
 
