@@ -38,6 +38,10 @@ struct EmulationListen {
   Ipv4Endpoint at;  // address 0: any address of the output's interface; port 0: any free port
 };
 
+// An emulation's ticks that were missed are made up for, as many as these; a longer pause is left
+// out.
+inline constexpr std::int64_t kMostTicksBehind = 20;
+
 // All of it is called on net-0.
 class RadarEmulation {
  public:

@@ -19,10 +19,8 @@ namespace {
 
 using garmin::Type;
 
-constexpr Duration kTick = std::chrono::milliseconds(garmin::kTickMs);
+constexpr Duration kXhdTick = std::chrono::milliseconds(garmin::kTickMs);
 constexpr std::int64_t kHeartbeatTicks = garmin::kHeartbeatSeconds * 1000 / garmin::kTickMs;
-// Ticks that were missed are made up for, as many as these; a longer pause is left out.
-constexpr std::int64_t kMostTicksBehind = 20;
 
 // Reports of unknown meaning that follow from what is known.
 constexpr std::uint32_t kAnotherRange = 0x91f;  // half the range in the capture
@@ -135,7 +133,7 @@ void GarminXhd::on_time(ScenarioTime now, EmulationPort& port) {
   const wire::Settings settings = port.settings(RangeChannel::a);
   turn_antenna(now, settings);
   if (dirty_) send_changes(now, settings, port);
-  const std::int64_t current = (now - begin_) / kTick;
+  const std::int64_t current = (now - begin_) / kXhdTick;
   next_tick_ = std::max(next_tick_, current - kMostTicksBehind);
   for (; next_tick_ <= current; ++next_tick_) send_round(next_tick_, now, settings, port);
 }

@@ -5,6 +5,7 @@
 
 #include "protocol/garmin/xhd_reports.hpp"
 #include "protocol/garmin/xhd_spoke.hpp"
+#include "server/displays/by_hand.hpp"
 
 namespace skerry::server {
 namespace {
@@ -13,7 +14,9 @@ using garmin::Type;
 
 constexpr double kNormalRpm = 24.0, kFastRpm = 48.0, kFastFrom = 36.0;
 
-double percent_of(std::int64_t hundredths) { return static_cast<double>(hundredths) / 100.0; }
+double percent_of_hundredths(std::int64_t hundredths) {
+  return static_cast<double>(hundredths) / 100.0;
+}
 std::int64_t hundredths_of(double percent) { return std::llround(percent * 100.0); }
 
 // Positions of a switch that xHD displays show as off and on; some have three.
@@ -34,11 +37,6 @@ double within_turn(double deg) {
 }
 std::int64_t raw_angle(double deg) {
   return std::llround((deg > 180.0 ? deg - 360.0 : deg) * 32.0);
-}
-
-// A picture mode decides gain, sea and rain by itself; a display's knob ends that.
-void by_hand(wire::Set& set, const wire::Settings& now) {
-  if (now.mode() != wire::CUSTOM) set.set_mode(wire::CUSTOM);
 }
 
 }  // namespace
@@ -91,7 +89,7 @@ std::optional<wire::Set> XhdControls::set_of(const garmin::Command& command,
       return set;
     case Type::gain:
       by_hand(set, now);
-      set.set_gain(percent_of(value));
+      set.set_gain(percent_of_hundredths(value));
       return set;
     case Type::alignment:
       set.set_bearing_alignment_deg(degrees_of(value));
@@ -103,24 +101,24 @@ std::optional<wire::Set> XhdControls::set_of(const garmin::Command& command,
       return set;
     case Type::rain_on:
       by_hand(set, now);
-      set.set_rain(value != 0 ? percent_of(rain_level_) : 0.0);
+      set.set_rain(value != 0 ? percent_of_hundredths(rain_level_) : 0.0);
       return set;
     case Type::rain:
       if (!rain_is_on(now)) return std::nullopt;
       by_hand(set, now);
-      set.set_rain(percent_of(value));
+      set.set_rain(percent_of_hundredths(value));
       return set;
     case Type::sea_mode:
       by_hand(set, now);
       set.set_sea_auto(value == 2);
       set.set_sea(value == 2   ? trim_of(sea_auto_level_)
-                  : value == 1 ? percent_of(sea_level_)
+                  : value == 1 ? percent_of_hundredths(sea_level_)
                                : 0.0);
       return set;
     case Type::sea:
       if (sea_mode(now) != 1) return std::nullopt;
       by_hand(set, now);
-      set.set_sea(percent_of(value));
+      set.set_sea(percent_of_hundredths(value));
       return set;
     case Type::sea_auto_level:
       if (!now.sea_auto()) return std::nullopt;

@@ -31,7 +31,7 @@ std::int32_t tenths(double degrees) {
   const auto units = static_cast<std::int32_t>(std::floor(degrees * 10.0 + 0.5)) % kTurnTenths;
   return units < 0 ? units + kTurnTenths : units;
 }
-double percent_of(double value) { return std::clamp(value, 0.0, 100.0); }
+double clamped_percent(double value) { return std::clamp(value, 0.0, 100.0); }
 
 std::int32_t most_expansion(Model model) { return navico::is_halo(model) ? 3 : 1; }
 
@@ -291,7 +291,7 @@ navico::AdvancedReport NavicoControls::advanced(const wire::Settings& settings) 
   report.side_lobe = to_level(settings.side_lobe_suppression());
   report.noise_rejection = to_step(settings.noise_rejection(), 3);
   report.target_separation = to_step(settings.target_separation(), 3);
-  report.halo_sea = static_cast<std::uint8_t>(std::floor(percent_of(sea_by_hand_) + 0.5));
+  report.halo_sea = static_cast<std::uint8_t>(std::floor(clamped_percent(sea_by_hand_) + 0.5));
   report.halo_sea_adjust =
       static_cast<std::int8_t>(std::floor(std::clamp(sea_adjust_, -50.0, 50.0) + 0.5));
   if (navico::has_doppler(model_)) {

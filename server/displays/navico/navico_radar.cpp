@@ -11,6 +11,7 @@
 #include "protocol/navico/command.hpp"
 #include "protocol/navico/locator.hpp"
 #include "protocol/navico/ship_data.hpp"
+#include "protocol/quantity/speed.hpp"
 #include "server/displays/navico/navico_channel.hpp"
 
 namespace skerry::server {
@@ -242,10 +243,9 @@ class NavicoRadar final : public RadarEmulation {
     const bool heading = heading_.is_due(now), navigation = navigation_.is_due(now),
                speed = speed_.is_due(now);
     if (!heading && !navigation && !speed) return;
-    constexpr double kMetresPerSecond = 1852.0 / 3600.0;
     const wire::OwnShip ship = port.own_ship();
     const double course_deg = ship.course_over_ground_deg();
-    const double speed_mps = ship.speed_over_ground_kn() * kMetresPerSecond;
+    const double speed_mps = ship.speed_over_ground_kn() * kKnot;
     if (heading) {
       port.send(navico::kHeadingGroup,
                 navico::encode(navico::HeadingPacket{counter_++, ship.heading_deg()}));

@@ -12,18 +12,14 @@
 namespace skerry::server {
 namespace {
 
-using namespace raymarine;
-
 // Everything leaves at ticks of 10 ms of a round of one second, as in the capture.
-constexpr Duration kTick = std::chrono::milliseconds(10);
+constexpr Duration kQuantumTick = std::chrono::milliseconds(10);
 constexpr std::int64_t kTicksPerRound = 100;
 constexpr std::int64_t kStatusTick = 37, kNameTick = 38, kAddressesTick = 39, kReportsTick = 40,
                        kLastReportsTick = 41, kCountsTick = 44;
 constexpr std::int64_t kFifthSecondTick = 209, kTicksPerFiveSeconds = 500;
 // The 25 counts leave in five groups of four ticks, two at the last of each.
 constexpr std::int64_t kCountsPerGroup = 5, kTicksPerGroup = 4;
-// Ticks that were missed are made up for, as many as these; a longer pause is left out.
-constexpr std::int64_t kMostTicksBehind = 20;
 
 class Quantum final : public RadarEmulation {
  public:
@@ -65,7 +61,7 @@ class Quantum final : public RadarEmulation {
   bool dirty_ = false;    // the status may have changed
   bool obeying_ = false;  // what changes comes of a display's command
   bool answer_ = false;   // a command was obeyed and not yet reported
-  QuantumStatus sent_;
+  raymarine::QuantumStatus sent_;
 };
 
 void Quantum::begin(std::uint32_t interface_address, std::span<const std::uint16_t> ports,
@@ -84,7 +80,7 @@ void Quantum::on_time(ScenarioTime now, EmulationPort& port) {
     if (changed || answer_) send_status(port);
     dirty_ = answer_ = false;
   }
-  const std::int64_t current = (now - begin_) / kTick;
+  const std::int64_t current = (now - begin_) / kQuantumTick;
   next_tick_ = std::max(next_tick_, current - kMostTicksBehind);
   for (; next_tick_ <= current; ++next_tick_) send_round(next_tick_, port);
 }
@@ -97,14 +93,14 @@ void Quantum::on_settings(RangeChannel, ScenarioTime, EmulationPort& port) {
 void Quantum::on_datagram(std::size_t, const Ipv4Endpoint& from,
                           std::span<const std::uint8_t> payload, ScenarioTime now,
                           EmulationPort& port) {
-  const auto command = decode_quantum_command(payload);
+  const auto command = raymarine::decode_quantum_command(payload);
   if (!command) {
     port.count(fmt::format("quantum {} command", name_of(command.error().kind)),
                fmt::format("{}: {}", text_of(from), command.error().text));
     return;
   }
   heard_at_ = now;
-  if (command->control == QuantumControl::stay_alive) return;
+  if (command->control == raymarine::QuantumControl::stay_alive) return;
   if (command->clamped) {
     port.count("quantum value out of range",
                fmt::format("{}: control {} was taken as {}", text_of(from),
@@ -136,7 +132,7 @@ void Quantum::stand_by_if_alone(ScenarioTime now, EmulationPort& port) {
 
 void Quantum::send_status(EmulationPort& port) {
   sent_ = controls_.status(port.settings(RangeChannel::a));
-  port.send(options_.data, encode_quantum_status(sent_));
+  port.send(options_.data, raymarine::encode_quantum_status(sent_));
 }
 
 void Quantum::send_round(std::int64_t tick, EmulationPort& port) {
@@ -144,40 +140,44 @@ void Quantum::send_round(std::int64_t tick, EmulationPort& port) {
   switch (in_round) {
     case kStatusTick:
       send_status(port);
-      port.send(options_.data, encode_quantum_info({options_.part_number, options_.serial_number}));
+      port.send(options_.data,
+                raymarine::encode_quantum_info({options_.part_number, options_.serial_number}));
       break;
     case kNameTick: {
-      const LocatorName name{{options_.link_id, kQuantumDevice}, "QuantumRadar"};
-      port.send(options_.locator, encode_locator_name(name));
-      port.send(options_.locator, encode_locator_long_name(name, radar_));
+      const raymarine::LocatorName name{{options_.link_id, raymarine::kQuantumDevice},
+                                        "QuantumRadar"};
+      port.send(options_.locator, raymarine::encode_locator_name(name));
+      port.send(options_.locator, raymarine::encode_locator_long_name(name, radar_));
       break;
     }
     case kAddressesTick:
-      port.send(options_.locator, encode_locator_addresses(
-                                      {{options_.link_id, kQuantumModel}, options_.data, radar_}));
+      port.send(options_.locator,
+                raymarine::encode_locator_addresses(
+                    {{options_.link_id, raymarine::kQuantumModel}, options_.data, radar_}));
       break;
     case kReportsTick:
-      port.send(options_.data, encode_quantum_short(0x280007));
-      port.send(options_.data, encode_quantum_long());
+      port.send(options_.data, raymarine::encode_quantum_short(0x280007));
+      port.send(options_.data, raymarine::encode_quantum_long());
       break;
     case kLastReportsTick:
-      port.send(options_.data, encode_quantum_short(0x280030));
-      port.send(options_.data, encode_quantum_short(0x280031));
+      port.send(options_.data, raymarine::encode_quantum_short(0x280030));
+      port.send(options_.data, raymarine::encode_quantum_short(0x280031));
       break;
     default:
       break;
   }
   const std::int64_t counts = in_round - kCountsTick;
-  if (counts >= 0 && counts < kTicksPerGroup * kQuantumCounts / kCountsPerGroup) {
+  if (counts >= 0 && counts < kTicksPerGroup * raymarine::kQuantumCounts / kCountsPerGroup) {
     const std::int64_t within = counts % kTicksPerGroup;
     const std::int64_t count = counts / kTicksPerGroup * kCountsPerGroup + within;
-    port.send(options_.data, encode_quantum_count(static_cast<std::uint32_t>(count)));
+    port.send(options_.data, raymarine::encode_quantum_count(static_cast<std::uint32_t>(count)));
     if (within == kTicksPerGroup - 1) {
-      port.send(options_.data, encode_quantum_count(static_cast<std::uint32_t>(count + 1)));
+      port.send(options_.data,
+                raymarine::encode_quantum_count(static_cast<std::uint32_t>(count + 1)));
     }
   }
   if (tick % kTicksPerFiveSeconds == kFifthSecondTick) {
-    port.send(options_.data, encode_quantum_short(0x280b01));
+    port.send(options_.data, raymarine::encode_quantum_short(0x280b01));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "protocol/raymarine/quantum_spoke.hpp"
+#include "server/displays/by_hand.hpp"
 
 namespace skerry::server {
 namespace {
@@ -17,13 +18,8 @@ constexpr double kThousandthNm = 1.852;  // m
 constexpr double kRejectionStep = 20.0;  // positions 0 .. 5 on 0 .. 100
 constexpr double kExpanded = 50.0;
 
-std::uint8_t percent_of(double setting) {
+std::uint8_t whole_percent(double setting) {
   return static_cast<std::uint8_t>(std::clamp(std::lround(setting), 0L, 100L));
-}
-
-// A picture mode of the view decides gain, sea and rain by itself; a display's knob ends that.
-void by_hand(wire::Set& set, const wire::Settings& now) {
-  if (now.mode() != wire::CUSTOM) set.set_mode(wire::CUSTOM);
 }
 
 std::optional<QuantumMode> mode_of(wire::PictureMode mode) {
@@ -164,13 +160,13 @@ void QuantumControls::observe(const wire::Settings& now) {
   if (const auto mode = mode_of(now.mode())) mode_ = *mode;
   QuantumModeControls& mine = in_use();
   mine.gain_auto = now.gain_auto();
-  mine.gain = percent_of(now.gain());
+  mine.gain = whole_percent(now.gain());
   mine.sea_auto = now.sea_auto();
-  mine.sea = percent_of(now.sea());
+  mine.sea = whole_percent(now.sea());
   // Rain that is on at nothing, and off at nothing, are one setting of a view.
   if (now.rain() > 0.0) {
     mine.rain_on = true;
-    mine.rain = percent_of(now.rain());
+    mine.rain = whole_percent(now.rain());
   } else if (mine.rain > 0) {
     mine.rain_on = false;
   }

@@ -6,19 +6,17 @@
 namespace skerry::server {
 namespace {
 
-using namespace raymarine;
-
 // The part of a full echo that a cell is, without the values that mean colours.
 std::uint8_t level_of(std::uint8_t cell, std::uint32_t bits) {
-  if (bits == 4) return static_cast<std::uint8_t>(cell * kQuantumStrongest / 15);
-  return std::min(cell, kQuantumStrongest);
+  if (bits == 4) return static_cast<std::uint8_t>(cell * raymarine::kQuantumStrongest / 15);
+  return std::min(cell, raymarine::kQuantumStrongest);
 }
 
 }  // namespace
 
 QuantumEncoder::QuantumEncoder(const DisplayRanges& ranges)
-    : ranges_(ranges), resampler_(kQuantumSpokes, kQuantumCells) {
-  spoke_.cells_per_range = kQuantumCellsPerRange;
+    : ranges_(ranges), resampler_(raymarine::kQuantumSpokes, raymarine::kQuantumCells) {
+  spoke_.cells_per_range = raymarine::kQuantumCellsPerRange;
 }
 
 const QuantumEncoder::Shape& QuantumEncoder::shape_of(const SpokeHeader& header) {
@@ -27,8 +25,8 @@ const QuantumEncoder::Shape& QuantumEncoder::shape_of(const SpokeHeader& header)
     reach_m_ = reach_m;
     scale_ = header.range_scale;
     const SpokeSpan span = span_of_rows(ranges_, scale_, reach_m);
-    const auto cells = std::lround(span.span_m / span.range_m * kQuantumCellsPerRange);
-    shape_ = {static_cast<std::uint16_t>(std::clamp(cells, 1L, long{kQuantumMaxCells})),
+    const auto cells = std::lround(span.span_m / span.range_m * raymarine::kQuantumCellsPerRange);
+    shape_ = {static_cast<std::uint16_t>(std::clamp(cells, 1L, long{raymarine::kQuantumMaxCells})),
               span.parts};
   }
   return shape_;
@@ -37,16 +35,17 @@ const QuantumEncoder::Shape& QuantumEncoder::shape_of(const SpokeHeader& header)
 void QuantumEncoder::append(const ResampledSpoke& spoke, EncodedSector& out) {
   const Shape& shape = shape_of(spoke.header);
   ++spoke_.sequence;
-  spoke_.azimuth =
-      static_cast<std::uint16_t>((spoke.header.index + kQuantumSpokes / 2) % kQuantumSpokes);
+  spoke_.azimuth = static_cast<std::uint16_t>((spoke.header.index + raymarine::kQuantumSpokes / 2) %
+                                              raymarine::kQuantumSpokes);
   spoke_.cells.resize(shape.cells);
   for (std::size_t i = 0; i < spoke_.cells.size(); ++i) {
     spoke_.cells[i] = level_of(spoke.cells[i], spoke.header.geometry.bits);
     if (spoke.doppler.empty() || spoke_.cells[i] == 0) continue;
-    if (spoke.doppler[i] == DopplerClass::approaching) spoke_.cells[i] = kQuantumApproaching;
-    if (spoke.doppler[i] == DopplerClass::receding) spoke_.cells[i] = kQuantumReceding;
+    if (spoke.doppler[i] == DopplerClass::approaching)
+      spoke_.cells[i] = raymarine::kQuantumApproaching;
+    if (spoke.doppler[i] == DopplerClass::receding) spoke_.cells[i] = raymarine::kQuantumReceding;
   }
-  append_quantum_spoke(out.bytes, spoke_);
+  raymarine::append_quantum_spoke(out.bytes, spoke_);
   out.spoke_ends.push_back(static_cast<std::uint32_t>(out.bytes.size()));
 }
 
@@ -59,7 +58,7 @@ EncodedSectorPtr QuantumEncoder::encode(const Sector& sector) {
     const Shape shape = shape_of(spoke->header);
     if (!(shape == resampled_)) {
       resampled_ = shape;
-      resampler_ = SpokeResampler(kQuantumSpokes, shape.cells * shape.parts);
+      resampler_ = SpokeResampler(raymarine::kQuantumSpokes, shape.cells * shape.parts);
     }
     resampler_.add(*spoke, [&](const ResampledSpoke& done) { append(done, *out); });
   }
