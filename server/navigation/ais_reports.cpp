@@ -3,12 +3,13 @@
 #include <chrono>
 #include <cmath>
 
+#include "protocol/quantity/speed.hpp"
+
 namespace skerry::server {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kKnot = 1852.0 / 3600.0;  // m/s
 constexpr double kStillKn = 0.1;
 constexpr unsigned kUnderWay = 0, kAnchored = 1;
 

@@ -8,12 +8,12 @@
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/speed.hpp"
 #include "server/navigation/target_geometry.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kKnot = 1852.0 / 3600.0;  // m/s
 // Before the first speed is known.
 constexpr double kAssumedSpeedMps = 20.0;
 

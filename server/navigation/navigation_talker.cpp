@@ -5,14 +5,12 @@
 #include <utility>
 
 #include "protocol/nmea/ais_sentences.hpp"
+#include "protocol/quantity/speed.hpp"
 #include "server/navigation/ais_reports.hpp"
 #include "server/navigation/own_ship_sentences.hpp"
 
 namespace skerry::server {
 namespace {
-
-constexpr double kMetresPerNm = 1852.0;
-constexpr double kKnot = 1852.0 / 3600.0;  // m/s
 
 bool is_of_targets(NavigationSentence sentence) {
   return sentence == NavigationSentence::ttm || sentence == NavigationSentence::tll ||
@@ -45,7 +43,8 @@ ScenarioTime after(ScenarioTime was, Duration period, ScenarioTime now) {
 
 NavigationTalker::NavigationTalker(const NavigationPlan& plan)
     : plan_(plan),
-      tracks_(plan.tracking_range_nm * kMetresPerNm, plan.tracked_targets, lost_for(plan)) {}
+      tracks_(plan.tracking_range_nm * Length::kMetresPerNauticalMile, plan.tracked_targets,
+              lost_for(plan)) {}
 
 std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
                                                      const NavigationWorld& world) {
@@ -117,7 +116,7 @@ void NavigationTalker::say_ais(ScenarioTime now, const wire::OwnShip& own,
                                std::vector<NavigationMessage>& out) {
   const GeoPoint here{own.latitude_deg(), own.longitude_deg()};
   const UtcTime utc{Duration(static_cast<std::int64_t>(own.utc_ns()))};
-  const double range_m = plan_.ais_range_nm * kMetresPerNm;
+  const double range_m = plan_.ais_range_nm * Length::kMetresPerNauticalMile;
   const Duration fixed_period =
       plan_.static_period == kAsAisDoes ? kStaticInterval : plan_.static_period;
   const Duration position_period = plan_.periods[NavigationSentence::vdm];

@@ -7,12 +7,11 @@
 #include "protocol/nmea/radar_sentences.hpp"
 #include "protocol/nmea/tracked_target_data.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/speed.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kMetresPerNm = 1852.0;
-constexpr double kKnot = 1852.0 / 3600.0;  // m/s
 constexpr unsigned kQualityGps = 1, kQualitySimulated = 8;
 
 UtcTime utc_of(const wire::OwnShip& ship) {
@@ -36,11 +35,11 @@ std::string ttm_of(const Track& track, const wire::OwnShip& ship) {
       approach_of(track.place, {track.target.course_over_ground_deg, track.target.speed_mps},
                   {ship.course_over_ground_deg(), ship.speed_over_ground_kn() * kKnot});
   return encode(nmea::Ttm{.number = track.number,
-                          .range_nm = track.place.range_m / kMetresPerNm,
+                          .range_nm = track.place.range_m / Length::kMetresPerNauticalMile,
                           .bearing_deg = track.place.bearing_deg,
                           .speed_kn = track.target.speed_mps / kKnot,
                           .course_deg = track.target.course_over_ground_deg,
-                          .cpa_nm = approach.cpa_m / kMetresPerNm,
+                          .cpa_nm = approach.cpa_m / Length::kMetresPerNauticalMile,
                           .tcpa_min = approach.tcpa_s / 60.0,
                           .name = track.target.name,
                           .status = status_of(track),
@@ -61,7 +60,7 @@ nmea::TtdTarget ttd_of(const Track& track) {
           .speed_kn = track.target.speed_mps / kKnot,
           .course_deg = track.target.course_over_ground_deg,
           .heading_deg = track.target.heading_deg,
-          .range_nm = track.place.range_m / kMetresPerNm,
+          .range_nm = track.place.range_m / Length::kMetresPerNauticalMile,
           .status = track.lost ? nmea::TtdStatus::lost : nmea::TtdStatus::tracking};
 }
 
