@@ -17,7 +17,7 @@ namespace {
 // Datagrams that are due so soon leave now: a timer is not finer.
 constexpr Duration kSoon = std::chrono::microseconds(200);
 
-Ipv4Endpoint endpoint_of(const asio::ip::udp::endpoint& endpoint) {
+Ipv4Endpoint ipv4_endpoint_of(const asio::ip::udp::endpoint& endpoint) {
   return {endpoint.address().to_v4().to_uint(), endpoint.port()};
 }
 
@@ -300,10 +300,10 @@ void DisplayOutput::read(std::size_t which) {
       counters_->commands_dropped.fetch_add(1, std::memory_order_relaxed);
       context_.errors.add("commands dropped",
                           fmt::format("{}: more than {} a second, the last from {}", name_,
-                                      CommandGate::kPerSecond, text_of(endpoint_of(from))));
+                                      CommandGate::kPerSecond, text_of(ipv4_endpoint_of(from))));
       continue;
     }
-    display_ = endpoint_of(from);
+    display_ = ipv4_endpoint_of(from);
     if (display_ != last_display_) {
       last_display_ = display_;
       counters_->set_last_display(text_of(display_));

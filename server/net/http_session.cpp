@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 4 * 1024;  // of changes by Signal K
 constexpr std::chrono::seconds kHandshakeTime{10};
-constexpr std::chrono::seconds kFarewellTime{2};  // for the client to close after the last answer
+constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
 
 std::optional<std::string_view> header_of(const http::request<http::string_body>& request,
                                           http::field field) {
@@ -262,7 +262,7 @@ void HttpSession::on_sent(error_code error, bool keep_alive) {
   if (keep_alive) return read();
   error_code ignored;
   stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
-  stream_.expires_after(kFarewellTime);
+  stream_.expires_after(kClosingTime);
   discard();
 }
 

@@ -14,7 +14,7 @@ namespace {
 // How long a connection is not read from that has said too much.
 constexpr std::chrono::milliseconds kPause{100};
 // What may wait in the kernel for a slow receiver.
-constexpr std::size_t kSendBuffer = 32 * 1024;
+constexpr std::size_t kLinesSendBuffer = 32 * 1024;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ class LineSession final : public Connection, public std::enable_shared_from_this
         handlers_(std::move(handlers)),
         peer_(peer_of(socket_).text) {
     set_stream_options(socket_);
-    set_send_buffer(socket_, kSendBuffer);
+    set_send_buffer(socket_, kLinesSendBuffer);
   }
 
   void begin() {

@@ -22,7 +22,7 @@ std::string advice(const error_code& error, const ListenAddress& where) {
   return "choose an address of this machine with --bind";
 }
 
-void check(const error_code& error, const ListenAddress& where) {
+void require_listening(const error_code& error, const ListenAddress& where) {
   if (!error) return;
   throw std::runtime_error(fmt::format("{}: cannot listen on {} port {}: {}; {}", where.protocol,
                                        where.address, where.port, error.message(),
@@ -40,16 +40,16 @@ Listener::Listener(NetContext& context, const ListenAddress& where, Accepted acc
       retry_(context.io) {
   error_code error;
   const auto address = asio::ip::make_address(where.address, error);
-  check(error, where);
+  require_listening(error, where);
   const asio::ip::tcp::endpoint endpoint(address, where.port);
   acceptor_.open(endpoint.protocol(), error);
-  check(error, where);
+  require_listening(error, where);
   acceptor_.set_option(asio::socket_base::reuse_address(true), error);
-  check(error, where);
+  require_listening(error, where);
   acceptor_.bind(endpoint, error);
-  check(error, where);
+  require_listening(error, where);
   acceptor_.listen(asio::socket_base::max_listen_connections, error);
-  check(error, where);
+  require_listening(error, where);
   port_ = acceptor_.local_endpoint().port();
 }
 

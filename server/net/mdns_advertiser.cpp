@@ -28,7 +28,7 @@ namespace {
 constexpr std::chrono::seconds kRetry{30};
 
 // The interface that has the address; every one for 0.0.0.0 and ::.
-AvahiIfIndex interface_of(const std::string& text) {
+AvahiIfIndex avahi_interface(const std::string& text) {
   error_code error;
   const auto wanted = asio::ip::make_address(text, error);
   if (error || wanted.is_unspecified()) return AVAHI_IF_UNSPEC;
@@ -200,7 +200,8 @@ class MdnsAdvertiser::Impl {
 
 MdnsAdvertiser::MdnsAdvertiser(std::string name, const std::string& address,
                                std::vector<MdnsService> services)
-    : impl_(std::make_unique<Impl>(std::move(name), interface_of(address), std::move(services))) {}
+    : impl_(
+          std::make_unique<Impl>(std::move(name), avahi_interface(address), std::move(services))) {}
 MdnsAdvertiser::~MdnsAdvertiser() = default;
 
 }  // namespace skerry::server

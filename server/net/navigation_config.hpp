@@ -18,6 +18,8 @@ enum class NavigationTransport : std::uint8_t {
 
 // Most plotters and OpenCPN listen there.
 inline constexpr std::uint16_t kUsualNavigationPort = 10110;
+// Of one input or output over TCP.
+inline constexpr std::size_t kMostNavigationConnections = 64;
 
 // Own ship of a radar and what is around her, as NMEA 0183.  Any number of outputs.
 struct NavigationOutputConfig {
@@ -32,7 +34,7 @@ struct NavigationOutputConfig {
   std::string interface_address = "127.0.0.1";  // to send multicast from
   int multicast_ttl = 0;                        // 0 .. 255; 0: this host, 1: this network
   std::string source = "RA0001";                // iec450: two letters and four digits
-  std::size_t max_connections = 16;             // tcp: 1 .. 64
+  std::size_t max_connections = 16;             // tcp: 1 .. kMostNavigationConnections
   NavigationPlan plan;
 };
 
@@ -46,7 +48,7 @@ struct NavigationInputConfig {
   std::string interface_address = "127.0.0.1";  // to join a group on
   // Who may: IPv4 literals or networks ("192.0.2.0/24"); empty: this host alone.
   std::vector<std::string> sources = {};
-  std::size_t max_connections = 4;  // tcp: 1 .. 64
+  std::size_t max_connections = 4;  // tcp: 1 .. kMostNavigationConnections
 };
 
 }  // namespace skerry::server

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "protocol/nmea/udp450.hpp"
+#include "server/net/net_clock.hpp"
 #include "server/net/output_socket.hpp"
 #include "server/net/tcp_peer.hpp"
 
@@ -15,11 +16,10 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::size_t kMostConnections = 64;
 // Of jumps to the log.
 constexpr std::chrono::seconds kJumpPause{1};
 
-[[noreturn]] void fail(const NavigationInputConfig& config, const std::string& reason) {
+[[noreturn]] void fail_input(const NavigationInputConfig& config, const std::string& reason) {
   throw std::runtime_error(fmt::format("NMEA input of radar {} at {}:{}: {}", config.radar,
                                        config.address, config.port, reason));
 }
@@ -30,13 +30,9 @@ asio::ip::network_v4 network_of(const NavigationInputConfig& config, const std::
                            ? asio::ip::network_v4(asio::ip::make_address_v4(text, error), 32)
                            : asio::ip::make_network_v4(text, error);
   if (error) {
-    fail(config, fmt::format("the source \"{}\" is no IPv4 address or network", text));
+    fail_input(config, fmt::format("the source \"{}\" is no IPv4 address or network", text));
   }
   return network;
-}
-
-ScenarioTime scenario_time(steady_clock::time_point time) {
-  return ScenarioTime(std::chrono::duration_cast<Duration>(time.time_since_epoch()));
 }
 
 }  // namespace
@@ -48,12 +44,12 @@ NavigationInput::NavigationInput(NetContext& context, const NavigationInputConfi
       socket_(context.io),
       timer_(context.io) {
   if (context.host.find_channel(config.radar, 0) == nullptr) {
-    fail(config, fmt::format("there is no such radar; there are {}, counted from 0",
-                             context.host.radar_count()));
+    fail_input(config, fmt::format("there is no such radar; there are {}, counted from 0",
+                                   context.host.radar_count()));
   }
-  if (config.max_connections < 1 || config.max_connections > kMostConnections) {
-    fail(config,
-         fmt::format("{} connections are not 1 to {}", config.max_connections, kMostConnections));
+  if (config.max_connections < 1 || config.max_connections > kMostNavigationConnections) {
+    fail_input(config, fmt::format("{} connections are not 1 to {}", config.max_connections,
+                                   kMostNavigationConnections));
   }
   for (const std::string& source : config.sources) sources_.push_back(network_of(config, source));
   open();
@@ -68,7 +64,7 @@ NavigationInput::NavigationInput(NetContext& context, const NavigationInputConfi
 void NavigationInput::open() {
   error_code error;
   const auto address = asio::ip::make_address_v4(config_.address, error);
-  if (error) fail(config_, "the address must be an IPv4 literal");
+  if (error) fail_input(config_, "the address must be an IPv4 literal");
   if (config_.transport == NavigationTransport::tcp) {
     lines_server_ = std::make_unique<LineServer>(
         context_,
@@ -91,7 +87,7 @@ void NavigationInput::open() {
   try {
     if (address.is_multicast()) {
       const auto interface = asio::ip::make_address_v4(config_.interface_address, error);
-      if (error) fail(config_, "the interface must be given by its IPv4 address");
+      if (error) fail_input(config_, "the interface must be given by its IPv4 address");
       socket_ = open_listening(context_.io, {{address.to_uint(), config_.port}}, interface);
     } else {
       socket_.open(asio::ip::udp::v4());
@@ -99,9 +95,9 @@ void NavigationInput::open() {
       socket_.non_blocking(true);
     }
   } catch (const boost::system::system_error& problem) {
-    fail(config_, problem.code().message());
+    fail_input(config_, problem.code().message());
   } catch (const std::runtime_error& problem) {
-    fail(config_, problem.what());
+    fail_input(config_, problem.what());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "server/net/net_clock.hpp"
 #include "server/net/output_socket.hpp"
 
 namespace skerry::server {
@@ -17,9 +18,8 @@ using std::chrono::steady_clock;
 
 // The timer is never set nearer than this.
 constexpr std::chrono::milliseconds kShortestWait{2};
-constexpr std::size_t kMostConnections = 64;
 
-[[noreturn]] void fail(const NavigationOutputConfig& config, const std::string& reason) {
+[[noreturn]] void fail_output(const NavigationOutputConfig& config, const std::string& reason) {
   throw std::runtime_error(fmt::format("NMEA output of radar {} at {}:{}: {}", config.radar,
                                        config.address, config.port, reason));
 }
@@ -44,7 +44,7 @@ nmea::Udp450Group group_of(NavigationSentence sentence) {
   }
 }
 
-asio::ip::udp::endpoint endpoint_of(const Ipv4Endpoint& at) {
+asio::ip::udp::endpoint udp_endpoint_of(const Ipv4Endpoint& at) {
   return {asio::ip::address_v4(at.address), at.port};
 }
 
@@ -58,10 +58,6 @@ std::vector<Bytes> packed(const std::vector<std::string>& lines) {
     datagrams.back().insert(datagrams.back().end(), line.begin(), line.end());
   }
   return datagrams;
-}
-
-ScenarioTime scenario_time(steady_clock::time_point time) {
-  return ScenarioTime(std::chrono::duration_cast<Duration>(time.time_since_epoch()));
 }
 
 }  // namespace
@@ -93,20 +89,20 @@ NavigationOutput::NavigationOutput(NetContext& context, const NavigationOutputCo
       socket_(context.io),
       timer_(context.io) {
   if (context.host.find_channel(config.radar, 0) == nullptr) {
-    fail(config, fmt::format("there is no such radar; there are {}, counted from 0",
-                             context.host.radar_count()));
+    fail_output(config, fmt::format("there is no such radar; there are {}, counted from 0",
+                                    context.host.radar_count()));
   }
-  if (const auto fault = fault_in(config.plan)) fail(config, *fault);
+  if (const auto fault = fault_in(config.plan)) fail_output(config, *fault);
   if (config.multicast_ttl < 0 || config.multicast_ttl > 255) {
-    fail(config, fmt::format("multicast TTL {} is not 0 to 255", config.multicast_ttl));
+    fail_output(config, fmt::format("multicast TTL {} is not 0 to 255", config.multicast_ttl));
   }
   if (!nmea::is_udp450_source(config.source)) {
-    fail(config, fmt::format("the source \"{}\" is not two capital letters and four digits",
-                             config.source));
+    fail_output(config, fmt::format("the source \"{}\" is not two capital letters and four digits",
+                                    config.source));
   }
-  if (config.max_connections < 1 || config.max_connections > kMostConnections) {
-    fail(config,
-         fmt::format("{} connections are not 1 to {}", config.max_connections, kMostConnections));
+  if (config.max_connections < 1 || config.max_connections > kMostNavigationConnections) {
+    fail_output(config, fmt::format("{} connections are not 1 to {}", config.max_connections,
+                                    kMostNavigationConnections));
   }
   open();
   wire::OutputStatus status;
@@ -125,7 +121,7 @@ void NavigationOutput::open() {
   error_code error;
   const auto address =
       asio::ip::make_address_v4(to_groups ? "239.192.0.1" : config_.address, error);
-  if (error) fail(config_, "the address must be an IPv4 literal");
+  if (error) fail_output(config_, "the address must be an IPv4 literal");
   if (config_.transport == NavigationTransport::tcp) {
     lines_ = std::make_unique<LineServer>(
         context_,
@@ -148,13 +144,13 @@ void NavigationOutput::open() {
     return;
   }
   if (!to_groups) {
-    if (config_.port == 0) fail(config_, "the port must be 1 to 65535");
+    if (config_.port == 0) fail_output(config_, "the port must be 1 to 65535");
     endpoint_ = {address, config_.port};
   }
   try {
     if (address.is_multicast()) {
       const auto from = asio::ip::make_address_v4(config_.interface_address, error);
-      if (error) fail(config_, "the interface must be given by its IPv4 address");
+      if (error) fail_output(config_, "the interface must be given by its IPv4 address");
       socket_ = open_sending(context_.io, from, config_.multicast_ttl);
     } else {
       socket_.open(asio::ip::udp::v4());
@@ -162,13 +158,13 @@ void NavigationOutput::open() {
       // Asks the system whether it may be sent there; a network that is down may come up later.
       socket_.connect(*endpoint_, error);
       if (error == asio::error::access_denied) {
-        fail(config_, "that is a broadcast address; allow it with `broadcast`");
+        fail_output(config_, "that is a broadcast address; allow it with `broadcast`");
       }
     }
   } catch (const boost::system::system_error& problem) {
-    fail(config_, problem.code().message());
+    fail_output(config_, problem.code().message());
   } catch (const std::runtime_error& problem) {
-    fail(config_, problem.what());
+    fail_output(config_, problem.what());
   }
 }
 
@@ -216,7 +212,7 @@ void NavigationOutput::send(const NavigationMessage& message) {
 }
 
 asio::ip::udp::endpoint NavigationOutput::endpoint_for(NavigationSentence sentence) const {
-  return endpoint_ ? *endpoint_ : endpoint_of(nmea::address_of(group_of(sentence)));
+  return endpoint_ ? *endpoint_ : udp_endpoint_of(nmea::address_of(group_of(sentence)));
 }
 
 void NavigationOutput::send_datagram(const asio::ip::udp::endpoint& to,

@@ -13,10 +13,9 @@
 namespace skerry::server {
 namespace {
 
-constexpr int kSendBuffer = 1024 * 1024;     // a turn's burst of the largest frames, many times
 constexpr int kReceiveBuffer = 1024 * 1024;  // of commands: what comes in between two looks
 
-void check(const error_code& error, const std::string& what) {
+void require(const error_code& error, const std::string& what) {
   if (error) throw std::runtime_error(fmt::format("{}: {}", what, error.message()));
 }
 
@@ -36,18 +35,18 @@ UdpSocket open_sending(asio::io_context& io, const asio::ip::address_v4& interfa
   UdpSocket socket(io);
   error_code error;
   socket.open(asio::ip::udp::v4(), error);
-  check(error, "cannot open a socket");
-  socket.set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
-  check(error, "cannot set the send buffer");
+  require(error, "cannot open a socket");
+  socket.set_option(asio::socket_base::send_buffer_size(kDatagramSendBuffer), error);
+  require(error, "cannot set the send buffer");
   socket.bind({interface_address, 0}, error);
-  check(error, fmt::format("cannot send from {}, which must be an address of this host",
-                           interface_address.to_string()));
+  require(error, fmt::format("cannot send from {}, which must be an address of this host",
+                             interface_address.to_string()));
   socket.set_option(asio::ip::multicast::outbound_interface(interface_address), error);
-  check(error, "cannot send to groups from that interface");
+  require(error, "cannot send to groups from that interface");
   socket.set_option(asio::ip::multicast::hops(ttl), error);
-  check(error, "cannot set the multicast TTL");
+  require(error, "cannot set the multicast TTL");
   socket.set_option(asio::ip::multicast::enable_loopback(true), error);
-  check(error, "cannot let this host hear its own groups");
+  require(error, "cannot let this host hear its own groups");
   return socket;
 }
 
@@ -61,22 +60,22 @@ UdpSocket open_listening(asio::io_context& io, const EmulationListen& listen,
   UdpSocket socket(io);
   error_code error;
   socket.open(asio::ip::udp::v4(), error);
-  check(error, "cannot open a socket");
+  require(error, "cannot open a socket");
   socket.set_option(asio::socket_base::receive_buffer_size(kReceiveBuffer), error);
-  check(error, "cannot set the receive buffer");
+  require(error, "cannot set the receive buffer");
   if (group) {
     socket.set_option(asio::ip::udp::socket::reuse_address(true), error);
-    check(error, "cannot share " + where);
+    require(error, "cannot share " + where);
   }
   socket.bind(at, error);
-  check(error, "cannot listen on " + where);
+  require(error, "cannot listen on " + where);
   if (group) {
     hear_own_groups_only(socket);
     socket.set_option(asio::ip::multicast::join_group(wanted, interface_address), error);
-    check(error, fmt::format("cannot join {} on {}", where, interface_address.to_string()));
+    require(error, fmt::format("cannot join {} on {}", where, interface_address.to_string()));
   }
   socket.non_blocking(true, error);
-  check(error, "cannot make a socket non-blocking");
+  require(error, "cannot make a socket non-blocking");
   return socket;
 }
 

@@ -6,6 +6,10 @@
 
 namespace skerry::server {
 
+// A turn's burst of the largest frames many times, and the burst of a sector of the longest spokes
+// (16 times 4.3 kB) several times over.
+inline constexpr int kDatagramSendBuffer = 1024 * 1024;
+
 // Sends from `interface_address`, unicast and multicast, with that TTL; what this host itself has
 // joined hears it, too.
 // Error: std::runtime_error saying what failed and why.

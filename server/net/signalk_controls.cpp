@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "protocol/signalk/radar_message.hpp"
+#include "protocol/signalk/units.hpp"
 #include "protocol/video/range_scale.hpp"
 
 namespace skerry::server {
@@ -16,7 +17,6 @@ using signalk::ControlState;
 using wire::Set;
 using wire::Settings;
 
-constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kRadianPerSecond = std::numbers::pi / 30.0;  // of one rpm
 
 // A number that both sides have in the same units, and its automatic if there is one.
@@ -91,9 +91,9 @@ constexpr Other kOthers[] = {
        set.set_rotation_rpm(std::clamp(v / kRadianPerSecond, 10.0, 60.0));
      }},
     {"bearingAlignment", "bearing_alignment_deg",
-     [](const Settings& s) { return s.bearing_alignment_deg() * kRadian; },
+     [](const Settings& s) { return s.bearing_alignment_deg() * signalk::kRadian; },
      [](double v, Set& set) {
-       set.set_bearing_alignment_deg(std::clamp(v / kRadian, -180.0, 180.0));
+       set.set_bearing_alignment_deg(std::clamp(v / signalk::kRadian, -180.0, 180.0));
      }},
 };
 constexpr std::string_view kSector = "noTransmitSector";
@@ -110,9 +110,9 @@ bool is_locked(const Settings& settings, std::string_view field) {
                                settings.locked().end();
 }
 
-double half_turn_radians(double deg) { return std::remainder(deg, 360.0) * kRadian; }
+double half_turn_radians(double deg) { return std::remainder(deg, 360.0) * signalk::kRadian; }
 double turn_degrees(double radians) {
-  const double deg = std::fmod(radians / kRadian, 360.0);
+  const double deg = std::fmod(radians / signalk::kRadian, 360.0);
   return deg < 0.0 ? deg + 360.0 : deg;
 }
 

@@ -4,16 +4,13 @@
 #include <vector>
 
 #include "server/net/access_policy.hpp"
+#include "server/net/net_clock.hpp"
 #include "server/net/tcp_peer.hpp"
 
 namespace skerry::server {
 namespace {
 
 using signalk::Json;
-
-UtcTime utc_now() {
-  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
-}
 
 constexpr std::string_view kSource = "skerry";
 

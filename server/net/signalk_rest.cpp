@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "server/net/access_policy.hpp"
+#include "server/net/net_clock.hpp"
 
 namespace skerry::server {
 namespace {
@@ -23,10 +24,6 @@ constexpr std::array<Root, 4> kRoots = {{{signalk::kRadarsPath, false},
                                          {"/signalk/v2/api/radars", false},
                                          {"/signalk/v1/api/vessels/self/radars", true},
                                          {"/v1/api/radars", true}}};
-
-UtcTime utc_now() {
-  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
-}
 
 WebAnswer document(const Json& json, unsigned status = 200) {
   return {.status = status, .mime = "application/json", .body = signalk::text_of(json)};

@@ -6,10 +6,12 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/quantity/speed.hpp"
+#include "protocol/signalk/units.hpp"
+#include "server/net/net_clock.hpp"
 #include "server/net/signalk_encoder.hpp"
 
 namespace skerry::server {
@@ -17,13 +19,7 @@ namespace {
 
 using signalk::Json;
 
-constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr double kKnot = 1852.0 / 3600.0;
 constexpr std::chrono::seconds kTargetPeriod{1};
-
-UtcTime utc_now() {
-  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
-}
 
 unsigned status_of(wire::Reply::Code code) {
   switch (code) {
@@ -162,7 +158,7 @@ SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body) {
     return {400, "expected {\"bearing\": radians from true north, \"distance\": metres}"};
   }
   const auto number =
-      radar.targets.acquire(others(), movement(), bearing / kRadian, distance, utc_now());
+      radar.targets.acquire(others(), movement(), bearing / signalk::kRadian, distance, utc_now());
   if (!number) return {404, "no target there"};
   return {201, "OK", number};
 }

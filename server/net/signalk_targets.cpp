@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "protocol/signalk/units.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180.0;
 // How far from the place pointed at a target may be: what a finger or a coarse cursor misses by.
 constexpr double kReach = 150.0, kReachOfDistance = 0.03;
 
@@ -66,7 +66,7 @@ std::optional<std::uint32_t> SignalkTargets::acquire(std::span<const TrafficItem
                                                      UtcTime now) {
   const auto off_by = [&](const TrafficItem& item) {
     const auto at = signalk::range_and_bearing(own.position, item.position);
-    const double angle = (at.bearing_deg - bearing_deg) * kRadian;
+    const double angle = (at.bearing_deg - bearing_deg) * signalk::kRadian;
     return std::sqrt(std::max(0.0, at.range_m * at.range_m + distance_m * distance_m -
                                        2.0 * at.range_m * distance_m * std::cos(angle)));
   };

@@ -9,30 +9,29 @@
 #include <utility>
 
 #include "protocol/wire/frame.hpp"
+#include "server/net/output_socket.hpp"
 #include "server/net/tcp_peer.hpp"
 
 namespace skerry::server {
 namespace {
 
-// For the burst of a sector of the longest spokes (16 times 4.3 kB), several times over.
-constexpr int kSendBuffer = 1024 * 1024;
 constexpr std::size_t kCat240BlockHeader = 3;  // category, length in two bytes
 
-[[noreturn]] void fail(const UdpDestination& to, const UdpStream& stream,
-                       const std::string& reason) {
+[[noreturn]] void fail_stream(const UdpDestination& to, const UdpStream& stream,
+                              const std::string& reason) {
   throw std::runtime_error(fmt::format("{} datagrams of radar {} to {} port {}: {}", stream.name(),
                                        to.radar, to.address, to.port, reason));
 }
 
 void check_destination(const UdpDestination& to, const UdpStream& stream) {
-  if (to.port == 0) fail(to, stream, "the port must be 1 to 65535");
+  if (to.port == 0) fail_stream(to, stream, "the port must be 1 to 65535");
   if (to.multicast_ttl < 0 || to.multicast_ttl > 255) {
-    fail(to, stream, fmt::format("multicast TTL {} is not 0 to 255", to.multicast_ttl));
+    fail_stream(to, stream, fmt::format("multicast TTL {} is not 0 to 255", to.multicast_ttl));
   }
   if (to.max_datagram != 0 && (to.max_datagram < kMinDatagram || to.max_datagram > kMaxDatagram)) {
-    fail(to, stream,
-         fmt::format("a largest datagram of {} bytes is not 0 or {} to {}", to.max_datagram,
-                     kMinDatagram, kMaxDatagram));
+    fail_stream(to, stream,
+                fmt::format("a largest datagram of {} bytes is not 0 or {} to {}", to.max_datagram,
+                            kMinDatagram, kMaxDatagram));
   }
 }
 
@@ -58,24 +57,24 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const UdpStr
       socket_(context.io) {
   check_destination(to, stream);
   if (context.host.find_channel(to.radar, stream.view) == nullptr) {
-    fail(to, stream,
-         fmt::format("there is no such radar; there are {}, counted from 0",
-                     context.host.radar_count()));
+    fail_stream(to, stream,
+                fmt::format("there is no such radar; there are {}, counted from 0",
+                            context.host.radar_count()));
   }
   if (stream.cut == UdpStream::Cut::records && context.host.find_board(to.radar) == nullptr) {
-    fail(to, stream, "that radar has no interface board");
+    fail_stream(to, stream, "that radar has no interface board");
   }
   error_code error;
   const auto address = asio::ip::make_address(to.address, error);
-  if (error) fail(to, stream, "the address must be an IPv4 or IPv6 literal");
+  if (error) fail_stream(to, stream, "the address must be an IPv4 or IPv6 literal");
   endpoint_ = {address, to.port};
   if (max_datagram_ == 0) max_datagram_ = is_loopback(address) ? kMaxDatagram : kDefaultDatagram;
   const auto check = [&](const char* what) {
-    if (error) fail(to, stream, fmt::format("{}: {}", what, error.message()));
+    if (error) fail_stream(to, stream, fmt::format("{}: {}", what, error.message()));
   };
   socket_.open(endpoint_.protocol(), error);
   check("cannot open a socket");
-  socket_.set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
+  socket_.set_option(asio::socket_base::send_buffer_size(kDatagramSendBuffer), error);
   check("cannot set the send buffer");
   if (address.is_multicast()) {
     socket_.set_option(asio::ip::multicast::hops(to.multicast_ttl), error);
