@@ -3,6 +3,7 @@
 
 #include "echo/receiver/controls.hpp"
 #include "protocol/wire/radar.pb.h"
+#include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::server {
 
@@ -20,8 +21,6 @@ void tell_view(const echo::ViewControls& controls, wire::Settings& settings);
 void tell_radar(const echo::RadarControls& controls, const echo::RadarSet& set,
                 wire::Settings& settings);
 
-// Of the range scale: what an instrumented range may be, if it is not 0.
-inline constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;
 // The same multiple of another range scale.
 double carried_range_m(double instrumented_range_m, RangeScale from, RangeScale to);
 bool is_instrumented_range(double range_m, RangeScale scale);

@@ -80,7 +80,7 @@ bool is_navigation(const Output& output) {
   return output.kind() == Output::nmea0183 || output.kind() == Output::iec61162_450;
 }
 
-UdpDestination destination_of(const Output& output, const std::string& name) {
+UdpDestination udp_destination(const Output& output, const std::string& name) {
   UdpDestination to;
   to.radar = output.radar();
   if (output.has_address()) to.address = output.address();
@@ -95,7 +95,7 @@ UdpDestination destination_of(const Output& output, const std::string& name) {
 
 StreamOutputConfig stream_of(const Output& output, const std::string& name, Cat240Source source) {
   StreamOutputConfig stream;
-  stream.to = destination_of(output, name);
+  stream.to = udp_destination(output, name);
   stream.own_view = output.view() == Output::own;
   if (output.kind() == Output::native) {
     stream.shape = NativeShape{output.spokes(), output.cells(), output.bits()};

@@ -18,7 +18,7 @@ namespace {
 
 using recording::RecordingReader;
 
-constexpr const char* kGroup = "Playback";
+constexpr const char* kPlaybackGroup = "Playback";
 
 // Says on standard error how far the search has come, by tenths.
 class SearchTold {
@@ -59,25 +59,25 @@ UtcTime place_of(const std::string& text, const recording::Summary& summary) {
 void add_playback_options(CLI::App& cli, PlaybackOptions& options) {
   auto* play = cli.add_option("--play", options.file,
                               "play this recording in place of radars, to every output")
-                   ->group(kGroup);
+                   ->group(kPlaybackGroup);
   cli.add_option("--play-rate", options.rate, "times the recorded pace (1)")
       ->check(CLI::Range(kSlowestRate, kFastestRate))
       ->needs(play)
-      ->group(kGroup);
+      ->group(kPlaybackGroup);
   cli.add_flag("--play-loop", options.loop, "from the begin again at the end")
       ->needs(play)
-      ->group(kGroup);
+      ->group(kPlaybackGroup);
   cli.add_option("--play-from", options.from,
                  "begin there: seconds, minutes:seconds, hours:minutes:seconds or a mark's name")
       ->needs(play)
-      ->group(kGroup);
+      ->group(kPlaybackGroup);
   cli.add_flag("--play-paused", options.paused, "stand there until told to play")
       ->needs(play)
-      ->group(kGroup);
+      ->group(kPlaybackGroup);
   cli.add_flag("--current-timestamps", options.current_timestamps,
                "spokes and ships bear the time at which they are played, not their own")
       ->needs(play)
-      ->group(kGroup);
+      ->group(kPlaybackGroup);
 }
 
 void apply_playback(const app::Playback& file, PlaybackOptions& options) {

@@ -10,7 +10,7 @@ namespace {
 
 using app::Recorder;
 
-constexpr const char* kGroup = "Recorder";
+constexpr const char* kRecorderGroup = "Recorder";
 
 recording::Compression compression_of(Recorder::Compression compression) {
   switch (compression) {
@@ -37,37 +37,38 @@ Sync sync_of(Recorder::Fsync::Policy fsync) {
 }  // namespace
 
 void add_recorder_options(CLI::App& cli, RecorderOptions& options) {
-  cli.add_flag("--record", options.record, "record all radars from the start")->group(kGroup);
+  cli.add_flag("--record", options.record, "record all radars from the start")
+      ->group(kRecorderGroup);
   cli.add_option("--record-folder", options.folder, "where recordings go (skerry-recordings)")
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-compression", options.compression, "none, lz4 or zstd (lz4)")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_flag("--record-compact", options.compact, "spokes as differences: smaller, more work")
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-roll-mib", options.roll_mib, "another file after so many MiB (never)")
       ->check(CLI::Range(1, 1 << 24))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-roll-minutes", options.roll_minutes,
                  "another file after so many minutes (never)")
       ->check(CLI::Range(1, 525'600))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-keep-gib", options.keep_gib,
                  "remove the oldest recordings beyond so many GiB (keep all)")
       ->check(CLI::Range(1, 1 << 24))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-keep-hours", options.keep_hours,
                  "remove recordings older than so many hours (keep all)")
       ->check(CLI::Range(1, 876'000))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-reserve-mib", options.reserve_mib,
                  "free space that is never touched, MiB (512)")
       ->check(CLI::Range(0, 1 << 24))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
   cli.add_option("--record-fsync", options.fsync,
                  "what a loss of power may take: chunk (a second), file or none (chunk)")
       ->check(CLI::IsMember({"none", "file", "chunk"}))
-      ->group(kGroup);
+      ->group(kRecorderGroup);
 }
 
 RecorderConfig recorder_config(const Recorder& in_file, const RecorderOptions& options) {

@@ -11,8 +11,7 @@
 namespace skerry::server {
 namespace {
 
-constexpr int kMostSteps = 1000;
-constexpr double kRounding = 1e-6;      // s: who was told the length may seek to it
+constexpr double kSeekRounding = 1e-6;  // s: who was told the length may seek to it
 constexpr std::size_t kMarksNamed = 8;  // in a refusal
 
 Failure<wire::Reply> refuse(wire::Reply::Code code, std::string text) {
@@ -67,7 +66,7 @@ Result<PlayOrder, wire::Reply> play_order(const wire::Playback& request,
                   "playback: position_s and mark at once; expected one of them");
   }
   if (request.has_position_s()) {
-    if (!(request.position_s() >= 0.0 && request.position_s() <= length_s + kRounding)) {
+    if (!(request.position_s() >= 0.0 && request.position_s() <= length_s + kSeekRounding)) {
       return refuse(wire::Reply::OUT_OF_RANGE,
                     fmt::format("position: {} s is out of range; the recording is {} s long",
                                 request.position_s(), length_s));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/wire/spoke_message.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/playback/play_request.hpp"
 #include "server/playback/recorded_values.hpp"
@@ -17,8 +18,7 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kMostMarks = 1000;
-constexpr std::size_t kLongestMark = 100, kLongestProblem = 1000;   // bytes
-constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;  // of the range scale
+constexpr std::size_t kLongestMark = 100, kLongestProblem = 1000;  // bytes
 
 RecordedRadars radars_or_throw(const recording::RecordingReader& reader) {
   auto radars = radars_of(reader);

@@ -5,14 +5,14 @@
 #include <string>
 
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/speed.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "server/playback/recorded_values.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kMetresPerDegree = 1852.0 * 60.0;
-constexpr double kKnot = 1852.0 / 3600.0;  // m/s
+constexpr double kMetresPerDegree = 60.0 * Length::kMetresPerNauticalMile;
 constexpr std::uint32_t kLastMmsi = 999'999'999;
 
 template <typename Message>

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "protocol/wire/spoke_message.hpp"
 #include "server/playback/spoke_reach.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;  // of the range scale
-constexpr std::uint32_t kLastNumber = 65'535;                       // what datagrams can say
+constexpr std::uint32_t kLastNumber = 65'535;  // what datagrams can say
 
 }  // namespace
 

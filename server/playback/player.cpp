@@ -14,7 +14,6 @@ using recording::Kind;
 using recording::Topic;
 using std::chrono::steady_clock;
 
-constexpr int kMostSteps = 1000;
 // In real time: what a sector waits for its last spoke where few come.
 constexpr double kSectorSeconds = 0.04;
 // At fast rates a sector leaves so much early at most, rather than with a timer of its own.

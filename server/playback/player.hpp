@@ -23,6 +23,7 @@
 namespace skerry::server {
 
 inline constexpr double kSlowestRate = 0.1, kFastestRate = 100.0;
+inline constexpr int kMostSteps = 1000;  // of one order, to either side
 
 // What an operator asks of a playback; what is absent stays.  A seek comes before steps.
 struct PlayOrder {
