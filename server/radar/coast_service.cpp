@@ -9,7 +9,7 @@
 namespace skerry::server {
 namespace {
 
-double distance(PlanePoint a, PlanePoint b) {
+double metres_between(PlanePoint a, PlanePoint b) {
   return std::hypot(a.east_m - b.east_m, a.north_m - b.north_m);
 }
 
@@ -32,9 +32,9 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
   // Half of the picture's slack is left for the way sailed until the next wish is served.
   const CoastInSightPtr before = slot.in_sight.get();
   echo::CoastPicturePtr picture = before ? before->picture : nullptr;
-  const bool fresh =
-      picture && !laid_anew && wish.resolution == slot.made_for &&
-      distance(picture->plane.to_plane(wish.own_ship), picture->centre) <= 0.5 * picture->slack_m;
+  const bool fresh = picture && !laid_anew && wish.resolution == slot.made_for &&
+                     metres_between(picture->plane.to_plane(wish.own_ship), picture->centre) <=
+                         0.5 * picture->slack_m;
   if (laid_anew) slot.origin.laid = wish.tag;
   if (!fresh) {
     picture = slot.maker.picture(wish);
