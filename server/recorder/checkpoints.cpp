@@ -9,7 +9,7 @@ namespace skerry::server {
 
 struct Checkpoints::Stretch {
   struct Free {
-    void operator()(EVP_MD_CTX* hash) const { EVP_MD_CTX_free(hash); }
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
   };
   std::unique_ptr<EVP_MD_CTX, Free> hash{EVP_MD_CTX_new()};
   std::uint64_t first = 0, spokes = 0;

@@ -1,37 +1,12 @@
 #include "server/replay/comparison.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
-
-#include <array>
-#include <stdexcept>
 
 #include "protocol/wire/spoke_message.hpp"
+#include "server/replay/digest.hpp"
 
 namespace skerry::server {
 namespace {
-
-// SHA-256 of a stream of bytes.
-class Digest {
- public:
-  Digest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) { begin(); }
-  void begin() { require(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
-  void add(const std::string& bytes) {
-    require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
-  }
-  std::string end() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned size = 0;
-    require(EVP_DigestFinal_ex(context_.get(), digest.data(), &size));
-    return {digest.begin(), digest.begin() + size};
-  }
-
- private:
-  static void require(int ok) {
-    if (ok != 1) throw std::runtime_error("SHA-256 is not to be had from OpenSSL");
-  }
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
 
 std::string hexadecimal(const std::string& bytes) {
   std::string text;
@@ -68,7 +43,7 @@ struct Comparison::View {
 };
 
 Comparison::Comparison(const recording::RecordingReader& reader, const RecordedExercise& exercise)
-    : reader_(reader), exercise_(exercise) {
+    : reader_(reader) {
   for (const auto& [topic, count] : reader.summary().items) {
     if (topic.kind == recording::Kind::spoke) view_of(topic.radar, topic.view);
   }

@@ -51,7 +51,6 @@ class Comparison {
   void note(const std::string& what);
 
   const recording::RecordingReader& reader_;
-  const RecordedExercise& exercise_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<View>> views_;
   wire::Spoke message_;
   std::string bytes_;
