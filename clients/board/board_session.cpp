@@ -21,7 +21,7 @@ constexpr std::size_t kMostKept = 256;
 // How often the FIFO is looked at while it is empty.
 constexpr std::chrono::milliseconds kLookAtFifo{2};
 
-std::int32_t code_of(board::RegisterError error) {
+std::int32_t code_of_refusal(board::RegisterError error) {
   switch (error) {
     case board::RegisterError::ok:
       return SKB_OK;
@@ -39,7 +39,7 @@ std::int32_t code_of(board::RegisterError error) {
 
 [[noreturn]] void refuse_access(const BoardClient::Operation& operation,
                                 board::RegisterError error) {
-  throw CallError(code_of(error),
+  throw CallError(code_of_refusal(error),
                   board::refusal_text(operation.address, operation.write.value_or(0), error));
 }
 

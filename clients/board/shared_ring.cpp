@@ -17,15 +17,12 @@ namespace skerry::client {
 namespace {
 
 constexpr std::string_view kPrefix = "/skerry-board-";
-constexpr std::size_t kLongestName = 64;
-
-Failure<ClientError> failure(ClientErrorKind kind, std::string text) {
-  return Failure{ClientError{kind, std::move(text)}};
-}
+constexpr std::size_t kLongestRingName = 64;
 
 bool is_ring_name(std::string_view name) {
   const auto allowed = [](char c) { return (c >= '0' && c <= '9') || c == '-'; };
-  return name.size() > kPrefix.size() && name.size() <= kLongestName && name.starts_with(kPrefix) &&
+  return name.size() > kPrefix.size() && name.size() <= kLongestRingName &&
+         name.starts_with(kPrefix) &&
          std::all_of(name.begin() + kPrefix.size(), name.end(), allowed);
 }
 
@@ -47,7 +44,7 @@ ClientResult<SharedRing> SharedRing::open(const std::string& name, std::uint64_t
     return failure(ClientErrorKind::malformed,
                    fmt::format("the server names '{}' as its ring in shared memory; expected {} "
                                "and digits",
-                               printable(name, kLongestName), kPrefix));
+                               printable(name, kLongestRingName), kPrefix));
   }
   if (bytes <= board::kRingHeader || bytes > kMaxRingBytes) {
     return failure(ClientErrorKind::malformed,

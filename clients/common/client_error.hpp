@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "protocol/quantity/result.hpp"
@@ -32,5 +33,9 @@ struct ClientError {
 template <typename T>
 using ClientResult = Result<T, ClientError>;
 using Done = std::monostate;
+
+inline Failure<ClientError> failure(ClientErrorKind kind, std::string text) {
+  return Failure{ClientError{kind, std::move(text)}};
+}
 
 }  // namespace skerry::client

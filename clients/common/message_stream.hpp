@@ -21,10 +21,6 @@ using Deadline = std::chrono::steady_clock::time_point;
 Deadline deadline_after(Duration timeout);
 bool is_past(Deadline deadline);
 
-inline Failure<ClientError> failure(ClientErrorKind kind, std::string text) {
-  return Failure{ClientError{kind, std::move(text)}};
-}
-
 // Whole messages to and from one server, each call with a deadline.  The first error ends the
 // connection and is the answer to every later call.
 // Thread: one at a time.

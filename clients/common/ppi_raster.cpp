@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kAzimuths = 65536;
 // Who shows in an azimuth: a spoke index, or one of these.
 constexpr std::int32_t kUnswept = -1;
-constexpr std::int32_t kMissing = -2;
+constexpr std::int32_t kMissingSpoke = -2;
 
 // Directions of the picture, clockwise from its top, 2^32 = one turn.
 std::uint32_t direction_of(const SpokeHeader& header, Orientation orientation) {
@@ -62,7 +62,7 @@ class AzimuthTable {
       }
       header.index = i;
       const std::uint32_t here = direction_of(header, orientation_);
-      fill(here - step_ / 2 - 1, here + step_ / 2 + 1, kMissing);
+      fill(here - step_ / 2 - 1, here + step_ / 2 + 1, kMissingSpoke);
     }
   }
 
@@ -132,7 +132,7 @@ class Rasteriser {
     const std::size_t pixel = static_cast<std::size_t>(y) * frame_.size + x;
     const std::int32_t who = shown_[azimuth];
     if (who < 0) {
-      raster_.kind[pixel] = who == kMissing ? PixelKind::missing : PixelKind::unswept;
+      raster_.kind[pixel] = who == kMissingSpoke ? PixelKind::missing : PixelKind::unswept;
       return;
     }
     raster_.kind[pixel] = PixelKind::video;
