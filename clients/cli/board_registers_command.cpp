@@ -84,7 +84,8 @@ std::string access_letters(board::Access access) {
   return "?";
 }
 
-std::string table(const BoardClient& client, const Registers& registers, const Reading& reading) {
+std::string registers_table(const BoardClient& client, const Registers& registers,
+                            const Reading& reading) {
   std::string out = fmt::format("board of radar {} ({}) of {}\n", client.radar().radar(),
                                 printable(client.radar().name(), 40), client.name());
   if (reading.faults != 0) {
@@ -120,7 +121,8 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-std::string json(const BoardClient& client, const Registers& registers, const Reading& reading) {
+std::string registers_json(const BoardClient& client, const Registers& registers,
+                           const Reading& reading) {
   std::string out = fmt::format(
       "{{\"radar\": {}, \"name\": {}, \"faults\": {}, \"fault_reason\": {}, "
       "\"registers\": [",
@@ -164,7 +166,8 @@ int run_registers(const RegistersOptions& options) {
   do {
     const auto reading = read(*client, registers, options.place.timeout());
     if (!reading) return report_board(reading.error());
-    const std::string text = (options.json ? json : table)(*client, registers, *reading);
+    const std::string text =
+        (options.json ? registers_json : registers_table)(*client, registers, *reading);
     write_out(redraw ? "\x1b[H\x1b[J" + text : text);
     if (options.watch_s) pause(*options.watch_s);
   } while (options.watch_s && !interrupted());

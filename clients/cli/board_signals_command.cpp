@@ -20,8 +20,6 @@
 namespace skerry::client {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // A recording that was lost so often will be again.
 constexpr int kMostAttempts = 3;
 constexpr const char* kLessAdvice =

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -12,6 +13,8 @@
 #include "protocol/quantity/time.hpp"
 
 namespace skerry::client {
+
+using Clock = std::chrono::steady_clock;  // of deadlines
 
 inline constexpr int kExitOk = 0;
 inline constexpr int kExitFailure = 1;  // it could not be done

@@ -14,8 +14,6 @@
 namespace skerry::client {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 struct DumpOptions {
   ServerPlace place;
   std::optional<std::uint32_t> radar;

@@ -8,9 +8,8 @@
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
 
+namespace skerry::client {
 namespace {
-
-using namespace skerry::client;
 
 int run(int argc, char** argv) {
   CLI::App app{"Looks at and controls a running skerryd, the marine-radar video server.", "skerry"};
@@ -50,8 +49,10 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace skerry::client
 
 int main(int argc, char** argv) {
+  using namespace skerry::client;
   watch_signals();
   try {
     return run(argc, argv);

@@ -29,7 +29,7 @@ struct RecordOptions {
   bool json = false;
 };
 
-bool is_on(const RecorderState& state) {
+bool is_recording(const RecorderState& state) {
   return state.phase() == RecorderState::RECORDING || state.phase() == RecorderState::DISK_FULL;
 }
 
@@ -76,11 +76,11 @@ int ask(const RecordOptions& options, wire::Record::Action action) {
   const auto state = await(*client, options, [&](const RecorderState& now) {
     switch (action) {
       case wire::Record::START:
-        return is_on(now) ? !now.file().empty() : now.phase() == RecorderState::FAILED;
+        return is_recording(now) ? !now.file().empty() : now.phase() == RecorderState::FAILED;
       case wire::Record::STOP:
-        return !is_on(now);
+        return !is_recording(now);
       default:
-        return now.marks() != before->marks() || !is_on(now);
+        return now.marks() != before->marks() || !is_recording(now);
     }
   });
   if (!state) return report(state.error());

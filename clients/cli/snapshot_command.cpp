@@ -15,8 +15,6 @@
 namespace skerry::client {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // A turn with spokes missing or with two range scales is not what was asked for; after so many
 // whole turns it is better than nothing.
 constexpr int kAttempts = 3;

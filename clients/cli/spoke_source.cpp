@@ -13,7 +13,6 @@
 namespace skerry::client {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Next = ClientResult<std::optional<SourcedLine>>;
 
 SourcedLine sourced(Spoke spoke) {

@@ -111,10 +111,10 @@ std::string special_controls(const wire::Settings& settings) {
   const auto add = [&](bool shown, const std::string& part) {
     if (shown) text += (text.empty() ? "" : ", ") + part;
   };
-  static constexpr const char* kModes[] = {"custom", "harbour", "offshore",
-                                           "buoy",   "weather", "bird"};
+  static constexpr const char* kModeNames[] = {"custom", "harbour", "offshore",
+                                               "buoy",   "weather", "bird"};
   const auto mode = static_cast<unsigned>(settings.mode());
-  add(mode != 0, fmt::format("mode {}", mode < 6 ? kModes[mode] : "?"));
+  add(mode != 0, fmt::format("mode {}", mode < 6 ? kModeNames[mode] : "?"));
   add(settings.gain_auto(), "gain auto");
   add(settings.side_lobe_auto(), "side lobes auto");
   const auto add_level = [&](double level, const char* name) {
@@ -240,7 +240,7 @@ std::string errors(const wire::Status& status) {
   return out;
 }
 
-std::string table(const wire::Status& status, const std::string& place) {
+std::string status_table(const wire::Status& status, const std::string& place) {
   return fmt::format(
       "{} at {}, scenario {}\nscenario time {}, up {}, {:.1f} MiB in memory\n\n"
       "{}\n{}\n{}\n{}\n{}\n{}\n{}",
@@ -251,7 +251,7 @@ std::string table(const wire::Status& status, const std::string& place) {
       clients(status) + outputs(status) + recorder(status), errors(status));
 }
 
-std::string json(const wire::Status& status) {
+std::string status_json(const wire::Status& status) {
   google::protobuf::util::JsonPrintOptions format;
   format.add_whitespace = true;
   format.always_print_primitive_fields = true;
@@ -269,7 +269,7 @@ int run_status(const ServerPlace& place, bool as_json) {
   if (!client) return report(client.error());
   const auto status = client->get_status(place.timeout());
   if (!status) return report(status.error());
-  write_out(as_json ? json(*status) : table(*status, client->name()));
+  write_out(as_json ? status_json(*status) : status_table(*status, client->name()));
   return kExitOk;
 }
 

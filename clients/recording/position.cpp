@@ -10,16 +10,16 @@ namespace skerry::client {
 namespace {
 
 // Of a long list, so many.
-constexpr std::size_t kMarksTold = 8;
+constexpr std::size_t kMarksInRefusal = 8;
 
 std::string marks_text(const recording::Summary& summary) {
   if (summary.marks.empty()) return "it has no marks";
   std::string text = "its marks are";
-  for (std::size_t i = 0; i < std::min(summary.marks.size(), kMarksTold); ++i) {
+  for (std::size_t i = 0; i < std::min(summary.marks.size(), kMarksInRefusal); ++i) {
     text += fmt::format("{} \"{}\"", i == 0 ? "" : ",", printable(summary.marks[i].name, 100));
   }
-  if (summary.marks.size() > kMarksTold) {
-    text += fmt::format(" and {} more", summary.marks.size() - kMarksTold);
+  if (summary.marks.size() > kMarksInRefusal) {
+    text += fmt::format(" and {} more", summary.marks.size() - kMarksInRefusal);
   }
   return text;
 }

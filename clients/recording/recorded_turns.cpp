@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "clients/recording/progress.hpp"
 #include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::client {
@@ -14,8 +15,6 @@ using recording::Item;
 using recording::Kind;
 using recording::RecordingReader;
 using recording::Topic;
-
-constexpr std::uint64_t kLookEvery = 1024;  // items
 
 template <typename Message>
 std::optional<Message> parsed(std::span<const std::uint8_t> bytes) {

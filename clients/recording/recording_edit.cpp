@@ -7,6 +7,7 @@
 #include <set>
 
 #include "clients/recording/position.hpp"
+#include "clients/recording/progress.hpp"
 #include "clients/recording/radar_numbers.hpp"
 #include "protocol/recording/inputs.pb.h"
 
@@ -20,8 +21,6 @@ using recording::RecordingError;
 using recording::RecordingReader;
 using recording::RecordingWriter;
 using recording::Topic;
-
-constexpr std::uint64_t kLookEvery = 1024;  // items
 
 bool is_state(Kind kind) {
   return kind == Kind::settings || kind == Kind::own_ship || kind == Kind::world;

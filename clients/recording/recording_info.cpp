@@ -18,8 +18,8 @@ using recording::RecordingReader;
 using recording::Summary;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t kLookEvery = 4096;  // items
-constexpr std::size_t kMarksTold = 50;
+constexpr std::uint64_t kInfoLooksEvery = 4096;  // items
+constexpr std::size_t kMarksListed = 50;
 
 constexpr std::array<std::pair<Kind, const char*>, recording::kKinds> kNames = {
     {{Kind::hello, "hello"},
@@ -100,7 +100,7 @@ Result<CheckReport, recording::RecordingError> check_recording(
   recording::ItemCursor cursor = reader.items();
   const double length_s = in_seconds(summary.end - summary.begin);
   while (const auto item = cursor.next()) {
-    if (progress && report.items % kLookEvery == 0) {
+    if (progress && report.items % kInfoLooksEvery == 0) {
       const double share = length_s > 0.0 ? in_seconds(item->time - summary.begin) / length_s : 0.0;
       if (!progress(share)) {
         return Failure{recording::RecordingError{summary.file, 0, "given up"}};
@@ -130,12 +130,12 @@ std::string info_text(const RecordingReader& reader, const std::optional<CheckRe
   out += "items:\n";
   for (const auto& [topic, count] : summary.items) out += topic_text(topic, count);
   if (!summary.marks.empty()) out += fmt::format("marks: {}\n", summary.marks.size());
-  for (std::size_t i = 0; i < std::min(summary.marks.size(), kMarksTold); ++i) {
+  for (std::size_t i = 0; i < std::min(summary.marks.size(), kMarksListed); ++i) {
     out += fmt::format("  {:>12} {}\n", position_text(summary.marks[i].time - summary.begin),
                        printable(summary.marks[i].name, 100));
   }
-  if (summary.marks.size() > kMarksTold) {
-    out += fmt::format("  and {} more\n", summary.marks.size() - kMarksTold);
+  if (summary.marks.size() > kMarksListed) {
+    out += fmt::format("  and {} more\n", summary.marks.size() - kMarksListed);
   }
   if (!summary.attachments.empty()) out += "attachments:\n";
   for (const auto& each : summary.attachments) {

@@ -21,13 +21,13 @@ constexpr const char* kVersion = "1.2.0";
 constexpr const char* kRecorder = "skerry";
 constexpr std::uint64_t kMetaBytes = 4096;
 
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
+std::span<const std::uint8_t> octets_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 std::string sha512_of(const std::string& text) {
   Sha512 hash;
-  hash.add(bytes_of(text));
+  hash.add(octets_of(text));
   return hash.finish();
 }
 
