@@ -6,6 +6,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/shipped_sets.hpp"
+#include "protocol/quantity/speed.hpp"
 
 namespace skerry::scenes {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using echo::Scene;
 using Change = std::function<void(Scene&)>;
 
-constexpr double kKnot = 1852.0 / 3600.0;
 constexpr ScanGeometry kGeometry{1024, 512, 8};
 
 PlanePoint polar(double bearing_deg, double metres) {

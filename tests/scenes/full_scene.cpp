@@ -5,11 +5,10 @@
 #include "echo/chart/land_mask.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "protocol/quantity/speed.hpp"
 
 namespace skerry::scenes {
 namespace {
-
-constexpr double kKnot = 1852.0 / 3600.0;
 
 // Places on the water, one after the other.
 class Berths {
