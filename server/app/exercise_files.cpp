@@ -1,15 +1,12 @@
 #include "server/app/exercise_files.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -19,6 +16,7 @@
 #include "server/app/radar_config.hpp"
 #include "server/app/world_change.hpp"
 #include "server/config/yaml_message.hpp"
+#include "server/core/sha256.hpp"
 #include "server/replay/recorded_exercise.hpp"
 #include "server/world/scenario.hpp"
 
@@ -30,30 +28,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kSample = 1 << 20;
 
-class Digest {
- public:
-  Digest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
-    EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr);
-  }
-  void add(const std::string& bytes) {
-    EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size());
-  }
-  std::string hexadecimal() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned size = 0;
-    EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
-    std::string text;
-    for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
-    return text;
-  }
-
- private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
-
 // Size, first and last MiB: a chart that was changed by hand or replaced shows, and half a gigabyte
 // is not read at every start.
-std::uintmax_t add_file(const fs::path& path, Digest& digest) {
+std::uintmax_t add_file(const fs::path& path, Sha256& digest) {
   std::ifstream file(path, std::ios::binary);
   const std::uintmax_t size = fs::file_size(path);
   digest.add(fmt::format("{}\n", size));
@@ -78,13 +55,13 @@ Json identity_of(const std::string& path) {
   } else {
     files.emplace_back(path);
   }
-  Digest digest;
+  Sha256 digest;
   std::uintmax_t bytes = 0;
   for (const fs::path& file : files) {
     digest.add(file.filename().string() + "\n");
     bytes += add_file(file, digest);
   }
-  return {{"path", path}, {"bytes", bytes}, {"digest", digest.hexadecimal()}};
+  return {{"path", path}, {"bytes", bytes}, {"digest", hexadecimal(digest.take())}};
 }
 
 // The same of a chart that a server has opened; what of it cannot be read is no reason not to sail.

@@ -1,27 +1,17 @@
 #include "server/recorder/checkpoints.hpp"
 
-#include <openssl/evp.h>
-
-#include <array>
-#include <stdexcept>
+#include "server/core/sha256.hpp"
 
 namespace skerry::server {
 
 struct Checkpoints::Stretch {
-  struct Free {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-  };
-  std::unique_ptr<EVP_MD_CTX, Free> hash{EVP_MD_CTX_new()};
+  Sha256 hash;
   std::uint64_t first = 0, spokes = 0;
   UtcTime begun{};
 
-  explicit Stretch(const FramedSpoke& spoke) : first(spoke.sequence), begun(spoke.utc) {
-    if (!hash || EVP_DigestInit_ex(hash.get(), EVP_sha256(), nullptr) != 1) {
-      throw std::runtime_error("OpenSSL has no SHA-256");
-    }
-  }
+  explicit Stretch(const FramedSpoke& spoke) : first(spoke.sequence), begun(spoke.utc) {}
   void add(const FramedSpoke& spoke) {
-    EVP_DigestUpdate(hash.get(), spoke.bytes.data(), spoke.bytes.size());
+    hash.add(spoke.bytes);
     ++spokes;
   }
 };
@@ -52,16 +42,13 @@ std::optional<recording::Input> Checkpoints::take() {
 }
 
 recording::Input Checkpoints::end(const View& view, Stretch& stretch) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-  unsigned int size = 0;
-  EVP_DigestFinal_ex(stretch.hash.get(), digest.data(), &size);
   recording::Input input;
   recording::Input::Checkpoint& checkpoint = *input.mutable_checkpoint();
   checkpoint.set_radar(view.first);
   checkpoint.set_view(view.second);
   checkpoint.set_first_sequence(stretch.first);
   checkpoint.set_spokes(stretch.spokes);
-  checkpoint.set_sha256(digest.data(), size);
+  checkpoint.set_sha256(stretch.hash.take());
   return input;
 }
 

@@ -3,18 +3,9 @@
 #include <fmt/format.h>
 
 #include "protocol/wire/spoke_message.hpp"
-#include "server/replay/digest.hpp"
+#include "server/core/sha256.hpp"
 
 namespace skerry::server {
-namespace {
-
-std::string hexadecimal(const std::string& bytes) {
-  std::string text;
-  for (const char c : bytes) text += fmt::format("{:02x}", static_cast<unsigned char>(c));
-  return text;
-}
-
-}  // namespace
 
 struct Comparison::View {
   View(std::uint32_t radar_number, std::uint32_t view_number, recording::ItemCursor cursor)
@@ -36,8 +27,8 @@ struct Comparison::View {
   recording::ItemCursor items;
   std::optional<wire::Spoke> recorded;  // the next; nothing at the end
   std::string bytes;                    // of it
-  Digest all;
-  Digest digest;               // under the checkpoint at hand
+  Sha256 all;
+  Sha256 digest;               // under the checkpoint at hand
   std::size_t checkpoint = 0;  // among those of this view
   std::vector<const recording::Input::Checkpoint*> checkpoints;
 };
@@ -79,7 +70,7 @@ void Comparison::add(const Spoke& spoke) {
 
 void Comparison::compare(View& view, const std::string& bytes, std::uint64_t sequence) {
   while (view.recorded && view.recorded->sequence() < sequence) {
-    ++result_.unexpected;
+    ++result_.missing;
     note(fmt::format("radar {} view {} spoke {}: recorded, not made again", view.radar, view.number,
                      view.recorded->sequence()));
     view.advance();
@@ -99,13 +90,12 @@ void Comparison::hash(View& view, const std::string& bytes, std::uint64_t sequen
   const recording::Input::Checkpoint& at = *view.checkpoints[view.checkpoint];
   if (sequence < at.first_sequence()) return;
   const std::uint64_t number = sequence - at.first_sequence();
-  if (number == 0) view.digest.begin();
   view.digest.add(bytes);
   if (number + 1 < at.spokes()) return;
   ++view.checkpoint;
   ++result_.checkpoints;
   result_.hashed += at.spokes();
-  if (view.digest.end() == at.sha256()) return;
+  if (view.digest.take() == at.sha256()) return;
   ++result_.checkpoints_wrong;
   note(fmt::format("radar {} view {}: SHA-256 of spokes {} to {}", view.radar, view.number,
                    at.first_sequence(), sequence));
@@ -115,7 +105,7 @@ ComparisonResult Comparison::finish() {
   std::string digests;
   for (const auto& [key, view] : views_) {
     while (view->recorded) {
-      ++result_.unexpected;
+      ++result_.missing;
       note(fmt::format("radar {} view {} spoke {}: recorded, not made again", view->radar,
                        view->number, view->recorded->sequence()));
       view->advance();
@@ -126,11 +116,11 @@ ComparisonResult Comparison::finish() {
                        view->radar, view->number,
                        view->checkpoints[view->checkpoint]->first_sequence()));
     }
-    digests += view->all.end();
+    digests += view->all.take();
   }
-  Digest all;
+  Sha256 all;
   all.add(digests);
-  result_.sha256 = hexadecimal(all.end());
+  result_.sha256 = hexadecimal(all.take());
   return result_;
 }
 

@@ -16,18 +16,18 @@
 namespace skerry::server {
 
 struct ComparisonResult {
-  std::uint64_t made = 0;        // spokes
-  std::uint64_t compared = 0;    // with recorded ones, byte by byte
-  std::uint64_t different = 0;   // of these
-  std::uint64_t unexpected = 0;  // recorded, but never made again
-  std::uint64_t hashed = 0;      // under checkpoints
+  std::uint64_t made = 0;       // spokes
+  std::uint64_t compared = 0;   // with recorded ones, byte by byte
+  std::uint64_t different = 0;  // of these
+  std::uint64_t missing = 0;    // recorded, but never made again
+  std::uint64_t hashed = 0;     // under checkpoints
   std::uint64_t checkpoints = 0;
   std::uint64_t checkpoints_wrong = 0;
   std::string first_difference;  // where
   // SHA-256 of all spokes made, radar by radar and view by view, hexadecimal.
   std::string sha256;
 
-  bool is_identical() const { return different + unexpected + checkpoints_wrong == 0; }
+  bool is_identical() const { return different + missing + checkpoints_wrong == 0; }
   // Nothing recorded to compare with.
   bool is_empty() const { return compared + hashed == 0; }
 };

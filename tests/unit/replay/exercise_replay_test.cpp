@@ -63,7 +63,7 @@ TEST_F(Replay, OfFiftyChangesIsIdenticalToTheLastByte) {
   EXPECT_TRUE(result.is_identical()) << result.first_difference;
   EXPECT_EQ(result.compared, parts_->spokes.size());
   EXPECT_EQ(result.different, 0u);
-  EXPECT_EQ(result.unexpected, 0u);
+  EXPECT_EQ(result.missing, 0u);
 }
 
 TEST_F(Replay, SawPicturesViewsAndEmissionsChange) {
@@ -128,7 +128,7 @@ TEST_F(Replay, MissesSpokesThatWereNeverMade) {
   });
   const ComparisonResult result = compared(shorter, false);
   EXPECT_EQ(result.different, 0u) << result.first_difference;
-  EXPECT_GT(result.unexpected, 1000u);
+  EXPECT_GT(result.missing, 1000u);
   EXPECT_FALSE(result.is_identical());
 }
 
