@@ -135,7 +135,7 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   std::vector<std::string> udp, cat240, sweeps, charts, outputs, inputs;
   std::uint16_t tcp_port = 0, http_port = 0;
   std::size_t workers = 0;
-  PlaybackOptions playback;
+  app::Playback playback;
   RecorderOptions recorder;
   std::string verify, verify_video;
   bool no_udp = false, no_cat240 = false, no_signalk = false, print_ports = false, check = false;
@@ -194,19 +194,24 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
     load_yaml_file(config, file);
     apply_file(file, options);
   }
-  if (!playback.file.empty()) options.playback = playback;
   options.recorder = recorder_config(file.recorder(), recorder);
   options.verify = verify;
   options.verify_video = verify_video;
   if (verify.empty() && !verify_video.empty()) {
     throw std::runtime_error("--video: of which recording? give it with --verify FILE");
   }
-  if (!scenario.empty() && !playback.file.empty()) {
+  if (!scenario.empty() && playback.has_file()) {
     throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
   }
   if (!scenario.empty()) {
     options.scenario = scenario;
     options.playback.file.clear();  // of the configuration file
+  }
+  apply_playback(playback, options.playback);
+  if (options.playback.file.empty() && playback.ByteSizeLong() > 0) {
+    throw std::runtime_error(
+        "--play-rate, --play-loop, --play-from, --play-paused, --current-timestamps: of which "
+        "recording? give it with --play FILE");
   }
   if (!charts.empty()) options.charts = charts;
   if (!elevation.empty()) options.elevation = elevation;

@@ -56,37 +56,35 @@ UtcTime place_of(const std::string& text, const recording::Summary& summary) {
 
 }  // namespace
 
-void add_playback_options(CLI::App& cli, PlaybackOptions& options) {
-  auto* play = cli.add_option("--play", options.file,
-                              "play this recording in place of radars, to every output")
-                   ->group(kPlaybackGroup);
-  cli.add_option("--play-rate", options.rate, "times the recorded pace (1)")
-      ->check(CLI::Range(kSlowestRate, kFastestRate))
-      ->needs(play)
-      ->group(kPlaybackGroup);
-  cli.add_flag("--play-loop", options.loop, "from the begin again at the end")
-      ->needs(play)
-      ->group(kPlaybackGroup);
-  cli.add_option("--play-from", options.from,
-                 "begin there: seconds, minutes:seconds, hours:minutes:seconds or a mark's name")
-      ->needs(play)
-      ->group(kPlaybackGroup);
-  cli.add_flag("--play-paused", options.paused, "stand there until told to play")
-      ->needs(play)
-      ->group(kPlaybackGroup);
-  cli.add_flag("--current-timestamps", options.current_timestamps,
-               "spokes and ships bear the time at which they are played, not their own")
-      ->needs(play)
-      ->group(kPlaybackGroup);
+void add_playback_options(CLI::App& cli, app::Playback& line) {
+  const auto add = [&](CLI::Option* option) { return option->group(kPlaybackGroup); };
+  add(cli.add_option_function<std::string>(
+      "--play", [&line](const std::string& file) { line.set_file(file); },
+      "play this recording in place of radars, to every output"));
+  add(cli.add_option_function<double>(
+          "--play-rate", [&line](double rate) { line.set_rate(rate); },
+          "times the recorded pace (1)"))
+      ->check(CLI::Range(kSlowestRate, kFastestRate));
+  add(cli.add_flag_callback(
+      "--play-loop", [&line] { line.set_loop(true); }, "from the begin again at the end"));
+  add(cli.add_option_function<std::string>(
+      "--play-from", [&line](const std::string& place) { line.set_from(place); },
+      "begin there: seconds, minutes:seconds, hours:minutes:seconds or a mark's name"));
+  add(cli.add_flag_callback(
+      "--play-paused", [&line] { line.set_paused(true); }, "stand there until told to play"));
+  add(cli.add_flag_callback(
+      "--current-timestamps", [&line] { line.set_current_timestamps(true); },
+      "spokes and ships bear the time at which they are played, not their own"));
 }
 
-void apply_playback(const app::Playback& file, PlaybackOptions& options) {
-  if (file.has_file()) options.file = file.file();
-  if (file.has_rate()) options.rate = file.rate();
-  if (file.has_loop()) options.loop = file.loop();
-  if (file.has_from()) options.from = file.from();
-  if (file.has_paused()) options.paused = file.paused();
-  if (file.has_current_timestamps()) options.current_timestamps = file.current_timestamps();
+void apply_playback(const app::Playback& said, PlaybackOptions& options) {
+  if (said.has_file()) options = {};  // what was said of another file does not hold for this one
+  if (said.has_file()) options.file = said.file();
+  if (said.has_rate()) options.rate = said.rate();
+  if (said.has_loop()) options.loop = said.loop();
+  if (said.has_from()) options.from = said.from();
+  if (said.has_paused()) options.paused = said.paused();
+  if (said.has_current_timestamps()) options.current_timestamps = said.current_timestamps();
 }
 
 std::unique_ptr<PlaybackHost> open_playback(const PlaybackOptions& options) {

@@ -24,11 +24,12 @@ struct PlaybackOptions {
   bool current_timestamps = false;
 };
 
-// --play and what belongs to it; `options` must outlive the parsing.
-void add_playback_options(CLI::App& cli, PlaybackOptions& options);
+// --play and what belongs to it; `line` must outlive the parsing.
+void add_playback_options(CLI::App& cli, app::Playback& line);
 
-// The `playback` section of a configuration file; what is absent stays.
-void apply_playback(const app::Playback& file, PlaybackOptions& options);
+// The `playback` section of a configuration file, or the command line; what is absent stays, but
+// another file begins with the defaults.
+void apply_playback(const app::Playback& said, PlaybackOptions& options);
 
 // Opens the file; searching one without an index for its parts is told on standard error.
 // Error: std::runtime_error with file and byte, or saying which place or mark there is not.
