@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <google/protobuf/unknown_field_set.h>
 #include <pthread.h>
 #include <spdlog/spdlog.h>
 
@@ -115,6 +116,11 @@ wire::Reply Recorder::begin(const wire::Record& record, const std::string& origi
 }
 
 wire::Reply Recorder::record(const wire::Record& record, const std::string& origin) {
+  const auto& unknown = record.GetReflection()->GetUnknownFields(record);
+  if (!unknown.empty()) {
+    return refusal(wire::Reply::UNKNOWN,
+                   fmt::format("record: this server knows no field {}", unknown.field(0).number()));
+  }
   const std::lock_guard lock(mutex_);
   if (stopping_) return refusal(wire::Reply::REFUSED, "the server is stopping");
   if (orders_.size() >= kMaxWaiting) {

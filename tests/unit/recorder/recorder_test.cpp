@@ -1,5 +1,6 @@
 #include "server/recorder/recorder.hpp"
 
+#include <google/protobuf/unknown_field_set.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -182,6 +183,9 @@ TEST_F(Recording, RefusesWhatCannotBe) {
   EXPECT_EQ(recorder().record(record, "").code(), wire::Reply::REFUSED);
   record.set_action(static_cast<wire::Record::Action>(7));
   EXPECT_EQ(recorder().record(record, "").code(), wire::Reply::OUT_OF_RANGE);
+  record = record_of(wire::Record::START);
+  record.GetReflection()->MutableUnknownFields(&record)->AddVarint(99, 1);
+  EXPECT_EQ(recorder().record(record, "").code(), wire::Reply::UNKNOWN);
   EXPECT_TRUE(folder_.recordings().empty());
   begin();
   EXPECT_EQ(ask(wire::Record::START, "b").code(), wire::Reply::REFUSED);
