@@ -125,6 +125,12 @@ void write_turn(const ExportOptions& options, const RecordedTurn& turn, const st
   file.close();
 }
 
+void warn_of(const NotRead& not_read) {
+  if (const std::string text = not_read.text(); !text.empty()) {
+    fmt::print(stderr, "skerry: {}\n", text);
+  }
+}
+
 int export_pngs(const ExportOptions& options, const recording::RecordingReader& reader,
                 const RecordedPart& part) {
   const auto wanted = turn_of(options.png);
@@ -140,12 +146,14 @@ int export_pngs(const ExportOptions& options, const recording::RecordingReader& 
     write_turn(options, *turn, path);
     ++written;
     if (wanted) {
+      warn_of(turns.not_read());
       write_out(fmt::format("{}: turn {}, {} of {} spokes\n", printable(path), turn->number,
                             turn->scan.received, turn->scan.geometry.spokes_per_turn));
       return kExitOk;
     }
   }
   if (interrupted()) return report(fmt::format("interrupted after {} pictures", written));
+  warn_of(turns.not_read());
   if (seen == 0) {
     return report({reader.summary().file, 0, no_spokes_text(reader.summary(), part)});
   }
@@ -170,9 +178,10 @@ int export_csv(const ExportOptions& options, const recording::RecordingReader& r
       reader, part, [&](Spoke spoke) { write(format_line(line_of(std::move(spoke)), format)); },
       bar.function());
   if (!done) return report(done.error());
+  warn_of(done->not_read);
   if (!file) return kExitOk;
   file->close();
-  write_out(fmt::format("{}: {} spokes\n", printable(options.output), *done));
+  write_out(fmt::format("{}: {} spokes\n", printable(options.output), done->spokes));
   return kExitOk;
 }
 

@@ -37,7 +37,17 @@ double share_of(const recording::Summary& summary, const RecordedPart& part, Utc
   return length > 0.0 ? std::clamp(in_seconds(time - from) / length, 0.0, 1.0) : 0.0;
 }
 
+std::string counted(std::uint64_t count, const char* what) {
+  return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace
+
+std::string NotRead::text() const {
+  const std::string of_spokes = counted(spokes, "spoke"), of_chunks = counted(chunks, "chunk");
+  const char* both = spokes > 0 && chunks > 0 ? " and " : "";
+  return spokes + chunks == 0 ? "" : of_spokes + both + of_chunks + " could not be read";
+}
 
 RecordedTurns::RecordedTurns(const RecordingReader& reader, const RecordedPart& part,
                              const RecordingReader::Progress& progress)
@@ -101,27 +111,31 @@ std::optional<RecordedTurn> RecordedTurns::next() {
   return RecordedTurn{++number_, std::move(last), labels_};
 }
 
-Result<std::uint64_t, recording::RecordingError> each_spoke(
+Result<SpokesRead, recording::RecordingError> each_spoke(
     const RecordingReader& reader, const RecordedPart& part, const std::function<void(Spoke)>& line,
     const RecordingReader::Progress& progress) {
   const recording::Summary& summary = reader.summary();
   recording::ItemCursor cursor = reader.items({{Kind::spoke, part.radar, part.view}});
   if (part.from) cursor.seek(*part.from);
-  std::uint64_t spokes = 0;
+  SpokesRead read;
+  std::uint64_t items = 0;
   while (const auto item = cursor.next()) {
     if (part.to && item->time >= *part.to) break;
-    if (progress && spokes % kLookEvery == 0 && !progress(share_of(summary, part, item->time))) {
+    if (progress && items++ % kLookEvery == 0 && !progress(share_of(summary, part, item->time))) {
       return Failure{recording::RecordingError{summary.file, 0, "given up"}};
     }
     if (auto spoke = spoke_of(*item)) {
       line(*std::move(spoke));
-      ++spokes;
+      ++read.spokes;
+    } else {
+      ++read.not_read.spokes;
     }
   }
-  if (spokes == 0) {
-    return Failure{recording::RecordingError{summary.file, 0, no_spokes_text(summary, part)}};
-  }
-  return spokes;
+  read.not_read.chunks = cursor.chunks_damaged();
+  if (read.spokes > 0) return read;
+  std::string why = no_spokes_text(summary, part);
+  if (const std::string lost = read.not_read.text(); !lost.empty()) why += "; " + lost;
+  return Failure{recording::RecordingError{summary.file, 0, std::move(why)}};
 }
 
 std::string no_spokes_text(const recording::Summary& summary, const RecordedPart& part) {

@@ -25,6 +25,14 @@ struct RecordedPart {
   std::optional<UtcTime> from, to;
 };
 
+// What was passed over so far.
+struct NotRead {
+  std::uint64_t spokes = 0;  // items that are none
+  std::uint64_t chunks = 0;  // damaged
+
+  std::string text() const;  // such as "3 spokes and 1 chunk could not be read"; empty: nothing was
+};
+
 // Thread: one at a time; the reader outlives it.
 class RecordedTurns {
  public:
@@ -35,8 +43,7 @@ class RecordedTurns {
   // The next one, whole or not; the last may have just begun.
   std::optional<RecordedTurn> next();
 
-  std::uint64_t refused() const { return refused_; }  // spokes that are none
-  const recording::ItemCursor& cursor() const { return cursor_; }
+  NotRead not_read() const { return {refused_, cursor_.chunks_damaged()}; }
   bool given_up() const { return given_up_; }
 
  private:
@@ -52,8 +59,13 @@ class RecordedTurns {
   bool ended_ = false, given_up_ = false;
 };
 
+struct SpokesRead {
+  std::uint64_t spokes = 0;
+  NotRead not_read;
+};
+
 // Calls `line` with every spoke of that part.  Error: `progress` gave up, or there are none.
-Result<std::uint64_t, recording::RecordingError> each_spoke(
+Result<SpokesRead, recording::RecordingError> each_spoke(
     const recording::RecordingReader& reader, const RecordedPart& part,
     const std::function<void(Spoke)>& line,
     const recording::RecordingReader::Progress& progress = {});

@@ -248,11 +248,34 @@ TEST_F(Editing, TurnsComeWithTheLabelsOfTheirTime) {
   EXPECT_FALSE(part.next().has_value());
 
   std::uint64_t lines = 0;
-  EXPECT_EQ(*each_spoke(reader, {}, [&](const Spoke&) { ++lines; }), 1290u);
+  EXPECT_EQ(each_spoke(reader, {}, [&](const Spoke&) { ++lines; })->spokes, 1290u);
   EXPECT_EQ(lines, 1290u);
   const auto none = each_spoke(reader, {7, 0, {}, {}}, [](const Spoke&) {});
   ASSERT_FALSE(none.ok());
   EXPECT_EQ(none.error().text, "it has no spokes of radar 7 view 0; there are radar 0 view 0");
+}
+
+TEST_F(Editing, WhatIsNoSpokeIsPassedOverAndCounted) {
+  const std::string file = path("nonsense.mcap");
+  RecordingMaker maker(file, kBegin);
+  maker.add_hello({{0, "bow"}});
+  maker.add_spokes(0, 3);
+  // A spoke of no cells, and one of another radar.
+  maker.add({Kind::spoke, 0, 0}, seconds(1), wire::Spoke{});
+  maker.add({Kind::spoke, 1, 0}, seconds(1), wire::Spoke{});
+  maker.finish();
+  const auto reader = opened(file);
+  const auto read = each_spoke(reader, {}, [](const Spoke&) {});
+  EXPECT_EQ(read->spokes, 3u);
+  EXPECT_EQ(read->not_read.text(), "1 spoke could not be read");
+  RecordedTurns turns(reader, {});
+  EXPECT_EQ(turns.next()->scan.received, 3u);
+  EXPECT_EQ(turns.not_read().spokes, 1u);
+  EXPECT_EQ(turns.not_read().chunks, 0u);
+  const auto none = each_spoke(reader, {1, 0, {}, {}}, [](const Spoke&) {});
+  EXPECT_EQ(none.error().text,
+            "there are no spokes of radar 1 view 0 in that part; 1 spoke could not be read");
+  EXPECT_EQ((NotRead{2, 3}).text(), "2 spokes and 3 chunks could not be read");
 }
 
 TEST_F(Editing, InfoTellsWhatIsThereAndWhatIsDamaged) {
