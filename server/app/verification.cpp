@@ -29,8 +29,7 @@ void print(const ComparisonResult& result) {
     fmt::print("recorded spokes  {} compared byte by byte, {} different\n", result.compared,
                result.different);
   }
-  if (result.missing > 0)
-    fmt::print("                 {} never made again\n", result.missing);
+  if (result.missing > 0) fmt::print("                 {} never made again\n", result.missing);
   if (result.checkpoints + result.checkpoints_wrong > 0) {
     fmt::print("checkpoints      {} of {} spokes, {} wrong\n", result.checkpoints, result.hashed,
                result.checkpoints_wrong);
