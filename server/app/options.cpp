@@ -200,6 +200,9 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   if (verify.empty() && !verify_video.empty()) {
     throw std::runtime_error("--video: of which recording? give it with --verify FILE");
   }
+  if (playback.has_file() && playback.file().empty()) {
+    throw std::runtime_error("--play: its file has no name");
+  }
   if (!scenario.empty() && playback.has_file()) {
     throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -54,6 +55,13 @@ UtcTime place_of(const std::string& text, const recording::Summary& summary) {
   return *order->seek;
 }
 
+// Written so that a NaN fails, which CLI::Range lets pass.
+double checked_rate(double rate) {
+  if (rate >= kSlowestRate && rate <= kFastestRate) return rate;
+  throw CLI::ValidationError(
+      "--play-rate", fmt::format("{} is not in {} to {}", rate, kSlowestRate, kFastestRate));
+}
+
 }  // namespace
 
 void add_playback_options(CLI::App& cli, app::Playback& line) {
@@ -62,18 +70,19 @@ void add_playback_options(CLI::App& cli, app::Playback& line) {
       "--play", [&line](const std::string& file) { line.set_file(file); },
       "play this recording in place of radars, to every output"));
   add(cli.add_option_function<double>(
-          "--play-rate", [&line](double rate) { line.set_rate(rate); },
-          "times the recorded pace (1)"))
-      ->check(CLI::Range(kSlowestRate, kFastestRate));
-  add(cli.add_flag_callback(
-      "--play-loop", [&line] { line.set_loop(true); }, "from the begin again at the end"));
+      "--play-rate", [&line](double rate) { line.set_rate(checked_rate(rate)); },
+      fmt::format("times the recorded pace, {} to {} (1)", kSlowestRate, kFastestRate)));
+  add(cli.add_flag_function(
+      "--play-loop", [&line](std::int64_t said) { line.set_loop(said > 0); },
+      "from the begin again at the end"));
   add(cli.add_option_function<std::string>(
       "--play-from", [&line](const std::string& place) { line.set_from(place); },
       "begin there: seconds, minutes:seconds, hours:minutes:seconds or a mark's name"));
-  add(cli.add_flag_callback(
-      "--play-paused", [&line] { line.set_paused(true); }, "stand there until told to play"));
-  add(cli.add_flag_callback(
-      "--current-timestamps", [&line] { line.set_current_timestamps(true); },
+  add(cli.add_flag_function(
+      "--play-paused", [&line](std::int64_t said) { line.set_paused(said > 0); },
+      "stand there until told to play"));
+  add(cli.add_flag_function(
+      "--current-timestamps", [&line](std::int64_t said) { line.set_current_timestamps(said > 0); },
       "spokes and ships bear the time at which they are played, not their own"));
 }
 

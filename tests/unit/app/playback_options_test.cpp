@@ -38,6 +38,7 @@ TEST(PlaybackOptions, OfTheCommandLineChangeThoseOfTheFile) {
   EXPECT_TRUE(faster.loop);
   EXPECT_TRUE(faster.paused);
   EXPECT_EQ(faster.from, "departure");
+  EXPECT_FALSE(options_of({"--config", file.c_str(), "--play-loop=false"}).playback.loop);
   const PlaybackOptions other =
       options_of({"--config", file.c_str(), "--play", "line.mcap", "--play-from", "1:30"}).playback;
   EXPECT_EQ(other.rate, 1.0) << "what was said of another recording does not hold";
@@ -49,6 +50,8 @@ TEST(PlaybackOptions, NeedARecording) {
   EXPECT_THROW(options_of({"--play-rate", "2"}), std::runtime_error);
   EXPECT_THROW(options_of({"--scenario", "line.yaml", "--play-loop"}), std::runtime_error);
   EXPECT_THROW(options_of({"--play", "line.mcap", "--play-rate", "101"}), std::runtime_error);
+  EXPECT_THROW(options_of({"--play", "line.mcap", "--play-rate", "nan"}), std::runtime_error);
+  EXPECT_THROW(options_of({"--play", ""}), std::runtime_error);
 }
 
 }  // namespace
