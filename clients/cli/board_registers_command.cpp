@@ -12,6 +12,7 @@
 #include "clients/cli/board_command.hpp"
 #include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/number_within.hpp"
 #include "clients/common/printable_text.hpp"
 #include "protocol/board/digdar_page.hpp"
 
@@ -192,7 +193,7 @@ Command make_board_registers_command(CLI::App& board) {
           "Again every so many seconds, until Ctrl-C")
       ->expected(0, 1)
       ->default_str("1")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(number_within(0.1, 3600.0));
   command->footer(
       "The column before RANGE says r: read only, rw: read and write, w1c: writing ones clears.\n"
       "Examples:\n"

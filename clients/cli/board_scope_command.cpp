@@ -13,6 +13,7 @@
 #include "clients/cli/board_scope.hpp"
 #include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/number_within.hpp"
 #include "clients/common/picture_file.hpp"
 #include "protocol/quantity/length.hpp"
 
@@ -157,11 +158,11 @@ Command make_board_scope_command(CLI::App& board) {
   command
       ->add_option("--azimuth", options->azimuth_deg,
                    "The first sweep past this azimuth, degrees from the ARP; default: the next one")
-      ->check(CLI::Range(0.0, 360.0));
+      ->check(number_within(0.0, 360.0));
   command->add_option("--from", options->from_nm, "Nearest range shown, NM; default: 0")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(number_within(0.0, 1000.0));
   command->add_option("--to", options->to_nm, "Farthest range shown, NM; default: all")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(number_within(0.0, 1000.0));
   command->add_option("--columns", options->columns, "Width in characters; default: the terminal's")
       ->check(CLI::Range(kMinTextSize.columns, kMaxTextSize.columns));
   command->add_option("--rows", options->rows, "Height in lines; default: the terminal's")

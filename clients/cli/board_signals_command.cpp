@@ -12,6 +12,7 @@
 #include "clients/cli/board_command.hpp"
 #include "clients/cli/board_signals_plan.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/number_within.hpp"
 #include "clients/signals/sigmf_writer.hpp"
 #include "clients/signals/signal_gatherer.hpp"
 #include "clients/signals/vcd_writer.hpp"
@@ -233,7 +234,7 @@ Command make_board_signals_command(CLI::App& board) {
           ->check(CLI::Range(1, 1000))
           ->capture_default_str();
   command->add_option("--seconds", options->seconds, "So long instead, from now on")
-      ->check(CLI::Range(1e-6, 3600.0))
+      ->check(number_within(1e-6, 3600.0))
       ->excludes(turns);
   command->add_option("--vcd", options->vcd,
                       "Value change dump of the digital lines, tick by tick");
@@ -248,7 +249,7 @@ Command make_board_signals_command(CLI::App& board) {
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"hz", 1.0}, {"khz", 1e3}, {"mhz", 1e6}},
           CLI::AsNumberWithUnit::CASE_INSENSITIVE))
-      ->check(CLI::Range(1000.0, 1e9));
+      ->check(number_within(1000.0, 1e9));
   command
       ->add_option("--channels", options->channels,
                    "Of WAV and SigMF: video_a, video_b, trigger, acp, arp, heading; default: all "

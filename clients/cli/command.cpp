@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "clients/cli/number_within.hpp"
+
 namespace skerry::client {
 namespace {
 
@@ -35,7 +37,7 @@ void ServerPlace::add_options(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--timeout", timeout_s, "Seconds without an answer or a spoke to give up after")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_within(0.1, 3600.0))
       ->capture_default_str();
 }
 

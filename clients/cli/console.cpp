@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace skerry::client {
 namespace {
@@ -40,8 +41,10 @@ bool interrupted() { return signalled != 0; }
 Progress::Progress()
     : in_place_(isatty(STDERR_FILENO) == 1), next_(Clock::now() + std::chrono::seconds(1)) {}
 
-Progress::~Progress() {
-  if (shown_ && in_place_) fmt::print(stderr, "\r\x1b[K");
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
+  if (std::exchange(shown_, false) && in_place_) fmt::print(stderr, "\r\x1b[K");
 }
 
 void Progress::show(const std::string& text) {

@@ -32,6 +32,8 @@ class Progress {
 
   // Only printed if it is time to.
   void show(const std::string& text);
+  // Makes room for something else.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

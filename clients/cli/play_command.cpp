@@ -14,6 +14,7 @@
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/number_within.hpp"
 #include "clients/cli/play_words.hpp"
 #include "clients/cli/server_child.hpp"
 #include "clients/common/printable_text.hpp"
@@ -195,7 +196,7 @@ int play_file(PlayOptions options) {
 void add_file_options(CLI::App& command, PlayOptions& options) {
   const char* const group = "Of a file";
   command.add_option("--rate", options.rate, "Times the recorded pace")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(number_within(0.1, 100.0))
       ->capture_default_str()
       ->group(group);
   command.add_flag("--loop", options.loop, "From the begin again at the end")->group(group);
@@ -235,7 +236,7 @@ Command make_play_command(CLI::App& app) {
   command
       ->add_option("--timeout", options->place.timeout_s,
                    "Seconds without an answer to give up after")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_within(0.1, 3600.0))
       ->capture_default_str();
   command->add_option("--token", options->token, "Needed from another host than the server's")
       ->envname("SKERRY_TOKEN");

@@ -48,6 +48,7 @@ class ProgressBar {
  public:
   explicit ProgressBar(std::string what) : what_(std::move(what)) {}
   bool show(double share);
+  void clear() { progress_.clear(); }
   // For those who want a function; the bar outlives it.
   recording::RecordingReader::Progress function() {
     return [this](double share) { return show(share); };

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "clients/cli/number_within.hpp"
 #include "clients/cli/recording_command.hpp"
 #include "clients/common/printable_text.hpp"
 #include "clients/recording/position.hpp"
@@ -107,11 +108,11 @@ Command make_recording_cut_command(CLI::App& recording) {
                                          "Around the mark of that name instead of --from and --to");
   mark->excludes("--from")->excludes("--to");
   command->add_option("--before", options->before_s, "Seconds before the mark")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_within(0.0, 1e6))
       ->needs(mark)
       ->capture_default_str();
   command->add_option("--after", options->after_s, "Seconds after it")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_within(0.0, 1e6))
       ->needs(mark)
       ->capture_default_str();
   add_output(*command, options->output, options->force);

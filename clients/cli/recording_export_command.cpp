@@ -125,10 +125,10 @@ void write_turn(const ExportOptions& options, const RecordedTurn& turn, const st
   file.close();
 }
 
-void warn_of(const NotRead& not_read) {
-  if (const std::string text = not_read.text(); !text.empty()) {
-    fmt::print(stderr, "skerry: {}\n", text);
-  }
+void warn(ProgressBar& bar, const std::string& text) {
+  if (text.empty()) return;
+  bar.clear();
+  fmt::print(stderr, "skerry: {}\n", text);
 }
 
 int export_pngs(const ExportOptions& options, const recording::RecordingReader& reader,
@@ -146,14 +146,14 @@ int export_pngs(const ExportOptions& options, const recording::RecordingReader& 
     write_turn(options, *turn, path);
     ++written;
     if (wanted) {
-      warn_of(turns.not_read());
+      warn(bar, turns.not_read().text());
       write_out(fmt::format("{}: turn {}, {} of {} spokes\n", printable(path), turn->number,
                             turn->scan.received, turn->scan.geometry.spokes_per_turn));
       return kExitOk;
     }
   }
   if (interrupted()) return report(fmt::format("interrupted after {} pictures", written));
-  warn_of(turns.not_read());
+  warn(bar, turns.not_read().text());
   if (seen == 0) {
     return report({reader.summary().file, 0, no_spokes_text(reader.summary(), part)});
   }
@@ -178,7 +178,7 @@ int export_csv(const ExportOptions& options, const recording::RecordingReader& r
       reader, part, [&](Spoke spoke) { write(format_line(line_of(std::move(spoke)), format)); },
       bar.function());
   if (!done) return report(done.error());
-  warn_of(done->not_read);
+  warn(bar, done->not_read.text());
   if (!file) return kExitOk;
   file->close();
   write_out(fmt::format("{}: {} spokes\n", printable(options.output), done->spokes));
@@ -206,13 +206,10 @@ int export_pcap(const ExportOptions& options, const recording::RecordingReader& 
   if (!done) return report(done.error());
   file.close();
   if (done->spokes_cut > 0) {
-    fmt::print(stderr,
-               "skerry: {} spokes reach further than such a radar can say: cells were cut off\n",
-               done->spokes_cut);
+    warn(bar, fmt::format("{} spokes reach further than such a radar can say: cells were cut off",
+                          done->spokes_cut));
   }
-  if (done->chunks_damaged > 0) {
-    fmt::print(stderr, "skerry: {} damaged chunks were passed over\n", done->chunks_damaged);
-  }
+  warn(bar, NotRead{done->spokes_refused, done->chunks_damaged}.text());
   write_out(fmt::format("{}: {} spokes in {} datagrams\n", printable(path), done->spokes,
                         done->datagrams));
   return kExitOk;

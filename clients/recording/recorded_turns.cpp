@@ -46,7 +46,7 @@ std::string counted(std::uint64_t count, const char* what) {
 std::string NotRead::text() const {
   const std::string of_spokes = counted(spokes, "spoke"), of_chunks = counted(chunks, "chunk");
   const char* both = spokes > 0 && chunks > 0 ? " and " : "";
-  return spokes + chunks == 0 ? "" : of_spokes + both + of_chunks + " could not be read";
+  return spokes + chunks == 0 ? "" : of_spokes + both + of_chunks + " could not be read whole";
 }
 
 RecordedTurns::RecordedTurns(const RecordingReader& reader, const RecordedPart& part,

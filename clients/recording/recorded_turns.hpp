@@ -28,9 +28,9 @@ struct RecordedPart {
 // What was passed over so far.
 struct NotRead {
   std::uint64_t spokes = 0;  // items that are none
-  std::uint64_t chunks = 0;  // damaged
+  std::uint64_t chunks = 0;  // damaged, in part or all; also of those looked at behind the part
 
-  std::string text() const;  // such as "3 spokes and 1 chunk could not be read"; empty: nothing was
+  std::string text() const;  // "3 spokes and 1 chunk could not be read whole"; empty: nothing was
 };
 
 // Thread: one at a time; the reader outlives it.

@@ -81,6 +81,7 @@ TEST(Cli, EndsWithTwoWhenTheCommandLineIsWrong) {
       {"snapshot", "--size", "100000"},
       {"snapshot", "--radar", "-1"},
       {"snapshot", "--timeout", "0"},
+      {"snapshot", "--timeout", "nan"},
       {"dump", "--format", "xml"},
       {"dump", "--count", "0"},
       {"dump", "--turns", "-3"},

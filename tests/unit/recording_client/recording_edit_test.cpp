@@ -267,15 +267,15 @@ TEST_F(Editing, WhatIsNoSpokeIsPassedOverAndCounted) {
   const auto reader = opened(file);
   const auto read = each_spoke(reader, {}, [](const Spoke&) {});
   EXPECT_EQ(read->spokes, 3u);
-  EXPECT_EQ(read->not_read.text(), "1 spoke could not be read");
+  EXPECT_EQ(read->not_read.text(), "1 spoke could not be read whole");
   RecordedTurns turns(reader, {});
   EXPECT_EQ(turns.next()->scan.received, 3u);
   EXPECT_EQ(turns.not_read().spokes, 1u);
   EXPECT_EQ(turns.not_read().chunks, 0u);
   const auto none = each_spoke(reader, {1, 0, {}, {}}, [](const Spoke&) {});
   EXPECT_EQ(none.error().text,
-            "there are no spokes of radar 1 view 0 in that part; 1 spoke could not be read");
-  EXPECT_EQ((NotRead{2, 3}).text(), "2 spokes and 3 chunks could not be read");
+            "there are no spokes of radar 1 view 0 in that part; 1 spoke could not be read whole");
+  EXPECT_EQ((NotRead{2, 3}).text(), "2 spokes and 3 chunks could not be read whole");
 }
 
 TEST_F(Editing, InfoTellsWhatIsThereAndWhatIsDamaged) {
