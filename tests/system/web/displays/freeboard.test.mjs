@@ -67,8 +67,12 @@ async function look(page, rangeM) {
   const headingDeg = ship.headingTrue.value * 180 / Math.PI;
   const shot = await capture(page, ship.position.value.latitude);
   const scan = parsePgm(readFileSync(raw));
-  const against = (range, heading) => compareOverlay(shot, isStrong, scan, range, heading);
-  return { result: against(rangeM, headingDeg), turned: against(rangeM, headingDeg + 3), stretched: against(rangeM * 1.08, headingDeg) };
+  const against = (range, heading, seen = shot) => compareOverlay(seen, isStrong, scan, range, heading);
+  const aside = { ...shot, centre: { x: shot.centre.x + 12, y: shot.centre.y } };
+  return {
+    result: against(rangeM, headingDeg), turned: against(rangeM, headingDeg + 3),
+    stretched: against(rangeM * 1.08, headingDeg), moved: against(rangeM, headingDeg, aside),
+  };
 }
 
 // The picture is drawn in software and may be some turns late.
@@ -79,9 +83,10 @@ async function assertSamePicture(t, page, name) {
   for (const end = Date.now() + 90000; differences(seen.result).length > 0 && Date.now() < end;) seen = await look(page, rangeM);
   t.diagnostic(`${name}, ${rangeM} m: ${JSON.stringify(seen.result)}`);
   assert.deepEqual(differences(seen.result), [], name);
-  // The comparison sees what it must: 3 deg, and 8 % of range (of a coast 100 pixels away, 8 where 3 are allowed).
+  // The comparison sees what it must: 12 pixels, 3 deg, and 8 % of range (of a coast 100 pixels away, 8 where 3 are allowed).
   assert.notDeepEqual(differences(seen.turned), [], 'a picture turned');
   assert.notDeepEqual(differences(seen.stretched), [], 'a picture stretched');
+  assert.notDeepEqual(differences(seen.moved), [], 'a picture 12 pixels aside');
 }
 
 async function showAndSteer(t, base) {
