@@ -1,6 +1,8 @@
-// CorpusFolder: where a fuzz target's seeds are written.
+// Where a fuzz target's seeds are written.
 #pragma once
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -24,5 +26,13 @@ class CorpusFolder {
  private:
   std::filesystem::path folder_;
 };
+
+// The one argument of a program that writes seeds, the folder of all corpora; ends one that has
+// none.
+inline std::filesystem::path corpora(int argc, char** argv) {
+  if (argc == 2) return argv[1];
+  std::fprintf(stderr, "usage: %s <tests/fuzz/corpus>\n", argv[0]);
+  std::exit(2);
+}
 
 }  // namespace skerry::fuzz

@@ -1,6 +1,5 @@
 // Writes the seeds of the Garmin and Raymarine fuzz targets.  Usage: display_seeds
 // <tests/fuzz/corpus>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -104,11 +103,7 @@ void write_rd(const Corpus& corpus) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s <corpus folder>\n", argv[0]);
-    return 2;
-  }
-  const fs::path root = argv[1];
+  const fs::path root = fuzz::corpora(argc, argv);
   write_garmin(Corpus(root / "garmin"));
   write_quantum(Corpus(root / "quantum"));
   write_rd(Corpus(root / "raymarine_rd"));

@@ -1,5 +1,4 @@
 // Writes the corpus of the import: import_seeds <tests/fuzz/corpus>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
@@ -108,11 +107,8 @@ Bytes rd_packet(const std::string& corpus, const char* name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: import_seeds <tests/fuzz/corpus>\n");
-    return 2;
-  }
-  const fuzz::CorpusFolder corpus(std::filesystem::path(argv[1]) / "import");
+  const std::filesystem::path root = fuzz::corpora(argc, argv);
+  const fuzz::CorpusFolder corpus(root / "import");
   Seed navico_4g, navico_halo, navico_br24, garmin, quantum, cat240, rd, all;
   add_navico(navico_4g, navico::Model::g4);
   add_navico(navico_halo, navico::Model::halo);
@@ -120,9 +116,9 @@ int main(int argc, char** argv) {
   add_garmin(garmin);
   add_quantum(quantum);
   add_cat240(cat240);
-  rd.add(kRaymarine, rd_packet(argv[1], "status"));
-  rd.add(kRaymarine, rd_packet(argv[1], "three_spokes"));
-  rd.add(kRaymarine, rd_packet(argv[1], "one_spoke"));
+  rd.add(kRaymarine, rd_packet(root, "status"));
+  rd.add(kRaymarine, rd_packet(root, "three_spokes"));
+  rd.add(kRaymarine, rd_packet(root, "one_spoke"));
   nmea::Rmc rmc;
   rmc.position = GeoPoint{60.5, 5.25};
   rmc.course_deg = 90.0;

@@ -1,6 +1,5 @@
 // Writes the seeds of the fuzz target of recordings.  Usage: recording_seeds <tests/fuzz/corpus>
 #include <algorithm>
-#include <cstdio>
 
 #include "protocol/recording/mcap_records.hpp"
 #include "protocol/wire/byte_order.hpp"
@@ -42,11 +41,8 @@ Bytes without_checksums(Bytes file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: recording_seeds <tests/fuzz/corpus>\n");
-    return 2;
-  }
-  const fuzz::CorpusFolder corpus(std::filesystem::path(argv[1]) / "recording");
+  const std::filesystem::path root = fuzz::corpora(argc, argv);
+  const fuzz::CorpusFolder corpus(root / "recording");
   const char* names[] = {"none", "lz4", "zstd"};
   for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
     for (const bool compact : {false, true}) {

@@ -1,6 +1,5 @@
 // Writes the seeds of the wire, CAT240 and board fuzz targets, so that they can be made anew when a
 // format grows.  Usage: wire_seeds <tests/fuzz/corpus>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -196,11 +195,7 @@ void write_board_records(const Corpus& corpus) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s <corpus folder>\n", argv[0]);
-    return 2;
-  }
-  const fs::path root = argv[1];
+  const fs::path root = fuzz::corpora(argc, argv);
   write_client_frames(Corpus(root / "client_frame"));
   write_server_frames(Corpus(root / "server_frame"));
   write_datagrams(Corpus(root / "datagram"));
