@@ -111,6 +111,7 @@ TEST(DisplayOutput, ADisplayFindsItSeesThePictureAndCommandsIt) {
   display.command("gain 400");
   EXPECT_THAT(display.report("a refused "), HasSubstr("0 to 100"));
 
+  display.report("tick");  // What went before it is counted.
   const wire::OutputStatus status = server.output();
   EXPECT_EQ(status.name(), "test_radar");
   EXPECT_EQ(status.address(), "239.255.74.42:31942");
