@@ -120,10 +120,11 @@ Spoke recorded_spoke(const RecordedScene& scene, std::uint32_t radar, std::uint3
   return spoke;
 }
 
-RecordedFile::RecordedFile(const RecordedScene& scene)
-    : RecordedFile([&](RecordingWriter& writer) { write_scene(scene, writer); }) {}
+RecordedFile::RecordedFile(const RecordedScene& scene, const recording::WriterOptions& options)
+    : RecordedFile([&](RecordingWriter& writer) { write_scene(scene, writer); }, options) {}
 
-RecordedFile::RecordedFile(const std::function<void(RecordingWriter&)>& write)
+RecordedFile::RecordedFile(const std::function<void(RecordingWriter&)>& write,
+                           const recording::WriterOptions& options)
     : folder_(new_folder()), path_(folder_ + "/scene.mcap") {
   std::ofstream file(path_, std::ios::binary);
   RecordingWriter writer(
@@ -132,7 +133,7 @@ RecordedFile::RecordedFile(const std::function<void(RecordingWriter&)>& write)
                    static_cast<std::streamsize>(bytes.size()));
         return file.good();
       },
-      {});
+      options);
   write(writer);
   if (!writer.finish()) throw std::runtime_error("cannot write " + path_);
 }

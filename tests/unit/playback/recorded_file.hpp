@@ -37,9 +37,10 @@ Spoke recorded_spoke(const RecordedScene& scene, std::uint32_t radar, std::uint3
 // A file of it in a folder of its own, gone with this object.
 class RecordedFile {
  public:
-  explicit RecordedFile(const RecordedScene& scene);
+  explicit RecordedFile(const RecordedScene& scene, const recording::WriterOptions& options = {});
   // Whatever `write` puts into it.
-  explicit RecordedFile(const std::function<void(recording::RecordingWriter&)>& write);
+  explicit RecordedFile(const std::function<void(recording::RecordingWriter&)>& write,
+                        const recording::WriterOptions& options = {});
   ~RecordedFile();
   RecordedFile(const RecordedFile&) = delete;
   RecordedFile& operator=(const RecordedFile&) = delete;
