@@ -22,8 +22,6 @@ constexpr std::chrono::seconds kRemoveEvery{10};
 // Kept free beyond the reserve for what is yet to come of files: index, list, folder.
 constexpr std::uint64_t kMargin = 1u << 20;
 
-bool is_want_of_room(int error) { return error == ENOSPC || error == EDQUOT; }
-
 }  // namespace
 
 DiskWriter::DiskWriter(const RecorderConfig& config) : config_(config) {
@@ -48,7 +46,7 @@ void DiskWriter::order(Job job) {
   {
     const std::lock_guard lock(mutex_);
     queued_bytes_ += job.bytes.size();
-    if (job.kind == Job::Kind::close) ++ends_queued_;
+    if (job.kind == Job::Kind::end) ++ends_queued_;
     if (job.kind == Job::Kind::begin) ++begins_queued_;
     jobs_.push_back(std::move(job));
   }
@@ -149,8 +147,10 @@ void DiskWriter::run() {
     const Outcome outcome = failed ? Outcome::failed : carry_out(job);
     lock.lock();
     is_working_ = false;
-    const bool gives_up = ends_queued_ > 0 || stopping_;
+    const bool gives_up =
+        ends_queued_ > 0 || stopping_ || (job.kind == Job::Kind::write && state_.file_is_gone);
     if (outcome == Outcome::no_room && !gives_up) {
+      job.waited = true;
       if (!stuck_ || !state_.is_full) ++state_.version;
       stuck_ = state_.is_full = true;
       jobs_.push_front(std::move(job));
@@ -158,9 +158,13 @@ void DiskWriter::run() {
     }
     stuck_ = false;
     queued_bytes_ -= job.bytes.size();
-    if (job.kind == Job::Kind::close) --ends_queued_;
+    if (job.kind == Job::Kind::end) --ends_queued_;
     if (outcome != Outcome::done) state_.spokes_lost += job.spokes;
-    if (outcome == Outcome::no_room) {
+    if (outcome == Outcome::no_room && job.kind != Job::Kind::write) {
+      lock.unlock();
+      set_problem(config_.folder + ": the disk is full, so no file was made", false);
+      lock.lock();
+    } else if (outcome == Outcome::no_room) {
       // Nothing may follow what is missing, as its place in the file would be another.
       lock.unlock();
       if (file_.is_open()) {
@@ -181,9 +185,12 @@ DiskWriter::Outcome DiskWriter::carry_out(Job& job) {
     switch (job.kind) {
       case Job::Kind::begin: {
         const std::lock_guard lock(mutex_);
-        --begins_queued_;
-        forget();
+        if (!job.waited) {
+          --begins_queued_;
+          forget();
+        }
       }
+        folder_.reset();
         folder_ = std::make_unique<RecordingFolder>(config_.folder);
         number_ = 1;
         name_ = job.name;
@@ -191,7 +198,7 @@ DiskWriter::Outcome DiskWriter::carry_out(Job& job) {
         return Outcome::done;
       case Job::Kind::next:
         if (!folder_) return Outcome::done;
-        ++number_;
+        if (!job.waited) ++number_;
         open_file(true);
         return Outcome::done;
       case Job::Kind::write:
@@ -204,6 +211,7 @@ DiskWriter::Outcome DiskWriter::carry_out(Job& job) {
         return Outcome::done;
     }
   } catch (const FolderError& error) {
+    if (error.no_room) return Outcome::no_room;
     file_.close();
     folder_.reset();
     set_problem(error.what(), true);

@@ -36,7 +36,8 @@ struct DiskState {
 // Everything is done in the order of the calls.  Bytes that are taken are written, so that a writer
 // of recordings knows where in the file they are: while the disk is full they wait, and what comes
 // is not taken once the queue is full, or the disk's free space but for the reserve is spoken for.
-// Only the end of a file does not wait for room: it then has no index.
+// What does not wait for room is the end of a recording, whose file then has no index, and a file
+// that is gone: the room it takes is free once it is closed.
 //
 // Thread: functions are the recorder's and never wait for the disk, but for stop(); state(): any.
 class DiskWriter {
@@ -67,6 +68,7 @@ class DiskWriter {
     std::string name;
     Bytes bytes;
     std::uint64_t spokes = 0;
+    bool waited = false;  // for room
   };
   enum class Outcome : std::uint8_t { done, no_room, failed };
 
@@ -87,7 +89,7 @@ class DiskWriter {
   std::condition_variable wake_;
   std::deque<Job> jobs_;
   std::size_t queued_bytes_ = 0;
-  std::size_t begins_queued_ = 0, ends_queued_ = 0;  // jobs begin and close among them
+  std::size_t begins_queued_ = 0, ends_queued_ = 0;  // jobs begin and end among them
   DiskState state_;
   std::optional<std::uint64_t> free_;  // as far as it is known
   bool stuck_ = false;                 // the first job found no room

@@ -26,7 +26,7 @@ constexpr std::size_t kMaxList = 16u << 20;  // bytes read of a list
 constexpr std::uint32_t kMaxNumber = 1'000'000;
 
 [[noreturn]] void fail(const std::string& what, int error) {
-  throw FolderError(what + ": " + std::strerror(error));
+  throw FolderError(what + ": " + std::strerror(error), is_want_of_room(error));
 }
 
 // What stands in a list may be anybody's: only what this recorder would itself have named so.
@@ -65,10 +65,12 @@ bool write_all(int file, std::string_view text) {
 
 }  // namespace
 
+bool is_want_of_room(int error) { return error == ENOSPC || error == EDQUOT; }
+
 RecordingFolder::RecordingFolder(std::string folder) : folder_(std::move(folder)) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) throw FolderError(folder_ + ": cannot be made: " + error.message());
+  if (error) fail(folder_ + ": cannot be made", error.value());
   directory_ = FileDescriptor(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!directory_.is_open()) fail(folder_ + ": cannot be opened", errno);
   lock_ = FileDescriptor(::openat(directory_.get(), kLockName,

@@ -12,10 +12,15 @@
 
 namespace skerry::server {
 
+// Whether an errno says that the disk, or somebody's share of it, is full.
+bool is_want_of_room(int error);
+
 // What cannot be done with a file, in words that name it.
 class FolderError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit FolderError(const std::string& text, bool for_want_of_room = false)
+      : std::runtime_error(text), no_room(for_want_of_room) {}
+  const bool no_room;  // try again when there is some
 };
 
 // Holds the lock `.skerry-recorder.lock` for as long as it lives: two recorders would remove each

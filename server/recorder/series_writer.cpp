@@ -132,7 +132,8 @@ void SeriesWriter::look_at_clock(Steady now, UtcTime now_utc) {
   const bool is_gone = now - file_begun_ >= kGoneAfter && disk_.state().file_is_gone;
   if (!is_gone) next_ordered_ = false;
   if (!large && !long_enough && (!is_gone || next_ordered_)) return;
-  if (!flush()) return;  // it has no room, and the next would have none
+  // What has no room would have none in the next, unless that of a file that is gone comes free.
+  if (!flush() && !is_gone) return;
   next_ordered_ = true;
   always_ = true;
   writer_->finish();

@@ -201,9 +201,10 @@ TEST_F(SuddenDeath, AFileCutAnywhereHasAllBeforeItsLastChunk) {
 // A disk of a few MiB, that is there while the object lives.
 class SmallDisk {
  public:
-  explicit SmallDisk(std::string folder) : folder_(std::move(folder)) {
+  explicit SmallDisk(std::string folder, const std::string& options = "size=6m")
+      : folder_(std::move(folder)) {
     std::filesystem::create_directory(folder_);
-    is_there_ = ::mount("none", folder_.c_str(), "tmpfs", 0, "size=6m") == 0;
+    is_there_ = ::mount("none", folder_.c_str(), "tmpfs", 0, options.c_str()) == 0;
   }
   ~SmallDisk() {
     if (is_there_) ::umount2(folder_.c_str(), MNT_DETACH);
@@ -277,6 +278,53 @@ TEST_F(SuddenDeath, ADiskThatHasRoomAgainIsRecordedToAgain) {
   EXPECT_EQ(file.events(recording::Event::MARK)[0].text(), "while full");
 }
 
+// An operator who makes room by removing the very file that is being written.
+TEST_F(SuddenDeath, AFileRemovedFromAFullDiskMakesRoomForTheNext) {
+  const SmallDisk disk(folder_.path("disk"));
+  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  RecordedHost host(1, 1024);
+  server::RecorderConfig config;
+  config.folder = folder_.path("disk");
+  config.reserve_bytes = 256 << 10;
+  server::Recorder recorder(host, config);
+  recorder.start();
+  recorder.record(server::record_of(wire::Record::START, "a"), "test");
+  const auto publish_until = [&](wire::RecorderState::Phase phase) {
+    return server::comes_true([&] {
+      host.publish();
+      return recorder.state().phase() == phase;
+    });
+  };
+  ASSERT_TRUE(publish_until(wire::RecorderState::DISK_FULL));
+  std::filesystem::remove(folder_.path("disk/a.mcap"));
+  ASSERT_TRUE(publish_until(wire::RecorderState::RECORDING));
+  recorder.record(server::record_of(wire::Record::STOP), "test");
+  ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::OFF));
+  EXPECT_EQ(recorder.state().file(), "a-002.mcap");
+  const server::Recorded file = server::recorded(folder_.path("disk/a-002.mcap"));
+  EXPECT_TRUE(file.is_whole);
+  EXPECT_FALSE(file.events(recording::Event::DISK_FULL).empty());
+}
+
+TEST_F(SuddenDeath, AStartWaitsForADiskThatHasRoomForItsFile) {
+  const SmallDisk disk(folder_.path("disk"), "size=6m,nr_inodes=3");  // root, lock, ballast
+  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  const std::string ballast = folder_.path("disk/ballast");
+  { std::ofstream(ballast) << 'x'; }
+  server::RecorderConfig config;
+  config.folder = folder_.path("disk");
+  config.reserve_bytes = 0;
+  server::DiskWriter writer(config);
+  writer.begin("waits");
+  writer.take_end(Bytes(1000, 7));
+  ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
+  EXPECT_FALSE(writer.state().failed) << writer.state().problem;
+  std::filesystem::remove(ballast);
+  ASSERT_TRUE(server::comes_true([&] { return !writer.state().is_busy; }));
+  EXPECT_EQ(writer.state().file, "waits.mcap");
+  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), 1000u);
+}
+
 // Others may fill the disk between a look at it and a write.
 TEST_F(SuddenDeath, WhatWasTakenWaitsForADiskThatOthersFilled) {
   const SmallDisk disk(folder_.path("disk"));
@@ -318,6 +366,34 @@ TEST_F(SuddenDeath, WhatWasTakenWaitsForADiskThatOthersFilled) {
   EXPECT_NE(writer.state().problem.find("skerry recording repair"), std::string::npos);
   EXPECT_FALSE(writer.state().failed);
   EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), size);
+}
+
+TEST_F(SuddenDeath, WhatWasTakenBeforeAFileWasFollowedByTheNextWaitsToo) {
+  const SmallDisk disk(folder_.path("disk"));
+  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  const std::string ballast = folder_.path("disk/ballast");
+  server::RecorderConfig config;
+  config.folder = folder_.path("disk");
+  config.reserve_bytes = 0;
+  server::DiskWriter writer(config);
+  const auto is_done = [&] { return !writer.state().is_busy; };
+  writer.begin("rolls");
+  writer.take_end(Bytes(1000, 1));
+  ASSERT_TRUE(server::comes_true(is_done));
+  {
+    std::ofstream file(ballast);
+    while (file << std::string(4096, 'x') << std::flush) continue;
+  }
+  writer.take_end(Bytes(500'000, 2));
+  writer.next_file();
+  writer.take_end(Bytes(600'000, 3));
+  ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
+  std::filesystem::remove(ballast);
+  ASSERT_TRUE(server::comes_true(is_done));
+  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/rolls.mcap")), 501'000u);
+  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/rolls-002.mcap")), 600'000u);
+  EXPECT_EQ(writer.state().spokes_lost, 0u);
+  EXPECT_EQ(writer.state().problem, "");
 }
 
 }  // namespace
