@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/net/access_policy.hpp"
+#include "server/net/metrics_page.hpp"
 #include "server/net/native_session.hpp"
 #include "server/net/signalk_delta_session.hpp"
 #include "server/net/signalk_rest.hpp"
@@ -30,6 +31,17 @@ std::optional<std::string_view> header_of(const http::request<http::string_body>
   const auto found = request.find(field);
   if (found == request.end()) return std::nullopt;
   return std::string_view(found->value().data(), found->value().size());
+}
+
+// All of them as one, as they may be read.  Source: RFC 9110, 5.3.
+std::string headers_of(const http::request<http::string_body>& request, http::field field) {
+  std::string joined;
+  const auto [begin, end] = request.equal_range(field);
+  for (auto header = begin; header != end; ++header) {
+    if (!joined.empty()) joined += ", ";
+    joined.append(header->value().data(), header->value().size());
+  }
+  return joined;
 }
 
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
@@ -63,6 +75,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   void answer_unreadable(error_code error);
   std::optional<WebAnswer> refusal(const Request& request) const;
   WebAnswer answer(const Request& request) const;
+  WebAnswer answer_metrics(const Request& request) const;
   WebAnswer answer_signalk(const Request& request, std::string path);
   void upgrade(Request request, std::function<void()> accepted);
   // False if no WebSocket is there.
@@ -164,6 +177,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const std::string_view target(request.target().data(), request.target().size());
   const std::string path = clean_path(target);
   if (path == "/ws") return web_error(426, "426: /ws is a WebSocket");
+  if (path == "/metrics") return answer_metrics(request);
   if (path != "/status") return files_.get(target);
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;
@@ -174,6 +188,13 @@ WebAnswer HttpSession::answer(const Request& request) const {
       google::protobuf::util::MessageToJsonString(context_.status(), &json.body, options);
   if (!written.ok()) return web_error(500, "500: " + written.ToString());
   return json;
+}
+
+WebAnswer HttpSession::answer_metrics(const Request& request) const {
+  const MetricsFormat format = metrics_format(headers_of(request, http::field::accept));
+  return {.mime = std::string(metrics_mime(format)),
+          .body = metrics_page(context_.status(), context_.clients.totals(), format),
+          .vary = "Accept"};
 }
 
 WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
@@ -245,6 +266,9 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
   response_.set(http::field::content_type, answer.mime);
   response_.set(http::field::cache_control, "no-cache");
   response_.set("X-Content-Type-Options", "nosniff");
+  if (!answer.vary.empty()) {
+    response_.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
+  }
   if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD");
   if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
   response_.keep_alive(keep_alive);

@@ -1,5 +1,5 @@
-// HttpSession: one HTTP connection: the web console, /status, Signal K, and the way to a WebSocket
-// at /ws or one of Signal K's.
+// HttpSession: one HTTP connection: the web console, /status, /metrics, Signal K, and the way to a
+// WebSocket at /ws or one of Signal K's.
 #pragma once
 
 #include <memory>

@@ -13,6 +13,7 @@ struct WebAnswer {
   unsigned status = 200;
   std::string mime = "text/plain; charset=utf-8";
   std::string body = {};
+  std::string_view vary = {};  // the request header that decided about the answer; a literal
 };
 
 // An error with its text as the body.

@@ -68,6 +68,62 @@ TEST_F(Http, StatusIsTheStatusMessageAsJson) {
   EXPECT_NE(answer.find("\"resident_mib\""), std::string::npos) << "names as in radar.proto";
 }
 
+TEST_F(Http, MetricsAreInTheFormatThatIsAskedFor) {
+  TestClient client(server_.tcp_port());
+  client.receive_hello();
+  const std::string plain = http_get(server_.http_port(), "/metrics?x=1");
+  EXPECT_TRUE(plain.starts_with("HTTP/1.1 200 OK\r\n")) << plain;
+  EXPECT_NE(plain.find("Content-Type: text/plain; version=0.0.4; charset=utf-8\r\n"),
+            std::string::npos);
+  EXPECT_NE(plain.find("Vary: Accept\r\n"), std::string::npos);
+  EXPECT_NE(plain.find("\nskerry_clients{transport=\"tcp\"} 1\n"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("127.0.0.1:"), std::string::npos) << "who they are stays in the status";
+  EXPECT_EQ(plain.find("# EOF"), std::string::npos);
+
+  const std::string open = exchange(
+      "GET /metrics HTTP/1.1\r\nHost: localhost\r\nAccept: text/html\r\nAccept: "
+      "application/openmetrics-text; version=1.0.0\r\nConnection: close\r\n\r\n");
+  EXPECT_NE(
+      open.find("Content-Type: application/openmetrics-text; version=1.0.0; charset=utf-8\r\n"),
+      std::string::npos)
+      << open;
+  EXPECT_TRUE(open.ends_with("\n# EOF\n"));
+}
+
+TEST_F(Http, MetricsAreReadAsOtherPagesAre) {
+  const std::string head =
+      exchange("HEAD /metrics HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(head.starts_with("HTTP/1.1 200 OK\r\n")) << head;
+  EXPECT_NE(head.find("Content-Length: "), std::string::npos);
+  EXPECT_EQ(head.find("Content-Length: 0\r\n"), std::string::npos);
+  EXPECT_EQ(body_of(head), "");
+  EXPECT_TRUE(exchange("POST /metrics HTTP/1.1\r\nHost: localhost\r\nContent-Length: 2\r\n"
+                       "Connection: close\r\n\r\nhi")
+                  .starts_with("HTTP/1.1 405 "));
+  EXPECT_TRUE(
+      exchange("GET /metrics HTTP/1.1\r\nHost: evil.example\r\n\r\n").starts_with("HTTP/1.1 403 "));
+  EXPECT_TRUE(http_get(server_.http_port(), "/metrics/").starts_with("HTTP/1.1 404 "));
+}
+
+TEST_F(Http, CountsOfClientsThatHaveGoneStayInTheMetrics) {
+  const auto metrics = [&] { return http_get(server_.http_port(), "/metrics"); };
+  {
+    TestClient client(server_.tcp_port());
+    client.receive_hello();
+    client.subscribe();
+    host_.publish();
+    client.receive_spokes_until(FakeHost::kSectorSpokes - 1);
+  }
+  ASSERT_TRUE(wait_until([&] { return server_.status().clients_size() == 0; }));
+  const std::string after = metrics();
+  EXPECT_NE(after.find("\nskerry_clients{transport=\"tcp\"} 0\n"), std::string::npos) << after;
+  EXPECT_NE(after.find("\nskerry_client_connections_total{transport=\"tcp\"} 1\n"),
+            std::string::npos);
+  EXPECT_NE(after.find("\nskerry_client_spokes_sent_total{transport=\"tcp\"} 16\n"),
+            std::string::npos)
+      << after;
+}
+
 TEST_F(Http, AConnectionServesOneRequestAfterAnother) {
   TestSocket socket(server_.http_port());
   socket.send(
