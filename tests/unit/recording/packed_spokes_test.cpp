@@ -1,6 +1,8 @@
 // Compact mode: what is packed comes back octet by octet, or is not packed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -35,8 +37,9 @@ bool add(SpokePacker& packer, const std::string& spoke) {
 
 TEST(CellDifferences, AreUndoneExactly) {
   std::mt19937 random(5);
-  for (const std::size_t width : {1U, 2U, 7U, 8U, 9U, 63U, 64U, 65U, 200U}) {
-    for (const std::size_t count : {1U, 2U, 7U, 15U, 16U, 17U, 64U, 67U}) {
+  for (const std::size_t width : {1U, 2U, 7U, 15U, 16U, 17U, 63U, 64U, 65U, 200U}) {
+    for (const std::size_t count : {1U, 2U, 7U, 15U, 16U, 17U, 33U, 64U, 67U, 16'384U, 16'385U}) {
+      if (width * count > 1'100'000) continue;
       Bytes rows(width * count);
       for (auto& octet : rows) octet = static_cast<std::uint8_t>(random() >> (random() % 25));
       Bytes out{42};
@@ -49,6 +52,27 @@ TEST(CellDifferences, AreUndoneExactly) {
   Bytes out;
   append_differences({}, 0, out);
   EXPECT_TRUE(out.empty());
+}
+
+// As RECORDING.md says it, octet by octet.
+TEST(CellDifferences, AreToTheMedianOfWhatTheNeighboursForetell) {
+  std::mt19937 random(6);
+  constexpr std::size_t kWidth = 83, kCount = 51;
+  Bytes rows(kWidth * kCount);
+  for (auto& octet : rows) octet = static_cast<std::uint8_t>(random() >> (random() % 25));
+  const auto at = [&](std::size_t i, std::size_t j) {
+    return i > 0 && j > 0 ? int{rows[(i - 1) * kWidth + j - 1]} : 0;
+  };
+  Bytes out;
+  append_differences(rows, kWidth, out);
+  for (std::size_t j = 1; j <= kWidth; ++j) {
+    for (std::size_t i = 1; i <= kCount; ++i) {
+      std::array<int, 3> of{at(i, j - 1), at(i - 1, j),
+                            at(i, j - 1) + at(i - 1, j) - at(i - 1, j - 1)};
+      std::sort(of.begin(), of.end());
+      ASSERT_EQ(out[(j - 1) * kCount + i - 1], (at(i, j) - of[1]) & 0xFF) << i << " " << j;
+    }
+  }
 }
 
 // Numbers of any value, cells of any length: compact or not at all.
