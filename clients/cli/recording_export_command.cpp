@@ -200,7 +200,7 @@ int export_pcap(const ExportOptions& options, const recording::RecordingReader& 
   what.from = part.from;
   what.to = part.to;
   ExportFile file(path, options.force);
-  captures::PcapWriter out([&](std::span<const std::uint8_t> bytes) { file.write(bytes); });
+  pcap::PcapWriter out([&](std::span<const std::uint8_t> bytes) { file.write(bytes); });
   ProgressBar bar("writing");
   const auto done = captures::export_capture(reader, what, out, bar.function());
   if (!done) return report(done.error());

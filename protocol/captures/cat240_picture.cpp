@@ -49,7 +49,7 @@ class Cat240Picture : public PictureDecoder {
  public:
   using PictureDecoder::PictureDecoder;
 
-  std::optional<WireError> decode(const capture::Datagram& datagram,
+  std::optional<WireError> decode(const pcap::Datagram& datagram,
                                   std::vector<CapturedSpoke>& out) override {
     auto records = decode_cat240(datagram.payload);
     if (!records) return records.error();
@@ -62,7 +62,7 @@ class Cat240Picture : public PictureDecoder {
     return std::nullopt;
   }
 
-  void hear(const capture::Datagram&) override {}
+  void hear(const pcap::Datagram&) override {}
 
  private:
   CapturedSpoke spoke_of(Cat240Video& video, UtcTime time) {

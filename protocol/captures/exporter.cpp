@@ -34,7 +34,7 @@ std::optional<Message> parsed(std::span<const std::uint8_t> bytes) {
 // The two kinds of capture behind one door.
 class SpokeSink {
  public:
-  SpokeSink(const ExportOptions& options, PcapWriter& out) : out_(out) {
+  SpokeSink(const ExportOptions& options, pcap::PcapWriter& out) : out_(out) {
     if (options.format == ExportFormat::navico) {
       navico_.emplace(options.model, out);
     } else {
@@ -74,7 +74,7 @@ class SpokeSink {
   std::uint64_t cut() const { return navico_ ? navico_->cut() : 0; }
 
  private:
-  PcapWriter& out_;
+  pcap::PcapWriter& out_;
   std::optional<NavicoExport> navico_;
   std::optional<Cat240Stream> cat240_;
   std::optional<UtcTime> told_;
@@ -94,7 +94,7 @@ RecordingError no_picture(const recording::Summary& summary, const ExportOptions
 }  // namespace
 
 Result<ExportReport, RecordingError> export_capture(
-    const recording::RecordingReader& reader, const ExportOptions& options, PcapWriter& out,
+    const recording::RecordingReader& reader, const ExportOptions& options, pcap::PcapWriter& out,
     const recording::RecordingReader::Progress& progress) {
   const recording::Summary& summary = reader.summary();
   const Topic spokes{Kind::spoke, options.radar, options.view};

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "protocol/captures/pcap_writer.hpp"
 #include "protocol/navico/model.hpp"
+#include "protocol/pcap/pcap_writer.hpp"
 #include "protocol/quantity/result.hpp"
 #include "protocol/recording/item.hpp"
 #include "protocol/recording/reader.hpp"
@@ -37,7 +37,7 @@ struct ExportReport {
 // Both: position, course and heading as NMEA sentences once a second, where own ship was recorded.
 // Error: the recording has no such picture, or `progress` gave up.
 Result<ExportReport, recording::RecordingError> export_capture(
-    const recording::RecordingReader& reader, const ExportOptions& options, PcapWriter& out,
+    const recording::RecordingReader& reader, const ExportOptions& options, pcap::PcapWriter& out,
     const recording::RecordingReader::Progress& progress = {});
 
 }  // namespace skerry::captures

@@ -18,7 +18,7 @@ class GarminPicture : public PictureDecoder {
  public:
   using PictureDecoder::PictureDecoder;
 
-  std::optional<WireError> decode(const capture::Datagram& datagram,
+  std::optional<WireError> decode(const pcap::Datagram& datagram,
                                   std::vector<CapturedSpoke>& out) override {
     const auto from = garmin::decode_spoke(datagram.payload);
     if (!from) return from.error();
@@ -36,7 +36,7 @@ class GarminPicture : public PictureDecoder {
     return std::nullopt;
   }
 
-  void hear(const capture::Datagram& datagram) override {
+  void hear(const pcap::Datagram& datagram) override {
     if (datagram.from.address != traits_.key.from || datagram.to.port != kReports) return;
     const auto packet = garmin::decode_packet(datagram.payload);
     if (!packet) return;

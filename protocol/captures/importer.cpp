@@ -87,12 +87,12 @@ class RadarWriter {
   const FittedCounts& counts() const { return fitter_.counts(); }
 
   // Reports count from then on, also where no spokes come: in standby.
-  void hear(const capture::Datagram& datagram) {
+  void hear(const pcap::Datagram& datagram) {
     decoder_->hear(datagram);
     if (last_) write_settings(*last_, datagram.time);
   }
 
-  void take(const capture::Datagram& datagram, const ShipTrack& ship) {
+  void take(const pcap::Datagram& datagram, const ShipTrack& ship) {
     captured_.clear();
     if (decoder_->decode(datagram, captured_)) return;  // counted by the survey
     for (CapturedSpoke& each : captured_) {
@@ -162,7 +162,7 @@ class Importer {
     }
   }
 
-  void take(const capture::Datagram& datagram) {
+  void take(const pcap::Datagram& datagram) {
     if (const auto key = picture_of(datagram)) {
       for (const auto& radar : radars_) {
         if (radar->key() == *key) radar->take(datagram, ship_);
@@ -198,7 +198,7 @@ class Importer {
 };
 
 RecordingError nothing_found(const Surveyor& survey, const std::string& name,
-                             const capture::CaptureCounts& counts) {
+                             const pcap::CaptureCounts& counts) {
   const std::string others = survey.others();
   return {name, 0,
           fmt::format("no picture of a radar in {} datagrams{}{}; expected frames of Navico (BR24, "
@@ -217,7 +217,7 @@ Result<ImportReport, RecordingError> import_capture(const CapturePass& pass,
     return [&progress, from](double share) { return progress(from + share / 2.0); };
   };
   Surveyor survey;
-  const auto surveyed = pass([&](const capture::Datagram& each) { survey.take(each); }, half(0.0));
+  const auto surveyed = pass([&](const pcap::Datagram& each) { survey.take(each); }, half(0.0));
   if (progress && !progress(0.5)) return Failure{RecordingError{name, 0, "given up"}};
   const auto pictures = survey.pictures();
   if (pictures.empty()) {
@@ -228,7 +228,7 @@ Result<ImportReport, RecordingError> import_capture(const CapturePass& pass,
   }
   const std::string label = label_of(name);
   Importer importer(survey, label, writer);
-  const auto counts = pass([&](const capture::Datagram& each) { importer.take(each); }, half(0.5));
+  const auto counts = pass([&](const pcap::Datagram& each) { importer.take(each); }, half(0.5));
   ImportReport report = importer.finish();
   report.left_out = survey.left_out();
   if (counts) {
@@ -247,7 +247,7 @@ Result<ImportReport, RecordingError> import_capture_file(const std::string& path
                                                          const ImportProgress& progress) {
   return import_capture(
       [&](const DatagramSink& sink, const ImportProgress& part) {
-        return capture::read_capture_file(path, sink, part);
+        return pcap::read_capture_file(path, sink, part);
       },
       path, writer, progress);
 }

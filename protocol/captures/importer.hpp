@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "protocol/capture/capture_reader.hpp"
 #include "protocol/captures/spoke_fitter.hpp"
 #include "protocol/captures/survey.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 #include "protocol/quantity/result.hpp"
 #include "protocol/recording/item.hpp"
 #include "protocol/recording/writer.hpp"
@@ -23,7 +23,7 @@ struct ImportedRadar {
 
 struct ImportReport {
   std::vector<ImportedRadar> radars;  // by their number in the recording
-  capture::CaptureCounts capture;
+  pcap::CaptureCounts capture;
   std::uint64_t left_out = 0;  // datagrams of more than kMaxPictures pictures
   // The capture is damaged from there on; what is before it was imported.
   std::optional<recording::RecordingError> damage;
@@ -31,10 +31,10 @@ struct ImportReport {
 
 // Calls its argument with every datagram of a capture, from its beginning, each time it is called;
 // gets the share read, which may say "give up" by false.
-using DatagramSink = std::function<void(const capture::Datagram&)>;
+using DatagramSink = std::function<void(const pcap::Datagram&)>;
 using ImportProgress = std::function<bool(double)>;
-using CapturePass = std::function<Result<capture::CaptureCounts, WireError>(const DatagramSink&,
-                                                                            const ImportProgress&)>;
+using CapturePass = std::function<Result<pcap::CaptureCounts, WireError>(const DatagramSink&,
+                                                                         const ImportProgress&)>;
 
 // Reads the capture twice: which radars there are, then their spokes.  Writes Hello (a radar for
 // every picture), own ship once a second, settings when reports tell others, spokes with the time

@@ -80,7 +80,7 @@ void put_doppler(std::span<const DopplerClass> doppler,
 
 }  // namespace
 
-NavicoExport::NavicoExport(navico::Model model, PcapWriter& out)
+NavicoExport::NavicoExport(navico::Model model, pcap::PcapWriter& out)
     : model_(model), out_(out), resampler_(navico::kTurnSpokes, std::uint32_t{kSpokeCells}) {}
 
 void NavicoExport::write_reports(UtcTime time) {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "protocol/captures/pcap_writer.hpp"
 #include "protocol/navico/frame.hpp"
 #include "protocol/navico/model.hpp"
+#include "protocol/pcap/pcap_writer.hpp"
 #include "protocol/video/spoke_resampler.hpp"
 #include "protocol/wire/radar.pb.h"
 
@@ -15,7 +15,7 @@ namespace skerry::captures {
 // Thread: one at a time.
 class NavicoExport {
  public:
-  NavicoExport(navico::Model model, PcapWriter& out);
+  NavicoExport(navico::Model model, pcap::PcapWriter& out);
 
   // Those of the spokes to come.
   void set(const wire::Settings& settings) { settings_ = settings; }
@@ -34,7 +34,7 @@ class NavicoExport {
   void write_frame();
 
   navico::Model model_;
-  PcapWriter& out_;
+  pcap::PcapWriter& out_;
   wire::Settings settings_;
   SpokeResampler resampler_;
   Spoke fitted_;

@@ -37,7 +37,7 @@ void NavicoForms::take(std::span<const std::uint8_t> frame) {
   (small == kLargeForm4g ? large_4g : large_halo) = true;
 }
 
-void NavicoFacts::take(const capture::Datagram& datagram) {
+void NavicoFacts::take(const pcap::Datagram& datagram) {
   if (const auto locator = navico::decode_locator(datagram.payload)) {
     for (const std::uint8_t instance : {std::uint8_t{1}, std::uint8_t{2}}) {
       const auto groups = locator->find_picture(instance);

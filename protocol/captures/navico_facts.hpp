@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "protocol/capture/capture_reader.hpp"
 #include "protocol/navico/model.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 
 namespace skerry::captures {
 
@@ -22,7 +22,7 @@ struct NavicoForms {
 
 class NavicoFacts {
  public:
-  void take(const capture::Datagram& datagram);
+  void take(const pcap::Datagram& datagram);
 
   navico::Model model_of(std::uint32_t sender, const NavicoForms& forms) const;
   std::string name_of(std::uint32_t sender, const NavicoForms& forms) const;

@@ -25,7 +25,7 @@ class NavicoPicture : public PictureDecoder {
   explicit NavicoPicture(const PictureTraits& traits)
       : PictureDecoder(traits), doppler_(traits.doppler) {}
 
-  std::optional<WireError> decode(const capture::Datagram& datagram,
+  std::optional<WireError> decode(const pcap::Datagram& datagram,
                                   std::vector<CapturedSpoke>& out) override {
     auto spokes = navico::decode_frame(traits_.model, datagram.payload);
     if (!spokes) return spokes.error();
@@ -45,7 +45,7 @@ class NavicoPicture : public PictureDecoder {
     return std::nullopt;
   }
 
-  void hear(const capture::Datagram& datagram) override {
+  void hear(const pcap::Datagram& datagram) override {
     if (!traits_.reports || datagram.to != *traits_.reports) return;
     const auto report = navico::decode_report(datagram.payload);
     if (!report) return;

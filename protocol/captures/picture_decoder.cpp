@@ -33,7 +33,7 @@ std::optional<std::uint16_t> cat240_source(Octets payload) {
 
 }  // namespace
 
-std::optional<PictureKey> picture_of(const capture::Datagram& datagram) {
+std::optional<PictureKey> picture_of(const pcap::Datagram& datagram) {
   const Octets payload = datagram.payload;
   if (payload.size() < 8) return std::nullopt;
   PictureKey key{Family::navico, datagram.from.address, datagram.to, 0};

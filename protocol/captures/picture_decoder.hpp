@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "protocol/capture/capture_reader.hpp"
 #include "protocol/captures/captured_spoke.hpp"
 #include "protocol/navico/model.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/wire_error.hpp"
 
@@ -35,10 +35,10 @@ class PictureDecoder {
 
   // A datagram of this picture: appends its spokes.  Error: of the family's decoder; then nothing
   // was appended.
-  virtual std::optional<WireError> decode(const capture::Datagram& datagram,
+  virtual std::optional<WireError> decode(const pcap::Datagram& datagram,
                                           std::vector<CapturedSpoke>& out) = 0;
   // Any other datagram of the same capture: a report, perhaps.
-  virtual void hear(const capture::Datagram& datagram) = 0;
+  virtual void hear(const pcap::Datagram& datagram) = 0;
 
   const PictureTraits& traits() const { return traits_; }
   // Gain to antenna height, as far as reports told; the range is the spokes'.
@@ -50,7 +50,7 @@ class PictureDecoder {
 };
 
 // What a datagram is the picture of, by its first octets; nothing if of none.
-std::optional<PictureKey> picture_of(const capture::Datagram& datagram);
+std::optional<PictureKey> picture_of(const pcap::Datagram& datagram);
 
 std::unique_ptr<PictureDecoder> make_navico_picture(const PictureTraits& traits);
 std::unique_ptr<PictureDecoder> make_garmin_picture(const PictureTraits& traits);

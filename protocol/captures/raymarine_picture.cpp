@@ -18,7 +18,7 @@ class QuantumPicture : public PictureDecoder {
  public:
   using PictureDecoder::PictureDecoder;
 
-  std::optional<WireError> decode(const capture::Datagram& datagram,
+  std::optional<WireError> decode(const pcap::Datagram& datagram,
                                   std::vector<CapturedSpoke>& out) override {
     auto from = raymarine::decode_quantum_spoke(datagram.payload);
     if (!from) return from.error();
@@ -50,7 +50,7 @@ class QuantumPicture : public PictureDecoder {
     return std::nullopt;
   }
 
-  void hear(const capture::Datagram& datagram) override {
+  void hear(const pcap::Datagram& datagram) override {
     if (datagram.from.address != traits_.key.from || datagram.to != traits_.key.to) return;
     const auto status = raymarine::decode_quantum_status(datagram.payload);
     if (!status) return;
@@ -76,7 +76,7 @@ class RdPicture : public PictureDecoder {
  public:
   using PictureDecoder::PictureDecoder;
 
-  std::optional<WireError> decode(const capture::Datagram& datagram,
+  std::optional<WireError> decode(const pcap::Datagram& datagram,
                                   std::vector<CapturedSpoke>& out) override {
     auto spokes = raymarine::decode_rd_spokes(datagram.payload);
     if (!spokes) return spokes.error();
@@ -96,7 +96,7 @@ class RdPicture : public PictureDecoder {
     return std::nullopt;
   }
 
-  void hear(const capture::Datagram& datagram) override {
+  void hear(const pcap::Datagram& datagram) override {
     if (datagram.from.address != traits_.key.from || datagram.to != traits_.key.to) return;
     const auto status = raymarine::decode_rd_status(datagram.payload);
     if (!status) return;

@@ -30,7 +30,7 @@ bool keep_position(const std::optional<GeoPoint>& said, std::optional<GeoPoint>&
 
 }  // namespace
 
-bool ShipTrack::hear(const capture::Datagram& datagram) {
+bool ShipTrack::hear(const pcap::Datagram& datagram) {
   const auto payload = datagram.payload;
   if (payload.empty()) return false;
   bool said = false;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "protocol/capture/capture_reader.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 #include "protocol/quantity/bearing.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/wire/radar.pb.h"
@@ -16,7 +16,7 @@ namespace skerry::captures {
 class ShipTrack {
  public:
   // Whether something was said.
-  bool hear(const capture::Datagram& datagram);
+  bool hear(const pcap::Datagram& datagram);
 
   bool known() const { return position_ || heading_deg_ || course_deg_ || speed_kn_; }
   std::optional<GeoPoint> position() const { return position_; }

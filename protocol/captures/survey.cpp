@@ -55,7 +55,7 @@ Surveyor::Seen* Surveyor::find_or_begin(const PictureKey& key) {
   return seen_.back().get();
 }
 
-void Surveyor::take(const capture::Datagram& datagram) {
+void Surveyor::take(const pcap::Datagram& datagram) {
   begin_ = std::min(begin_, datagram.time);
   end_ = std::max(end_, datagram.time);
   const auto key = picture_of(datagram);

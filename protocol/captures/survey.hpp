@@ -32,7 +32,7 @@ class Surveyor {
   Surveyor();
   ~Surveyor();
 
-  void take(const capture::Datagram& datagram);
+  void take(const pcap::Datagram& datagram);
 
   // Those of which spokes could be read, in the order of their first datagrams.
   std::vector<SurveyedPicture> pictures() const;

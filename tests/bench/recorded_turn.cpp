@@ -7,7 +7,7 @@
 #include "protocol/wire/spoke_message.hpp"
 #include "tests/scenes/full_scene.hpp"
 #include "tests/scenes/moving_scene.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::bench {
 namespace {

@@ -1,11 +1,11 @@
 // A reader of captures.
-#include "protocol/capture/capture_reader.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 #include "tests/fuzz/fuzz_require.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace skerry;
   std::size_t datagrams = 0, octets = 0;
-  const auto counts = capture::read_capture({data, size}, [&](const capture::Datagram& each) {
+  const auto counts = pcap::read_capture({data, size}, [&](const pcap::Datagram& each) {
     ++datagrams;
     octets += each.payload.size();
   });

@@ -18,7 +18,7 @@ void require_playable(const Spoke& spoke) {
 // What the importer does with each picture, with the spokes looked at.
 std::uint64_t spokes_of(std::span<const std::uint8_t> capture) {
   captures::Surveyor survey;
-  (void)capture::read_capture(capture, [&](const auto& each) { survey.take(each); });
+  (void)pcap::read_capture(capture, [&](const auto& each) { survey.take(each); });
   std::uint64_t spokes = 0;
   for (const auto& picture : survey.pictures()) {
     const auto decoder = captures::make_picture(picture.traits);
@@ -26,7 +26,7 @@ std::uint64_t spokes_of(std::span<const std::uint8_t> capture) {
     captures::ShipTrack ship;
     std::vector<captures::CapturedSpoke> captured;
     std::vector<Spoke> fitted;
-    (void)capture::read_capture(capture, [&](const capture::Datagram& each) {
+    (void)pcap::read_capture(capture, [&](const pcap::Datagram& each) {
       captured.clear();
       const auto key = captures::picture_of(each);
       if (!key) {
@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       {.compression = recording::Compression::none, .chunk_bytes = 64 << 10});
   const auto report = captures::import_capture(
       [&](const captures::DatagramSink& sink, const captures::ImportProgress&) {
-        return capture::read_capture(capture, sink);
+        return pcap::read_capture(capture, sink);
       },
       "fuzz", writer);
   const std::uint64_t spokes = spokes_of(capture);

@@ -3,13 +3,13 @@
 #include <iterator>
 
 #include "protocol/asterix/cat240.hpp"
-#include "protocol/captures/pcap_writer.hpp"
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/garmin/xhd_spoke.hpp"
 #include "protocol/navico/frame.hpp"
 #include "protocol/navico/report.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
+#include "protocol/pcap/pcap_writer.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/raymarine/quantum_spoke.hpp"
 #include "tests/fuzz/corpus_folder.hpp"
@@ -37,7 +37,7 @@ class Seed {
 
  private:
   Bytes bytes_;
-  captures::PcapWriter writer_;
+  pcap::PcapWriter writer_;
   UtcTime time_{std::chrono::seconds(1'700'000'000)};
 };
 

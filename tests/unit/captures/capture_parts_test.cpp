@@ -24,7 +24,7 @@ Bytes numbers(std::size_t count) {
 
 Bytes capture_of(const std::vector<Bytes>& payloads) {
   Bytes bytes;
-  PcapWriter writer([&](std::span<const std::uint8_t> more) {
+  pcap::PcapWriter writer([&](std::span<const std::uint8_t> more) {
     bytes.insert(bytes.end(), more.begin(), more.end());
   });
   for (const Bytes& payload : payloads) writer.add(kMoment, kFrom, kTo, payload);
@@ -37,7 +37,7 @@ TEST(PcapWriter, WritesWhatTheReaderReads) {
     payloads.push_back(numbers(size));
   }
   std::vector<Bytes> got;
-  const auto counts = capture::read_capture(capture_of(payloads), [&](const auto& datagram) {
+  const auto counts = pcap::read_capture(capture_of(payloads), [&](const auto& datagram) {
     EXPECT_EQ(datagram.time, kMoment);
     EXPECT_EQ(datagram.from, kFrom);
     EXPECT_EQ(datagram.to, kTo);
@@ -53,7 +53,7 @@ std::size_t datagrams_of(const std::string& path, std::string* problem = nullptr
                          std::size_t* offset = nullptr) {
   std::size_t count = 0;
   double share = 0.0;
-  const auto done = capture::read_capture_file(
+  const auto done = pcap::read_capture_file(
       path, [&](const auto&) { ++count; },
       [&](double so_far) {
         EXPECT_GE(so_far, share);
@@ -108,7 +108,7 @@ TEST(CaptureFile, WhatIsNoneIsToldWhy) {
 TEST(CaptureFile, IsGivenUpWhenAsked) {
   const TestFile file(".pcap");
   file.write(capture_of({numbers(60'000), numbers(60'000)}));
-  const auto done = capture::read_capture_file(
+  const auto done = pcap::read_capture_file(
       file.path(), [](const auto&) {}, [](double) { return false; });
   ASSERT_FALSE(done.ok());
   EXPECT_EQ(done.error().text, "capture: given up");

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/unit/capture/radar_captures.hpp"
 #include "tests/unit/captures/imported.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::captures {
 namespace {
@@ -61,7 +61,7 @@ void write_recording(const std::string& path, const ScanGeometry& geometry, std:
 
 Bytes exported(const std::string& recording, const ExportOptions& options, ExportReport& report) {
   Bytes bytes;
-  PcapWriter out([&](std::span<const std::uint8_t> more) {
+  pcap::PcapWriter out([&](std::span<const std::uint8_t> more) {
     bytes.insert(bytes.end(), more.begin(), more.end());
   });
   const auto reader = recording::RecordingReader::open(recording);
@@ -159,7 +159,7 @@ TEST(Export, APartAloneAndAnUnknownRadarIsToldWhichThereAre) {
   EXPECT_EQ(got.spokes.at(0).size(), 100u);
 
   options.radar = 4;
-  PcapWriter out([](std::span<const std::uint8_t>) {});
+  pcap::PcapWriter out([](std::span<const std::uint8_t>) {});
   const auto reader = recording::RecordingReader::open(file.path());
   ASSERT_TRUE(reader.ok());
   const auto done = export_capture(*reader, options, out);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/unit/capture/radar_captures.hpp"
 #include "tests/unit/captures/imported.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::captures {
 namespace {
@@ -148,7 +148,7 @@ TEST(ImportCaptures, ARadarOfUnknownMakeIsRefusedWithWhatWasThere) {
   const auto capture = unpack_radar_capture("furuno-drs4dnxt.pcap.gz");
   const auto done =
       import_capture([&](const DatagramSink& sink,
-                         const ImportProgress&) { return capture::read_capture(capture, sink); },
+                         const ImportProgress&) { return pcap::read_capture(capture, sink); },
                      "furuno.pcap", writer);
   ASSERT_FALSE(done.ok());
   EXPECT_NE(done.error().text.find("449 to 239.255.0.2:10024"), std::string::npos)

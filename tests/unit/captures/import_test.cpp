@@ -33,7 +33,7 @@ class TestCapture {
 
  private:
   Bytes bytes_;
-  PcapWriter writer_;
+  pcap::PcapWriter writer_;
 };
 
 Bytes cells_of(std::size_t count, std::uint32_t index) {
@@ -222,7 +222,7 @@ TEST(Import, GivesUpWhenAskedTo) {
   recording::RecordingWriter writer([](std::span<const std::uint8_t>) { return true; }, {});
   const auto done = import_capture(
       [&](const DatagramSink& sink, const ImportProgress&) {
-        return capture::read_capture(capture.bytes(), sink);
+        return pcap::read_capture(capture.bytes(), sink);
       },
       "test.pcap", writer, [](double share) { return share < 0.5; });
   ASSERT_FALSE(done.ok());

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "protocol/captures/importer.hpp"
-#include "protocol/captures/pcap_writer.hpp"
+#include "protocol/pcap/pcap_writer.hpp"
 #include "protocol/recording/reader.hpp"
 #include "protocol/recording/recording.pb.h"
 #include "protocol/wire/spoke_message.hpp"
@@ -104,7 +104,7 @@ inline void import_into(const std::string& path, std::span<const std::uint8_t> c
       {});
   auto report =
       import_capture([&](const DatagramSink& sink,
-                         const ImportProgress&) { return capture::read_capture(capture, sink); },
+                         const ImportProgress&) { return pcap::read_capture(capture, sink); },
                      "test.pcap", writer);
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   into.report = *std::move(report);

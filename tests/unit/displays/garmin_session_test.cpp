@@ -7,7 +7,7 @@
 
 #include "protocol/garmin/xhd_reports.hpp"
 #include "server/displays/garmin/garmin_xhd.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
 
 namespace skerry::server {

@@ -8,7 +8,7 @@
 #include "protocol/navico/command.hpp"
 #include "protocol/navico/report.hpp"
 #include "server/displays/navico/navico_radar.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
 
 namespace skerry::server {

@@ -9,7 +9,7 @@
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/wire/byte_order.hpp"
 #include "server/displays/raymarine/quantum.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
 
 namespace skerry::server {

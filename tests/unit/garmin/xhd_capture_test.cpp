@@ -8,7 +8,7 @@
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/garmin/xhd_reports.hpp"
 #include "protocol/garmin/xhd_spoke.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::garmin {
 namespace {

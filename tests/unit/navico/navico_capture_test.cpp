@@ -10,7 +10,7 @@
 #include "protocol/navico/frame.hpp"
 #include "protocol/navico/locator.hpp"
 #include "protocol/navico/report.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::navico {
 namespace {

@@ -9,7 +9,7 @@
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/raymarine/quantum_spoke.hpp"
 #include "protocol/wire/byte_order.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::raymarine {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "protocol/raymarine/rd_packets.hpp"
 #include "protocol/wire/byte_order.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::raymarine {
 namespace {

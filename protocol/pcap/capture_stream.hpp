@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace skerry::capture {
+namespace skerry::pcap {
 
 // Outlives the stream that release() gives.  Thread: one at a time.
 class CaptureStream {
@@ -36,4 +36,4 @@ class CaptureStream {
   std::size_t size_ = 0, position_ = 0;
 };
 
-}  // namespace skerry::capture
+}  // namespace skerry::pcap

@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
-namespace skerry::capture {
+namespace skerry::pcap {
+
+inline constexpr std::uint8_t kProtocolUdp = 17;  // of an IPv4 header
 
 // Source: RFC 791 3.2.  Fragments may come in any order; one that comes twice counts once.  A
 // datagram whose fragments overlap or reach beyond its end is given up, as the RFC's successors do.
@@ -50,4 +52,4 @@ class Ipv4Fragments {
   std::uint64_t given_up_ = 0;
 };
 
-}  // namespace skerry::capture
+}  // namespace skerry::pcap

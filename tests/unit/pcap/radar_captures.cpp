@@ -1,4 +1,4 @@
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 #include <gtest/gtest.h>
 #include <openssl/evp.h>
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "protocol/capture/capture_reader.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 
 namespace skerry {
 namespace {
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> unpack_radar_capture(const std::string& file) {
 std::vector<CapturedDatagram> read_radar_capture(const std::string& file) {
   std::vector<CapturedDatagram> datagrams;
   const auto counts =
-      capture::read_capture(unpack_radar_capture(file), [&](const capture::Datagram& each) {
+      pcap::read_capture(unpack_radar_capture(file), [&](const pcap::Datagram& each) {
         datagrams.push_back(
             {each.time, each.from, each.to, {each.payload.begin(), each.payload.end()}});
       });

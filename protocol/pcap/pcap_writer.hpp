@@ -9,7 +9,7 @@
 #include "protocol/wire/ipv4_endpoint.hpp"
 #include "protocol/wire/wire_error.hpp"
 
-namespace skerry::captures {
+namespace skerry::pcap {
 
 // pcap with nanoseconds, Ethernet; datagrams beyond 1480 octets are cut into IPv4 fragments, as
 // they are on the wire.  The UDP checksum is left out, which IPv4 allows.  Thread: one at a time.
@@ -35,4 +35,4 @@ class PcapWriter {
   std::uint64_t datagrams_ = 0;
 };
 
-}  // namespace skerry::captures
+}  // namespace skerry::pcap

@@ -1,4 +1,4 @@
-#include "protocol/capture/capture_reader.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <map>
 #include <sstream>
 
-#include "protocol/capture/ipv4_fragments.hpp"
+#include "protocol/pcap/ipv4_fragments.hpp"
 #include "protocol/wire/byte_order.hpp"
-#include "tests/unit/capture/radar_captures.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
-namespace skerry::capture {
+namespace skerry::pcap {
 namespace {
 
 struct Got {
@@ -251,4 +251,4 @@ TEST(CaptureReader, ReadsEveryRecordingOfARealRadar) {
 }
 
 }  // namespace
-}  // namespace skerry::capture
+}  // namespace skerry::pcap

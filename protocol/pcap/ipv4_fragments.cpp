@@ -1,9 +1,9 @@
-#include "protocol/capture/ipv4_fragments.hpp"
+#include "protocol/pcap/ipv4_fragments.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-namespace skerry::capture {
+namespace skerry::pcap {
 namespace {
 
 constexpr std::size_t kMaxTotal = 65535;
@@ -63,4 +63,4 @@ std::optional<std::vector<std::uint8_t>> Ipv4Fragments::add(
   return whole;
 }
 
-}  // namespace skerry::capture
+}  // namespace skerry::pcap

@@ -1,4 +1,4 @@
-#include "protocol/capture/capture_stream.hpp"
+#include "protocol/pcap/capture_stream.hpp"
 
 #include <zlib.h>
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace skerry::capture {
+namespace skerry::pcap {
 namespace {
 
 constexpr unsigned kReadAhead = 1 << 18;
@@ -77,4 +77,4 @@ int CaptureStream::seek(void* self, std::int64_t* offset, int whence) {
   return 0;
 }
 
-}  // namespace skerry::capture
+}  // namespace skerry::pcap

@@ -1,18 +1,19 @@
-#include "protocol/captures/pcap_writer.hpp"
+#include "protocol/pcap/pcap_writer.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "protocol/pcap/ipv4_fragments.hpp"
 #include "protocol/wire/byte_order.hpp"
 
-namespace skerry::captures {
+namespace skerry::pcap {
 namespace {
 
 constexpr std::uint32_t kMagicNanoseconds = 0xA1B23C4D, kLinkEthernet = 1, kSnapLength = 65'535;
 constexpr std::size_t kIpv4Header = 20, kFragment = 1480;  // octets
 constexpr std::uint16_t kMoreFragments = 0x2000;
-constexpr std::uint8_t kProtocolUdp = 17, kHops = 1;
+constexpr std::uint8_t kHops = 1;
 // Locally administered.
 constexpr std::array<std::uint8_t, 6> kSenderMac = {2, 0, 0, 0, 0, 1};
 constexpr std::array<std::uint8_t, 6> kOtherMac = {2, 0, 0, 0, 0, 2};
@@ -96,4 +97,4 @@ void PcapWriter::add_frame(UtcTime time, Ipv4Endpoint from, Ipv4Endpoint to, std
   sink_(frame_);
 }
 
-}  // namespace skerry::captures
+}  // namespace skerry::pcap

@@ -12,7 +12,7 @@
 #include "protocol/wire/ipv4_endpoint.hpp"
 #include "protocol/wire/wire_error.hpp"
 
-namespace skerry::capture {
+namespace skerry::pcap {
 
 struct Datagram {
   UtcTime time;  // of its last fragment
@@ -43,4 +43,4 @@ Result<CaptureCounts, WireError> read_capture_file(
     const std::string& path, const std::function<void(const Datagram&)>& sink,
     const std::function<bool(double)>& progress = {});
 
-}  // namespace skerry::capture
+}  // namespace skerry::pcap

@@ -1,4 +1,4 @@
-#include "protocol/capture/capture_reader.hpp"
+#include "protocol/pcap/capture_reader.hpp"
 
 #include <fmt/format.h>
 #include <pcap/pcap.h>
@@ -7,16 +7,15 @@
 #include <memory>
 #include <optional>
 
-#include "protocol/capture/capture_stream.hpp"
-#include "protocol/capture/ipv4_fragments.hpp"
+#include "protocol/pcap/capture_stream.hpp"
+#include "protocol/pcap/ipv4_fragments.hpp"
 #include "protocol/wire/byte_order.hpp"
 
-namespace skerry::capture {
+namespace skerry::pcap {
 namespace {
 
 constexpr std::uint16_t kEtherIpv4 = 0x0800;
 constexpr std::uint16_t kEtherVlan = 0x8100, kEtherServiceVlan = 0x88A8;
-constexpr std::uint8_t kProtocolUdp = 17;
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -197,4 +196,4 @@ Result<CaptureCounts, WireError> read_capture_file(const std::string& path,
   return counts;
 }
 
-}  // namespace skerry::capture
+}  // namespace skerry::pcap
