@@ -72,9 +72,10 @@ void DiskWriter::end() {
 }
 
 void DiskWriter::forget() {
-  const std::uint64_t version = state_.version;
-  state_ = {};
-  state_.version = version + 1;
+  DiskState state;
+  state.version = state_.version + 1;
+  state.free_bytes = state_.free_bytes;
+  state_ = std::move(state);
   free_.reset();
 }
 
@@ -123,6 +124,7 @@ void DiskWriter::set_problem(const std::string& text, bool failed) {
 }
 
 void DiskWriter::run() {
+  look_at_disk();
   auto looked = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -132,10 +134,14 @@ void DiskWriter::run() {
       wake_.wait_for(lock, stuck_ ? kRetry : kLookAround);
     }
     const auto now = std::chrono::steady_clock::now();
-    if (folder_ && now - looked >= kRetry) {
+    if (now - looked >= (folder_ ? kRetry : kLookAround)) {
       looked = now;
       lock.unlock();
-      look_at_folder();
+      if (folder_) {
+        look_at_folder();
+      } else {
+        look_at_disk();
+      }
       lock.lock();
     }
     if (jobs_.empty()) continue;
@@ -281,6 +287,12 @@ DiskWriter::Outcome DiskWriter::sync_file() {
 void DiskWriter::close_file() {
   if (config_.sync != Sync::none) sync_file();
   file_.close();
+}
+
+void DiskWriter::look_at_disk() {
+  const auto free = free_bytes_at(config_.folder);
+  const std::lock_guard lock(mutex_);
+  state_.free_bytes = free.value_or(0);
 }
 
 void DiskWriter::look_at_folder() {

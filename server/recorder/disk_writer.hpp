@@ -42,7 +42,7 @@ struct DiskState {
 // Thread: functions are the recorder's and never wait for the disk, but for stop(); state(): any.
 class DiskWriter {
  public:
-  // `config` is copied.
+  // `config` is copied; its folder is absolute.
   explicit DiskWriter(const RecorderConfig& config);
   ~DiskWriter();  // stop()
 
@@ -81,7 +81,8 @@ class DiskWriter {
   Outcome sync_file();
   void close_file();
   void forget();          // what was; under the lock
-  void look_at_folder();  // free space; removes what is old
+  void look_at_disk();    // free space, while nothing is recorded
+  void look_at_folder();  // the same; removes what is old
   void set_problem(const std::string& text, bool failed);
 
   const RecorderConfig config_;

@@ -156,8 +156,11 @@ wire::Reply Recorder::record(const wire::Record& record, const std::string& orig
 }
 
 wire::RecorderState Recorder::state() const {
+  const std::uint64_t free_bytes = disk_.state().free_bytes;
   const std::lock_guard lock(mutex_);
-  return state_;
+  wire::RecorderState state = state_;
+  state.set_free_bytes(free_bytes);
+  return state;
 }
 
 std::uint64_t Recorder::version() const {

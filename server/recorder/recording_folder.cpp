@@ -53,6 +53,10 @@ std::string identity_of(const struct statx& status) {
                      has_birth ? status.stx_btime.tv_nsec : 0);
 }
 
+std::uint64_t free_bytes_of(const struct statvfs& disk) {
+  return std::uint64_t{disk.f_bavail} * disk.f_frsize;
+}
+
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -64,6 +68,16 @@ bool write_all(int file, std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> free_bytes_at(const std::string& folder) {
+  struct statvfs disk {};
+  std::filesystem::path there = folder;
+  while (::statvfs(there.c_str(), &disk) != 0) {
+    if (errno != ENOENT || !there.has_relative_path()) return std::nullopt;
+    there = there.parent_path();
+  }
+  return free_bytes_of(disk);
+}
 
 bool is_want_of_room(int error) { return error == ENOSPC || error == EDQUOT; }
 
@@ -200,7 +214,7 @@ bool RecordingFolder::has(const FileDescriptor& file, const std::string& name) c
 std::optional<std::uint64_t> RecordingFolder::free_bytes() const {
   struct statvfs disk {};
   if (::fstatvfs(directory_.get(), &disk) != 0) return std::nullopt;
-  return std::uint64_t{disk.f_bavail} * disk.f_frsize;
+  return free_bytes_of(disk);
 }
 
 void RecordingFolder::sync() const { ::fsync(directory_.get()); }

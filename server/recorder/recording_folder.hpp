@@ -12,6 +12,10 @@
 
 namespace skerry::server {
 
+// Bytes free for this process where a folder is, or would be made; nothing if the system does not
+// say.  `folder` absolute.
+std::optional<std::uint64_t> free_bytes_at(const std::string& folder);
+
 // Whether an errno says that the disk, or somebody's share of it, is full.
 bool is_want_of_room(int error);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -111,6 +112,15 @@ TEST(DiskWriter, FinishesWhatWasOrderedBeforeItStops) {
     disk.end();
   }
   EXPECT_EQ(std::filesystem::file_size(folder.path("a.mcap")), 1'000'000u);
+}
+
+TEST(DiskWriter, SaysWhatIsFreeBeforeAnythingIsWrittenAndMakesNothing) {
+  const ScratchFolder folder;
+  RecorderConfig config;
+  config.folder = folder.path("recordings");
+  const DiskWriter disk(config);
+  EXPECT_TRUE(comes_true([&] { return disk.state().free_bytes > 0; }));
+  EXPECT_FALSE(std::filesystem::exists(config.folder));
 }
 
 }  // namespace

@@ -91,6 +91,11 @@ TEST_F(Recording, HasEverySpokeOfEveryRadarByteForByte) {
   }
 }
 
+TEST_F(Recording, TellsTheDisksFreeSpaceBeforeItBegins) {
+  EXPECT_TRUE(comes_true([&] { return recorder().state().free_bytes() > 0; }));
+  EXPECT_EQ(recorder().state().phase(), State::OFF);
+}
+
 TEST_F(Recording, BeginsWithAllThatIsInForceAndHasWhatChanges) {
   TrafficItem ship;
   ship.name = "Skerryvore";

@@ -113,5 +113,12 @@ TEST(RecordingFolder, BelievesNoListThatLeadsElsewhere) {
   EXPECT_TRUE(std::filesystem::exists(scratch.path("in/folder.mcap")));
 }
 
+TEST(RecordingFolder, FreeBytesAreThoseOfWhereItWillBeMade) {
+  const ScratchFolder folder;
+  EXPECT_GT(free_bytes_at(folder.path("not/yet/made")).value_or(0), 0u);
+  EXPECT_GT(free_bytes_at("/").value_or(0), 0u);
+  EXPECT_EQ(free_bytes_at("/dev/null/folder"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace skerry::server
