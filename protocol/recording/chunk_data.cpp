@@ -18,11 +18,11 @@ class ChunkParser {
   ChunkParser(const FileIndex& index, const std::set<Topic>& topics)
       : index_(index), topics_(topics), chunk_(std::make_shared<ChunkData>()) {}
 
-  Bytes& records() { return chunk_->records_; }
+  void take(OctetBlock records) { chunk_->records_ = std::move(records); }
 
   // What is wrong; nothing if nothing is.
   std::optional<std::string> parse() {
-    const std::span<const std::uint8_t> records = chunk_->records_;
+    const std::span<const std::uint8_t> records = chunk_->records_.octets();
     ByteReader in(records);
     while (in.left() > 0) {
       const std::size_t begin = in.offset();
@@ -110,31 +110,32 @@ class ChunkParser {
 
 namespace {
 
-// What is wrong with the chunk, whose record's content is given; nothing if it could be unpacked.
-std::optional<std::string> unpack(std::span<const std::uint8_t> content, bool ours, Bytes& out) {
+// The records of the chunk, whose record's content is given.  Error: what is wrong with it.
+Result<OctetBlock, std::string> unpack(std::span<const std::uint8_t> content, bool ours) {
+  const auto fail = [](std::string text) { return Failure{std::move(text)}; };
   const auto read = mcap::read_chunk_head(content);
-  if (!read) return "the chunk's head is cut short";
+  if (!read) return fail("the chunk's head is cut short");
   const auto& [head, records_at] = *read;
   if (content.size() - records_at != head.compressed) {
-    return fmt::format("the chunk says it holds {} octets, expected {}", head.compressed,
-                       content.size() - records_at);
+    return fail(fmt::format("the chunk says it holds {} octets, expected {}", head.compressed,
+                            content.size() - records_at));
   }
   const auto compression = compression_of_mcap_name(head.compression);
   if (!compression) {
-    return fmt::format("the chunk's compression is \"{}\", expected lz4, zstd or none",
-                       head.compression.substr(0, 20));
+    return fail(fmt::format("the chunk's compression is \"{}\", expected lz4, zstd or none",
+                            head.compression.substr(0, 20)));
   }
   if (head.uncompressed > kMaxChunkBytes) {
-    return fmt::format("the chunk says it becomes {} octets, expected at most {}",
-                       head.uncompressed, kMaxChunkBytes);
+    return fail(fmt::format("the chunk says it becomes {} octets, expected at most {}",
+                            head.uncompressed, kMaxChunkBytes));
   }
-  if (auto error = decompress(*compression, content.subspan(records_at),
-                              static_cast<std::size_t>(head.uncompressed), out)) {
-    return error;
-  }
+  auto records = decompress(*compression, content.subspan(records_at),
+                            static_cast<std::size_t>(head.uncompressed));
   // Others may leave the checksum out; we do not.
-  if ((ours || head.crc != 0) && crc32(out) != head.crc) return "the chunk's checksum is wrong";
-  return std::nullopt;
+  if (records && (ours || head.crc != 0) && crc32(records->octets()) != head.crc) {
+    return fail("the chunk's checksum is wrong");
+  }
+  return records;
 }
 
 }  // namespace
@@ -160,9 +161,9 @@ Result<std::shared_ptr<const ChunkData>, RecordingError> ChunkData::read(
     return fail("there is no chunk of the length that the index says");
   }
   ChunkParser parser(index, topics);
-  if (auto error = unpack(in.take(in.left()), index.profile == kProfile, parser.records())) {
-    return fail(*std::move(error));
-  }
+  auto records = unpack(in.take(in.left()), index.profile == kProfile);
+  if (!records) return fail(records.error());
+  parser.take(std::move(records).value());
   if (auto error = parser.parse()) return fail(*std::move(error));
   return parser.take();
 }

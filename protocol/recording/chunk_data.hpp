@@ -11,6 +11,7 @@
 #include "protocol/quantity/result.hpp"
 #include "protocol/recording/file_index.hpp"
 #include "protocol/recording/input_file.hpp"
+#include "protocol/recording/octet_block.hpp"
 #include "protocol/recording/topics.hpp"
 
 namespace skerry::recording {
@@ -34,7 +35,7 @@ class ChunkData {
   std::span<const Entry> entries() const { return entries_; }
   const ChannelKind& kind_of(const Entry& entry) const { return kinds_[entry.kind]; }
   std::span<const std::uint8_t> bytes_of(const Entry& entry) const {
-    return std::span(records_).subspan(entry.offset, entry.size);
+    return records_.octets().subspan(entry.offset, entry.size);
   }
   // Of all its messages, those left out too; ns since 1970.
   std::int64_t start() const { return start_; }
@@ -44,12 +45,12 @@ class ChunkData {
   // How many messages each channel has, those left out too.
   const std::map<std::uint16_t, std::uint64_t>& messages() const { return messages_; }
   std::size_t memory() const {
-    return records_.capacity() + entries_.capacity() * sizeof(Entry) + sizeof(*this);
+    return records_.octets().size() + entries_.capacity() * sizeof(Entry) + sizeof(*this);
   }
 
  private:
   friend class ChunkParser;
-  Bytes records_;
+  OctetBlock records_;
   std::vector<ChannelKind> kinds_;
   std::vector<Entry> entries_;
   std::vector<mcap::Channel> channels_;

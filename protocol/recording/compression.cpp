@@ -4,6 +4,7 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace skerry::recording {
@@ -28,40 +29,69 @@ struct FreeLz4Reader {
   void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
 };
 
-std::optional<std::string> read_lz4(std::span<const std::uint8_t> in, Bytes& out) {
+// Of a frame's blocks, unpacked, at most.
+std::size_t block_bytes(LZ4F_blockSizeID_t size) {
+  switch (size) {
+    case LZ4F_max256KB:
+      return 256 << 10;
+    case LZ4F_max1MB:
+      return 1 << 20;
+    case LZ4F_max4MB:
+      return 4 << 20;
+    default:
+      return 64 << 10;
+  }
+}
+
+Result<OctetBlock, std::string> read_lz4(std::span<const std::uint8_t> in, std::size_t size) {
+  const auto fail = [](std::size_t error) {
+    return Failure{fmt::format("LZ4 frame: {}", LZ4F_getErrorName(error))};
+  };
   LZ4F_dctx* made = nullptr;
-  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION))) return "no memory";
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION))) {
+    return Failure{std::string("no memory")};
+  }
   const std::unique_ptr<LZ4F_dctx, FreeLz4Reader> context(made);
+  LZ4F_frameInfo_t info{};
+  std::size_t taken = in.size(), given = 0;
+  std::size_t left = LZ4F_getFrameInfo(context.get(), &info, in.data(), &taken);
+  if (LZ4F_isError(left)) return fail(left);
+  // Where a whole block has room it is unpacked there and not copied, the last one too.
+  const std::size_t block = block_bytes(info.blockSizeID);
+  OctetBlock out(size, (size + block - 1) / block * block);
   LZ4F_decompressOptions_t options{};
   options.stableDst = 1;
-  std::size_t taken = 0, given = 0;
-  std::size_t left = 1;
   while (left != 0) {
-    std::size_t room = out.size() - given, source = in.size() - taken;
-    left = LZ4F_decompress(context.get(), out.data() + given, &room, in.data() + taken, &source,
-                           &options);
-    if (LZ4F_isError(left)) return fmt::format("LZ4 frame: {}", LZ4F_getErrorName(left));
-    if (room == 0 && source == 0) return "LZ4 frame: it does not end where it should";
+    std::size_t room = out.room().size() - given, source = in.size() - taken;
+    left = LZ4F_decompress(context.get(), out.room().data() + given, &room, in.data() + taken,
+                           &source, &options);
+    if (LZ4F_isError(left)) return fail(left);
+    if (room == 0 && source == 0) {
+      return Failure{std::string("LZ4 frame: it does not end where it should")};
+    }
     taken += source;
     given += room;
   }
-  if (taken != in.size() || given != out.size()) {
-    return fmt::format("LZ4 frame: {} of {} octets became {}, expected {}", taken, in.size(), given,
-                       out.size());
+  if (taken != in.size() || given != size) {
+    return Failure{fmt::format("LZ4 frame: {} of {} octets became {}, expected {}", taken,
+                               in.size(), given, size)};
   }
-  return std::nullopt;
+  return out;
 }
 
-std::optional<std::string> read_zstd(std::span<const std::uint8_t> in, Bytes& out) {
+Result<OctetBlock, std::string> read_zstd(std::span<const std::uint8_t> in, std::size_t size) {
   const std::unique_ptr<ZSTD_DCtx, FreeZstdReader> context(ZSTD_createDCtx());
-  if (!context) return "no memory";
+  if (!context) return Failure{std::string("no memory")};
+  OctetBlock out(size);
   const std::size_t given =
-      ZSTD_decompressDCtx(context.get(), out.data(), out.size(), in.data(), in.size());
-  if (ZSTD_isError(given)) return fmt::format("Zstandard frame: {}", ZSTD_getErrorName(given));
-  if (given != out.size()) {
-    return fmt::format("Zstandard frame: it became {} octets, expected {}", given, out.size());
+      ZSTD_decompressDCtx(context.get(), out.room().data(), size, in.data(), in.size());
+  if (ZSTD_isError(given)) {
+    return Failure{fmt::format("Zstandard frame: {}", ZSTD_getErrorName(given))};
   }
-  return std::nullopt;
+  if (given != size) {
+    return Failure{fmt::format("Zstandard frame: it became {} octets, expected {}", given, size)};
+  }
+  return out;
 }
 
 }  // namespace
@@ -152,18 +182,18 @@ bool plausible(Compression compression, std::size_t compressed, std::uint64_t un
   return uncompressed <= std::uint64_t{compressed} * (128 << 10) / 4;
 }
 
-std::optional<std::string> decompress(Compression compression, std::span<const std::uint8_t> in,
-                                      std::size_t size, Bytes& out) {
+Result<OctetBlock, std::string> decompress(Compression compression,
+                                           std::span<const std::uint8_t> in, std::size_t size) {
   if (!plausible(compression, in.size(), size)) {
-    return fmt::format("{} octets said to come of {} of compression \"{}\"", size, in.size(),
-                       mcap_name_of(compression));
+    return Failure{fmt::format("{} octets said to come of {} of compression \"{}\"", size,
+                               in.size(), mcap_name_of(compression))};
   }
   if (compression == Compression::none) {
-    out.assign(in.begin(), in.end());
-    return std::nullopt;
+    OctetBlock out(size);
+    std::copy(in.begin(), in.end(), out.room().begin());
+    return out;
   }
-  out.resize(size);
-  return compression == Compression::lz4 ? read_lz4(in, out) : read_zstd(in, out);
+  return compression == Compression::lz4 ? read_lz4(in, size) : read_zstd(in, size);
 }
 
 }  // namespace skerry::recording

@@ -9,8 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/quantity/result.hpp"
+#include "protocol/recording/octet_block.hpp"
 #include "protocol/recording/writer.hpp"
-#include "protocol/wire/wire_error.hpp"
 
 namespace skerry::recording {
 
@@ -46,7 +47,7 @@ class Compressor {
 // False if `in` cannot hold that much: asked before the room for it is taken.
 bool plausible(Compression compression, std::size_t compressed, std::uint64_t uncompressed);
 // All of `in` must become exactly `size` octets.  Error: what is wrong with it.
-std::optional<std::string> decompress(Compression compression, std::span<const std::uint8_t> in,
-                                      std::size_t size, Bytes& out);
+Result<OctetBlock, std::string> decompress(Compression compression,
+                                           std::span<const std::uint8_t> in, std::size_t size);
 
 }  // namespace skerry::recording

@@ -24,17 +24,18 @@ void PieceReader::seek(UtcTime time) {
   cursor_.seek(time);
 }
 
-std::optional<Piece> PieceReader::read() {
+std::optional<PieceReader::Read> PieceReader::read() {
   while (const auto item = cursor_.next()) {
-    Piece piece{item->time, item->topic, {}, {}, {}};
+    // Pace and place are those of the file's index, which a spoke's own time may contradict.
+    Read read{item->time, item->topic, nullptr, {}};
     if (is_of_a_radar(item->topic.kind)) {
       const auto played = played_.find(item->topic.radar);
       if (played == played_.end()) continue;
-      piece.topic.radar = played->second;
+      read.topic.radar = played->second;
     }
     if (item->topic.kind != Kind::spoke) {
-      piece.bytes.assign(item->bytes.begin(), item->bytes.end());
-      return piece;
+      read.bytes.assign(item->bytes.begin(), item->bytes.end());
+      return read;
     }
     const bool parsed =
         message_.ParseFromArray(item->bytes.data(), static_cast<int>(item->bytes.size()));
@@ -43,13 +44,11 @@ std::optional<Piece> PieceReader::read() {
       if (++unreadable_ == 1) first_unreadable_ = parsed ? spoke.error().text : "no wire::Spoke";
       continue;
     }
-    piece.spokes.push_back(std::move(spoke).value());
+    read.spoke = std::make_shared<Spoke>(std::move(spoke).value());
     // The topic is what the reader was asked for.
-    piece.spokes.back().header.radar = piece.topic.radar;
-    piece.spokes.back().header.view = piece.topic.view;
-    // Pace and place are those of the file's index, which a spoke's own time may contradict.
-    piece.times.push_back(item->time);
-    return piece;
+    read.spoke->header.radar = read.topic.radar;
+    read.spoke->header.view = read.topic.view;
+    return read;
   }
   return std::nullopt;
 }
@@ -85,11 +84,15 @@ std::optional<Piece> PieceReader::next(std::optional<UtcTime> until) {
       if (waits) make_ready(gathered);
     }
     if (held_->topic.kind != Kind::spoke) {
-      ready_.push_back(*std::move(held_));
+      ready_.push_back({held_->time, held_->topic, {}, {}, std::move(held_->bytes)});
     } else {
       Piece& gathered = pending_[{held_->topic.radar, held_->topic.view}];
-      gathered.topic = held_->topic;
-      gathered.spokes.push_back(std::move(held_->spokes.front()));
+      if (gathered.spokes.empty()) {
+        gathered.topic = held_->topic;
+        gathered.spokes.reserve(kMostSpokes);
+        gathered.times.reserve(kMostSpokes);
+      }
+      gathered.spokes.push_back(std::move(held_->spoke));
       gathered.times.push_back(held_->time);
       if (gathered.spokes.size() == kMostSpokes) make_ready(gathered);
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,11 +16,14 @@
 
 namespace skerry::server {
 
+// A spoke of nobody else's, which may be changed until it is shared.
+using OwnSpokePtr = std::shared_ptr<Spoke>;
+
 // Consecutive spokes of a radar and view, or one item of another kind.
 struct Piece {
   UtcTime time{};          // when it is due: that of the item, or of the last spoke
   recording::Topic topic;  // with the playback's number of the radar, the recording's of the view
-  std::vector<Spoke> spokes;        // of Kind::spoke; the same numbers
+  std::vector<OwnSpokePtr> spokes;  // of Kind::spoke; the same numbers
   std::vector<UtcTime> times;       // when each of them is due: their own, unless the file differs
   std::vector<std::uint8_t> bytes;  // of the others
 };
@@ -47,8 +51,14 @@ class PieceReader {
  private:
   using ViewKey = std::pair<std::uint32_t, std::uint32_t>;  // radar, view
 
-  // The next item that can be read, as a piece of one.
-  std::optional<Piece> read();
+  // An item that can be read, or its spoke; as in a piece.
+  struct Read {
+    UtcTime time{};
+    recording::Topic topic;
+    OwnSpokePtr spoke;
+    std::vector<std::uint8_t> bytes;
+  };
+  std::optional<Read> read();
   void make_ready(Piece& gathered);
   void make_all_ready();
 
@@ -57,7 +67,7 @@ class PieceReader {
   Duration span_ = std::chrono::milliseconds(40);
   std::deque<Piece> ready_;
   std::map<ViewKey, Piece> pending_;  // spokes of less than a sector
-  std::optional<Piece> held_;         // read, but not yet taken in
+  std::optional<Read> held_;          // read, but not yet taken in
   std::uint64_t unreadable_ = 0;
   std::string first_unreadable_;
   wire::Spoke message_;

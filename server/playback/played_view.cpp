@@ -19,24 +19,20 @@ Length WantedReach::on(RangeScale other) const {
   return metres(std::clamp(wanted_m, kShortestReach * scale_m, kLongestReach * scale_m));
 }
 
-void PlayedView::publish(const std::vector<Spoke>& spokes) {
+void PlayedView::publish(std::vector<std::shared_ptr<Spoke>> spokes) {
+  if (spokes.empty()) return;
   const auto reach = reach_.get();
-  Sector sector;
-  sector.spokes.reserve(spokes.size());
-  for (const Spoke& recorded : spokes) {
-    std::shared_ptr<Spoke> spoke;
-    if (reach && reach->on(recorded.header.range_scale) != recorded.header.reach()) {
-      spoke = std::make_shared<Spoke>(reaching(recorded, reach->on(recorded.header.range_scale)));
+  for (std::shared_ptr<Spoke>& spoke : spokes) {
+    const RangeScale scale = spoke->header.range_scale;
+    if (reach && reach->on(scale) != spoke->header.reach()) {
+      spoke = std::make_shared<Spoke>(reaching(*spoke, reach->on(scale)));
       // Spokes say no instrumented range where it is the range scale.
       if (reach->range_m == 0.0) spoke->header.instrumented_range = {};
-    } else {
-      spoke = std::make_shared<Spoke>(recorded);
     }
     spoke->header.view = number;
     stamp_.put_on(spoke->header);
-    sector.spokes.push_back(std::move(spoke));
   }
-  if (sector.spokes.empty()) return;
+  const Sector sector{{spokes.begin(), spokes.end()}};
   channel.publish(sector);
   spokes_.fetch_add(sector.spokes.size(), std::memory_order_relaxed);
   scan_.store(sector.spokes.back()->header.scan, std::memory_order_relaxed);

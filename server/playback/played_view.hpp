@@ -34,9 +34,9 @@ class PlayedView {
              std::size_t ring_sectors)
       : number(view_number), source(source_view), opened(was_opened), channel(ring_sectors) {}
 
-  // Spokes of the source with the header's times as they are to be; gives them this view's number
-  // and numbers that grow.
-  void publish(const std::vector<Spoke>& spokes);
+  // Spokes of the source, which nobody else has, with the header's times as they are to be; gives
+  // them this view's number and numbers that grow.
+  void publish(std::vector<std::shared_ptr<Spoke>> spokes);
   // The playback has jumped.
   void begin_anew() { stamp_.begin_anew(); }
 

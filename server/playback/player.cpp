@@ -23,6 +23,13 @@ constexpr double kFast = 4.0;
 constexpr Duration kShortestRound = std::chrono::milliseconds(100);
 constexpr double kHeaderBytes = 100.0;
 
+std::vector<OwnSpokePtr> copies_of(const std::vector<OwnSpokePtr>& spokes) {
+  std::vector<OwnSpokePtr> copies;
+  copies.reserve(spokes.size());
+  for (const OwnSpokePtr& spoke : spokes) copies.push_back(std::make_shared<Spoke>(*spoke));
+  return copies;
+}
+
 }  // namespace
 
 Player::Player(const recording::RecordingReader& reader, const RecordedRadars& radars,
@@ -256,15 +263,20 @@ void Player::play(Piece& piece) {
     lock.unlock();
     for (std::size_t i = 0; i < piece.spokes.size(); ++i) {
       const Duration since = clock.due(piece.times[i]) - began_;
-      piece.spokes[i].header.utc = began_utc_ + since;
-      piece.spokes[i].header.scenario_time = ScenarioTime(std::max(Duration::zero(), since));
+      SpokeHeader& header = piece.spokes[i]->header;
+      header.utc = began_utc_ + since;
+      header.scenario_time = ScenarioTime(std::max(Duration::zero(), since));
     }
   }
-  state_.take(piece.spokes.back().header);
+  state_.take(piece.spokes.back()->header);
   const auto views = views_[piece.topic.radar]->get();
+  PlayedView* last = nullptr;
   for (const PlayedViewPtr& view : *views) {
-    if (view->source == piece.topic.view) view->publish(piece.spokes);
+    if (view->source != piece.topic.view) continue;
+    if (last != nullptr) last->publish(copies_of(piece.spokes));
+    last = view.get();
   }
+  if (last != nullptr) last->publish(std::move(piece.spokes));
 }
 
 void Player::reach(UtcTime goal) {

@@ -106,11 +106,11 @@ TEST(PieceReader, GivesEverySpokeOnceInItsOrderInSectors) {
     last = piece->time;
     own_ships += piece->topic.kind == Kind::own_ship;
     EXPECT_LE(piece->spokes.size(), PieceReader::kMostSpokes);
-    for (const Spoke& spoke : piece->spokes) {
+    for (const OwnSpokePtr& spoke : piece->spokes) {
       const Spoke wanted = recorded_spoke(scene, piece->topic.radar, 0, next[piece->topic.radar]++);
-      EXPECT_EQ(spoke.cells, wanted.cells);
-      EXPECT_EQ(spoke.header.utc, wanted.header.utc);
-      EXPECT_EQ(spoke.header.sequence, wanted.header.sequence);
+      EXPECT_EQ(spoke->cells, wanted.cells);
+      EXPECT_EQ(spoke->header.utc, wanted.header.utc);
+      EXPECT_EQ(spoke->header.sequence, wanted.header.sequence);
     }
   }
   EXPECT_EQ(next[0], 3u * 256);
@@ -130,7 +130,7 @@ TEST(PieceReader, StopsBeforeAMomentAndGoesOnFromThere) {
   const auto take = [&](std::optional<UtcTime> until) {
     while (const auto piece = pieces.next(until)) {
       EXPECT_TRUE(!until || piece->time < *until);
-      for (const Spoke& spoke : piece->spokes) sequences.push_back(spoke.header.sequence);
+      for (const OwnSpokePtr& spoke : piece->spokes) sequences.push_back(spoke->header.sequence);
     }
   };
   take(kRecordedAt + 3s);
