@@ -67,9 +67,9 @@ constexpr auto kRecorderColumns = std::to_array<RecorderColumn>({
      [](const auto& recorder) { return std::optional(count_of(recorder.total_bytes())); }},
     {"skerry_recorder_bytes_per_second", kGauge, "Rate of writing, lately.",
      [](const auto& recorder) { return std::optional<MetricValue>(recorder.bytes_per_second()); }},
-    // Until a recording begins nobody has looked at the disk, and 0 would be an alarm.
+    // While nobody has looked at the disk, 0 would be an alarm.
     {"skerry_recorder_free_bytes", kGauge,
-     "On the disk, when the recorder last looked; absent before its first recording.",
+     "On the disk, when the recorder last looked; absent while it has not.",
      [](const auto& recorder) {
        const bool looked =
            recorder.free_bytes() > 0 || recorder.phase() == wire::RecorderState::DISK_FULL;
