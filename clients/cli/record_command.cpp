@@ -26,6 +26,7 @@ struct RecordOptions {
   std::string name, token;
   std::vector<std::uint32_t> radars;
   bool inputs_only = false;
+  bool all_views = false;
   bool json = false;
 };
 
@@ -68,6 +69,7 @@ int ask(const RecordOptions& options, wire::Record::Action action) {
   request.set_name(options.name);
   request.set_token(options.token);
   request.set_inputs_only(options.inputs_only);
+  request.set_all_views(options.all_views);
   for (const std::uint32_t radar : options.radars) request.add_radars(radar);
   const auto before = state_of(*client, options);
   if (!before) return report(before.error());
@@ -133,6 +135,8 @@ Command make_record_command(CLI::App& app) {
       "Examples:\n"
       "  skerry record start                     all radars; named by date and time\n"
       "  skerry record start \"watch 3\" --radar 0\n"
+      "  skerry record start exam --all-views     what each console saw, at its own range and "
+      "gain\n"
       "  skerry record mark \"collision\"          skerry play FILE --from collision goes there\n"
       "  skerry record watch                     a line a second until Ctrl-C\n"
       "  skerry record stop\n"
@@ -140,9 +144,15 @@ Command make_record_command(CLI::App& app) {
   auto* start = command->add_subcommand("start", "Begins a recording");
   start->add_option("name", options->name, "Of the file, without folder and ending");
   start->add_option("--radar", options->radars, "These radars; all without");
-  start->add_flag("--inputs-only", options->inputs_only,
-                  "What the exercise was given, from which its video can be made again: a few kB "
-                  "an hour");
+  auto* inputs_only =
+      start->add_flag("--inputs-only", options->inputs_only,
+                      "What the exercise was given, from which its video can be made again: a few "
+                      "kB an hour");
+  start
+      ->add_flag("--all-views", options->all_views,
+                 "Every view of the radars, also those opened later; without, view 0 alone, which "
+                 "all consoles share")
+      ->excludes(inputs_only);
   auto* stop = command->add_subcommand("stop", "Ends it, and waits until its file is whole");
   auto* mark = command->add_subcommand("mark", "Marks this moment");
   mark->add_option("name", options->name, "Of the mark; \"mark N\" without");

@@ -169,11 +169,22 @@ std::optional<std::uint32_t> RadarServer::open_view(
     std::uint32_t radar, std::uint32_t like, bool follows,
     const std::function<void(VideoChannel&)>& prepare) {
   const RadarViewPtr opened = radars_.at(radar)->unit.views().open(like, follows, prepare);
+  views_version_.fetch_add(1);
   return opened ? std::optional(opened->number) : std::nullopt;
 }
 
 void RadarServer::close_view(std::uint32_t radar, std::uint32_t view) {
   radars_.at(radar)->unit.views().close(view);
+  views_version_.fetch_add(1);
+}
+
+std::vector<RadarHost::View> RadarServer::views(std::uint32_t radar) {
+  std::vector<View> out;
+  const std::shared_ptr<const RadarViews> views = radars_.at(radar)->unit.views().get();
+  for (const RadarViewPtr& view : *views) {
+    out.push_back({view->number, VideoChannelPtr(view, &view->channel)});
+  }
+  return out;
 }
 
 wire::Reply RadarServer::apply(const wire::Set& set, const std::string& origin) {

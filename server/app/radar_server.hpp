@@ -1,6 +1,7 @@
 // RadarServer: one scenario with all its own ships and radars, running.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -48,6 +49,8 @@ class RadarServer : public RadarHost {
       std::uint32_t radar, std::uint32_t like, bool follows,
       const std::function<void(VideoChannel&)>& prepare) override;
   void close_view(std::uint32_t radar, std::uint32_t view) override;
+  std::vector<View> views(std::uint32_t radar) override;
+  std::uint64_t views_version() const override { return views_version_.load(); }
   BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
   std::vector<TrafficItem> traffic() const override;
@@ -82,6 +85,7 @@ class RadarServer : public RadarHost {
   Airwaves airwaves_;
   InputLog inputs_;
   std::vector<std::unique_ptr<Mount>> radars_;
+  std::atomic<std::uint64_t> views_version_{1};
   std::vector<std::shared_ptr<BoardUnit>> boards_;  // one of each radar
   std::unique_ptr<ControlDesk> desk_;
   const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();

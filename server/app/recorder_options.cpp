@@ -39,6 +39,9 @@ Sync sync_of(Recorder::Fsync::Policy fsync) {
 void add_recorder_options(CLI::App& cli, RecorderOptions& options) {
   cli.add_flag("--record", options.record, "record all radars from the start")
       ->group(kRecorderGroup);
+  cli.add_flag("--record-all-views", options.record_all_views,
+               "record every view of all radars from the start: what each console sees")
+      ->group(kRecorderGroup);
   cli.add_option("--record-folder", options.folder, "where recordings go (skerry-recordings)")
       ->group(kRecorderGroup);
   cli.add_option("--record-compression", options.compression, "none, lz4 or zstd (lz4)")
@@ -75,6 +78,7 @@ RecorderConfig recorder_config(const Recorder& in_file, const RecorderOptions& o
   Recorder file = in_file;
   if (options.folder) file.set_folder(*options.folder);
   if (options.record) file.set_record(true);
+  if (options.record_all_views) file.set_record_all_views(true);
   if (options.compact) file.set_compact(true);
   if (options.roll_mib) file.set_roll_mib(*options.roll_mib);
   if (options.roll_minutes) file.set_roll_minutes(*options.roll_minutes);
@@ -89,7 +93,8 @@ RecorderConfig recorder_config(const Recorder& in_file, const RecorderOptions& o
   if (options.fsync && Recorder::Fsync::Policy_Parse(*options.fsync, &fsync)) file.set_fsync(fsync);
   RecorderConfig config;
   if (!file.folder().empty()) config.folder = file.folder();
-  config.record_at_start = file.record();
+  config.record_at_start = file.record() || file.record_all_views();
+  config.record_all_views = file.record_all_views();
   if (file.has_compression()) config.compression = compression_of(file.compression());
   config.compact = file.compact();
   config.roll_bytes = std::uint64_t{file.roll_mib()} << 20;

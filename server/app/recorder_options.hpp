@@ -19,7 +19,7 @@ namespace skerry::server {
 // As given on the command line; what is absent is the configuration file's, or the default.
 struct RecorderOptions {
   std::optional<std::string> folder;
-  bool record = false;
+  bool record = false, record_all_views = false;
   std::optional<std::string> compression;  // none, lz4, zstd
   bool compact = false;
   std::optional<std::uint32_t> roll_mib, roll_minutes, keep_gib, keep_hours, reserve_mib;

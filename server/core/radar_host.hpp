@@ -42,6 +42,16 @@ class RadarHost {
   // No effect on view 0.
   virtual void close_view(std::uint32_t radar, std::uint32_t view) = 0;
 
+  // The views of a radar as of now, view 0 first; those of outputs, which no console has, too.
+  // Requires a radar that is there.
+  struct View {
+    std::uint32_t number = 0;
+    VideoChannelPtr channel;
+  };
+  virtual std::vector<View> views(std::uint32_t radar) = 0;
+  // Has grown once views() of any radar is another; a number that has come back is another view.
+  virtual std::uint64_t views_version() const = 0;
+
   // The interface board of a radar; nullptr if it has none, or there is no such radar.
   virtual BoardPortPtr find_board(std::uint32_t /*radar*/) { return nullptr; }
 

@@ -101,6 +101,11 @@ FormatRing& VideoChannel::add_format(const std::string& name, SectorEncoder enco
   return *position->second;
 }
 
+FormatRing* VideoChannel::find_format(const std::string& name) {
+  const auto found = formats_.find(name);
+  return found == formats_.end() ? nullptr : found->second.get();
+}
+
 void VideoChannel::publish(const Sector& sector) {
   if (sector.spokes.empty()) return;
   for (const auto& [name, ring] : formats_) ring->publish(sector);

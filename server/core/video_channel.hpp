@@ -125,6 +125,8 @@ class VideoChannel {
   FormatRing& add_format(const std::string& name, SectorEncoder encoder);
   // Error: std::out_of_range unless the format was added.
   FormatRing& format(const std::string& name) { return *formats_.at(name); }
+  // nullptr unless the format was added.
+  FormatRing* find_format(const std::string& name);
 
   // Thread: the radar thread only.  Never waits for a reader; a sector without spokes is ignored.
   void publish(const Sector& sector);

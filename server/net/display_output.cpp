@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "server/net/encoders.hpp"
 #include "server/net/output_socket.hpp"
 
 namespace skerry::server {
@@ -89,6 +90,7 @@ void DisplayOutput::open_range(RangeChannel channel, const OutputSource& source)
   range->format = fmt::format("{} {}", name_, letter(channel));
   range->to = emulation_->data_address(channel);
   const auto view = host.open_view(source.radar, 0, !source.own_view, [&](VideoChannel& video) {
+    video.add_format(kNativeFormat, native_encoder());  // as it is looked at and recorded
     video.add_format(range->format, timed_encoder(emulation_->spoke_encoder(channel)));
   });
   if (!view) {

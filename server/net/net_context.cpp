@@ -37,9 +37,10 @@ SpokeFeed* NetContext::find_feed(std::uint32_t radar, std::uint32_t view,
   if (const auto known = feeds_.find(key); known != feeds_.end()) return known->second.get();
   VideoChannelPtr channel = host.find_channel(radar, view);
   if (channel == nullptr) return nullptr;
+  FormatRing* const ring = channel->find_format(format);
+  if (ring == nullptr) return nullptr;
   auto& feed = feeds_[key];
-  FormatRing& ring = channel->format(format);
-  feed = std::make_unique<SpokeFeed>(io, FormatRingPtr(std::move(channel), &ring));
+  feed = std::make_unique<SpokeFeed>(io, FormatRingPtr(std::move(channel), ring));
   return feed.get();
 }
 

@@ -39,9 +39,13 @@ const UdpStream kSweeps{.cut = UdpStream::Cut::records, .format = kRecordsFormat
 
 void add_formats(RadarHost& host, Cat240Source source) {
   for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
-    if (const VideoChannelPtr channel = host.find_channel(radar, 0)) {
+    for (const RadarHost::View& view : host.views(radar)) {
+      if (view.number != 0) {  // recorded
+        view.channel->add_format(kNativeFormat, native_encoder());
+        continue;
+      }
       add_network_formats(
-          *channel, {.sac = source.sac, .sic = static_cast<std::uint8_t>(source.sic + radar)});
+          *view.channel, {.sac = source.sac, .sic = static_cast<std::uint8_t>(source.sic + radar)});
     }
   }
 }

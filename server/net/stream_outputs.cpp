@@ -78,6 +78,7 @@ UdpStream open_stream(NetContext& context, const StreamOutputConfig& config, std
     return stream;
   }
   const auto view = context.host.open_view(config.to.radar, 0, false, [&](VideoChannel& channel) {
+    channel.add_format(kNativeFormat, native_encoder());  // as it is looked at and recorded
     channel.add_format(name, encoder_of(config));
   });
   if (!view) {

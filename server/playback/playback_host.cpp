@@ -89,11 +89,22 @@ std::optional<std::uint32_t> PlaybackHost::open_view(
     std::uint32_t radar, std::uint32_t like, bool,
     const std::function<void(VideoChannel&)>& prepare) {
   const PlayedViewPtr opened = views_.at(radar)->open(like, prepare);
+  views_version_.fetch_add(1);
   return opened ? std::optional(opened->number) : std::nullopt;
 }
 
 void PlaybackHost::close_view(std::uint32_t radar, std::uint32_t view) {
   views_.at(radar)->close(view);
+  views_version_.fetch_add(1);
+}
+
+std::vector<RadarHost::View> PlaybackHost::views(std::uint32_t radar) {
+  std::vector<View> out;
+  const auto views = views_.at(radar)->get();
+  for (const PlayedViewPtr& view : *views) {
+    out.push_back({view->number, VideoChannelPtr(view, &view->channel)});
+  }
+  return out;
 }
 
 wire::Reply PlaybackHost::apply(const wire::Set& set, const std::string& origin) {

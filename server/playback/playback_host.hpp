@@ -44,6 +44,8 @@ class PlaybackHost final : public RadarHost, private PlaybackPort {
       std::uint32_t radar, std::uint32_t like, bool follows,
       const std::function<void(VideoChannel&)>& prepare) override;
   void close_view(std::uint32_t radar, std::uint32_t view) override;
+  std::vector<View> views(std::uint32_t radar) override;
+  std::uint64_t views_version() const override { return views_version_.load(); }
   RecordingPort* recording() override { return recording_; }
   PlaybackPort* playback() override { return this; }
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
@@ -69,7 +71,7 @@ class PlaybackHost final : public RadarHost, private PlaybackPort {
   const bool current_timestamps_;
   PlayedState state_;
   Player::RadarViews views_;
-  std::atomic<std::uint64_t> reach_version_{0};
+  std::atomic<std::uint64_t> reach_version_{0}, views_version_{1};
   RecordingPort* recording_ = nullptr;
   const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
   Player player_;  // last: plays into what stands above

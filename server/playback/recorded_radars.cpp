@@ -97,7 +97,7 @@ Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& 
   RecordedRadars out;
   const std::optional<wire::Hello> hello = reader.hello();
   if (hello) out.scenario = sendable(hello->scenario(), kLongestText);
-  std::size_t left_out = 0;
+  std::size_t left_out = 0, all_views = 0;
   for (const auto& [recorded, of_radar] : views) {
     if (out.radars.size() == RecordedRadars::kMaxRadars) {
       ++left_out;
@@ -106,8 +106,10 @@ Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& 
     RecordedRadar radar;
     radar.recorded = recorded;
     for (const std::uint32_t view : of_radar) {
-      const bool fits = radar.views.size() < RecordedRadars::kMaxViews && view <= 65'535;
+      const bool fits = radar.views.size() < RecordedRadars::kMaxViews &&
+                        all_views < RecordedRadars::kMaxAllViews && view <= 65'535;
       fits ? radar.views.push_back(view) : void(++left_out);
+      all_views += fits;
     }
     radar.info = info_of(reader, radar, hello);
     const auto number = static_cast<std::uint32_t>(out.radars.size());

@@ -21,7 +21,10 @@ struct RecordedRadar {
 };
 
 struct RecordedRadars {
-  static constexpr std::size_t kMaxRadars = 64, kMaxViews = 32;
+  static constexpr std::size_t kMaxRadars = 64;
+  // A console's view has a number of its own each time it is opened; each takes some 100 kB.
+  static constexpr std::size_t kMaxViews = 256;      // of a radar
+  static constexpr std::size_t kMaxAllViews = 2048;  // of all
 
   std::vector<RecordedRadar> radars;              // at least one, one of them with views
   std::map<std::uint32_t, std::uint32_t> played;  // by recorded number

@@ -54,7 +54,11 @@ void Recorder::start() {
       std::terminate();
     }
   });
-  if (config_.record_at_start) record({}, "configuration");
+  if (config_.record_at_start) {
+    wire::Record request;
+    request.set_all_views(config_.record_all_views);
+    record(request, "configuration");
+  }
 }
 
 void Recorder::stop() {
@@ -85,6 +89,12 @@ wire::Reply Recorder::begin(const wire::Record& record, const std::string& origi
   order.plan.name = record.name();
   order.plan.origin = origin;
   order.plan.inputs_only = record.inputs_only();
+  order.plan.all_views = record.all_views();
+  if (record.inputs_only() && record.all_views()) {
+    return refusal(wire::Reply::REFUSED,
+                   "inputs alone make the video of every view again; ask for one of inputs_only "
+                   "and all_views");
+  }
   if (record.inputs_only() && host_.exercise() == nullptr) {
     return refusal(wire::Reply::REFUSED,
                    "inputs alone are recorded of an exercise; there is none here to give any");

@@ -17,6 +17,7 @@ enum class Sync : std::uint8_t { none, file, chunk };
 struct RecorderConfig {
   std::string folder = "skerry-recordings";  // made when first recorded into
   bool record_at_start = false;
+  bool record_all_views = false;  // then; not view 0 of each radar alone
   recording::Compression compression = recording::Compression::lz4;
   bool compact = false;
   // A file ends and the next begins when it has so many bytes, or so long a time; 0: never.

@@ -49,17 +49,13 @@ RecordingSession::RecordingSession(RadarHost& host, const RecorderConfig& config
       now_(now),
       clock_(present(host), now,
              host.playback() == nullptr ? Duration::max() : Duration(kStandstill)),
+      readers_(host, {plan_.radars, plan_.all_views, config.format}, wake),
       writer_(config, disk, additions()) {
-  for (const std::uint32_t radar : plan_.radars) {
-    if (VideoChannelPtr channel = host_.find_channel(radar, 0)) {
-      readers_.push_back(
-          std::make_unique<RingReader>(radar, 0, std::move(channel), config.format, wake));
-    }
-  }
   writer_.begin(plan_.name, now);
-  add_event(Event::STARTED,
-            fmt::format("by {}: radars {}{}", plan_.origin, fmt::join(plan_.radars, ", "),
-                        plan_.inputs_only ? ", inputs only" : ""));
+  add_event(
+      Event::STARTED,
+      fmt::format("by {}: radars {}{}{}", plan_.origin, fmt::join(plan_.radars, ", "),
+                  plan_.inputs_only ? ", inputs only" : "", plan_.all_views ? ", all views" : ""));
 }
 
 SeriesWriter::Additions RecordingSession::additions() {
@@ -80,6 +76,7 @@ SeriesWriter::Additions RecordingSession::additions() {
           .chunk_lost =
               [this] {
                 state_is_lost_ = true;
+                for (const auto& reader : readers_) reader->settings_told = false;
                 inputs_next_ = inputs_in_chunks_ = inputs_in_file_;
               }};
 }
@@ -94,6 +91,7 @@ void RecordingSession::begin_file() {
                                }),
                 radars->end());
   file_begins_ = true;
+  readers_.file_begins();
   const UtcTime now = item_time();
   add({Kind::hello}, now, hello);
   if (const ExerciseInputs* exercise = host_.exercise()) {
@@ -135,14 +133,19 @@ void RecordingSession::add_changes(bool all) {
   const std::uint64_t settings = host_.settings_version(), world = host_.world_version();
   const UtcTime now = item_time();
   if (all || settings != settings_version_) {
-    for (const auto& reader : readers_) {
-      add({Kind::settings, reader->radar(), reader->view()}, now,
-          host_.settings(reader->radar(), reader->view()));
-    }
+    for (const auto& reader : readers_) add_settings(*reader, now);
   }
   if (all || world != world_version_) add({Kind::world}, now, host_.world());
   settings_version_ = settings;
   world_version_ = world;
+}
+
+void RecordingSession::add_settings(RingReader& reader, UtcTime time) {
+  const wire::Settings settings = host_.settings(reader.radar(), reader.view());
+  const VideoChannelPtr channel = host_.find_channel(reader.radar(), reader.view());
+  if (channel == nullptr || !reader.is_of(*channel)) return;
+  reader.settings_told = true;  // unless their chunk is lost
+  add({Kind::settings, reader.radar(), reader.view()}, time, settings);
 }
 
 void RecordingSession::add_ships() {
@@ -171,6 +174,7 @@ void RecordingSession::add_event(Event::Kind kind, std::string text, const RingR
 bool RecordingSession::step(Steady now) {
   now_ = now;
   writer_.look_at_clock(now, clock_.at(now));
+  look_at_views();
   const bool more = take_spokes();
   add_inputs();
   add_changes(std::exchange(state_is_lost_, false));
@@ -180,18 +184,42 @@ bool RecordingSession::step(Steady now) {
   return more;
 }
 
+void RecordingSession::look_at_views() {
+  readers_.look({
+      .opened =
+          [this](RingReader& reader) {
+            add_settings(reader, clock_.before());
+            add_event(Event::OTHER, "view opened", &reader);
+          },
+      .closed =
+          [this](RingReader& reader) {
+            // Nothing comes any more: it ends.
+            while (take_spokes(reader, kSectorsAtOnce)) continue;
+            add_event(Event::OTHER, "view closed", &reader);
+          },
+      .left_out =
+          [this](std::uint32_t radar, std::uint32_t view) {
+            add_event(Event::OTHER,
+                      fmt::format("radar {} view {} and later ones are not in this file: it has "
+                                  "{} views, which is the most",
+                                  radar, view, ViewReaders::kMaxInFile));
+          },
+  });
+}
+
 bool RecordingSession::take_spokes() {
   bool more = false;
-  for (const auto& reader : readers_) {
-    int taken = 0;
-    for (; taken < kSectorsAtOnce; ++taken) {
-      const EncodedSectorPtr sector = reader->take();
-      if (sector == nullptr) break;
-      take_sector(*reader, *sector);
-    }
-    more = more || taken == kSectorsAtOnce;
-  }
+  for (const auto& reader : readers_) more = take_spokes(*reader, kSectorsAtOnce) || more;
   return more;
+}
+
+bool RecordingSession::take_spokes(RingReader& reader, int sectors) {
+  for (; sectors > 0; --sectors) {
+    const EncodedSectorPtr sector = reader.take();
+    if (sector == nullptr) return false;
+    take_sector(reader, *sector);
+  }
+  return true;
 }
 
 void RecordingSession::take_sector(RingReader& reader, const EncodedSector& sector) {
@@ -207,6 +235,7 @@ void RecordingSession::take_sector(RingReader& reader, const EncodedSector& sect
     if (!spoke) continue;
     const UtcTime time = clock_.saw(spoke->utc, now_);
     if (!plan_.inputs_only) {
+      if (!reader.settings_told) add_settings(reader, time);
       writer_.add_spoke({Kind::spoke, reader.radar(), reader.view()}, time, spoke->bytes);
       continue;
     }
@@ -239,6 +268,7 @@ void RecordingSession::control_changed(const std::string& text, Steady now) {
 
 void RecordingSession::stop(const std::string& origin, Steady now) {
   now_ = now;
+  look_at_views();
   for (int round = 0; round < kLastRounds && take_spokes(); ++round) continue;
   while (const auto checkpoint = checkpoints_.take()) {
     checkpoint->SerializeToString(&bytes_);

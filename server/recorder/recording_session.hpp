@@ -12,9 +12,9 @@
 
 #include "server/core/radar_host.hpp"
 #include "server/recorder/checkpoints.hpp"
-#include "server/recorder/ring_reader.hpp"
 #include "server/recorder/series_writer.hpp"
 #include "server/recorder/stream_clock.hpp"
+#include "server/recorder/view_readers.hpp"
 
 namespace skerry::server {
 
@@ -27,6 +27,7 @@ class RecordingSession {
     std::string name;                   // of the file; empty: date and time
     std::vector<std::uint32_t> radars;  // that the host has
     bool inputs_only = false;           // of a host with an exercise()
+    bool all_views = false;             // not with inputs_only
     std::string origin;                 // who asked
   };
 
@@ -49,10 +50,15 @@ class RecordingSession {
   void begin_file();
   // Of an item that has none of its own: now, and where a file begins, before all that follows.
   UtcTime item_time() const;
+  void look_at_views();
   bool take_spokes();
+  // What the reader's ring has, of at most so many sectors; true: more may wait.
+  bool take_spokes(RingReader& reader, int sectors);
   void take_sector(RingReader& reader, const EncodedSector& sector);
   void add_inputs();
   void add_changes(bool all);
+  // Nothing of a view that has just been closed: its settings are no longer known.
+  void add_settings(RingReader& reader, UtcTime time);
   void add_ships();
   void add_event(recording::Event::Kind kind, std::string text, const RingReader* of = nullptr,
                  std::uint64_t count = 0);
@@ -66,7 +72,7 @@ class RecordingSession {
   const Steady begun_;
   Steady now_;
   StreamClock clock_;
-  std::vector<std::unique_ptr<RingReader>> readers_;
+  ViewReaders readers_;
   SeriesWriter writer_;
   Checkpoints checkpoints_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;

@@ -34,6 +34,10 @@ class RingReader {
 
   std::uint32_t radar() const { return radar_; }
   std::uint32_t view() const { return view_; }
+  bool is_of(const VideoChannel& channel) const { return channel_.get() == &channel; }
+
+  // Whether the view's settings stand before its next spoke.
+  bool settings_told = false;
 
   // The next sector; nullptr if none is there yet.
   EncodedSectorPtr take() {

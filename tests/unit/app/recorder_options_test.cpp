@@ -29,6 +29,7 @@ TEST(RecorderOptions, AreSafeAndOffWithoutAny) {
   const RecorderConfig config = recorder_of({});
   EXPECT_EQ(config.folder, "skerry-recordings");
   EXPECT_FALSE(config.record_at_start);
+  EXPECT_FALSE(config.record_all_views);
   EXPECT_EQ(config.compression, recording::Compression::lz4);
   EXPECT_FALSE(config.compact);
   EXPECT_EQ(config.roll_bytes, 0u);
@@ -72,6 +73,16 @@ TEST(RecorderOptions, OfTheConfigurationFileGiveWayToTheCommandLine) {
   EXPECT_EQ(config.keep_time, hours(1));
   EXPECT_EQ(config.sync, Sync::file);
   EXPECT_TRUE(config.record_at_start);
+  EXPECT_FALSE(config.record_all_views);
+}
+
+TEST(RecorderOptions, AllViewsAreRecordedFromTheStart) {
+  const std::string file = config_file("recorder:\n  record_all_views: true\n");
+  for (const RecorderConfig& config :
+       {recorder_of({"--config", file.c_str()}), recorder_of({"--record-all-views"})}) {
+    EXPECT_TRUE(config.record_at_start);
+    EXPECT_TRUE(config.record_all_views);
+  }
 }
 
 TEST(RecorderOptions, SayWhatIsWrong) {

@@ -68,11 +68,28 @@ class FakeHost : public RadarHost {
     auto channel = std::make_shared<VideoChannel>(64);
     prepare(*channel);
     mine.channels.emplace(++mine.last_view, std::move(channel));
+    ++views_version_;
     return mine.last_view;
+  }
+  // The next view to be opened has the number after this.
+  void count_views_from(std::uint32_t number, std::uint32_t radar = 0) {
+    const std::lock_guard lock(mutex_);
+    radars_[radar]->last_view = number;
   }
   void close_view(std::uint32_t radar, std::uint32_t view) override {
     const std::lock_guard lock(mutex_);
     if (view != 0) radars_[radar]->channels.erase(view);
+    ++views_version_;
+  }
+  std::vector<View> views(std::uint32_t radar) override {
+    const std::lock_guard lock(mutex_);
+    std::vector<View> views;
+    for (const auto& [view, channel] : radars_[radar]->channels) views.push_back({view, channel});
+    return views;
+  }
+  std::uint64_t views_version() const override {
+    const std::lock_guard lock(mutex_);
+    return views_version_;
   }
   std::size_t view_count(std::uint32_t radar) const {
     const std::lock_guard lock(mutex_);
@@ -239,7 +256,7 @@ class FakeHost : public RadarHost {
   std::string last_origin_;
   std::vector<std::string> origins_;
   wire::World world_;
-  std::uint64_t settings_version_ = 1, world_version_ = 1;
+  std::uint64_t settings_version_ = 1, world_version_ = 1, views_version_ = 1;
 };
 
 }  // namespace skerry::server
