@@ -48,28 +48,29 @@ MetricValue flag_of(bool flag) { return std::uint64_t{flag}; }
 
 using ServerColumn = MetricColumn<wire::Status>;
 constexpr auto kServerColumns = std::to_array<ServerColumn>({
-    {"skerry_uptime_seconds", kGauge, "Since the server started.",
+    {"skerry_uptime_seconds", kGauge, "Time since the server started.",
      [](const auto& server) { return std::optional<MetricValue>(server.uptime_s()); }},
     {"skerry_resident_memory_bytes", kGauge, "Resident memory of the server.",
      [](const auto& server) {
        return std::optional<MetricValue>(server.resident_mib() * kMebibyte);
      }},
-    {"skerry_scenario_seconds", kGauge, "Since the scenario, or the recording played, began.",
+    {"skerry_scenario_seconds", kGauge,
+     "Time since the scenario, or the recording that is played, began.",
      [](const auto& server) { return std::optional<MetricValue>(server.scenario_s()); }},
 });
 
 using RecorderColumn = MetricColumn<wire::RecorderState>;
 constexpr auto kRecorderColumns = std::to_array<RecorderColumn>({
-    {"skerry_recorder_file_bytes", kGauge, "Size of the file that is written, or was last.",
+    {"skerry_recorder_file_bytes", kGauge, "Size of the file that is being written, or was last.",
      [](const auto& recorder) { return std::optional(count_of(recorder.file_bytes())); }},
     {"skerry_recorder_written_bytes", kCounter,
-     "Into all files of a recording; begins again with the next one.",
+     "Written into all files of a recording; begins again with the next one.",
      [](const auto& recorder) { return std::optional(count_of(recorder.total_bytes())); }},
-    {"skerry_recorder_bytes_per_second", kGauge, "Rate of writing, lately.",
+    {"skerry_recorder_bytes_per_second", kGauge, "Rate of writing a recording, lately.",
      [](const auto& recorder) { return std::optional<MetricValue>(recorder.bytes_per_second()); }},
     // While nobody has looked at the disk, 0 would be an alarm.
     {"skerry_recorder_free_bytes", kGauge,
-     "On the disk, when the recorder last looked; absent while it has not.",
+     "Free on the disk of recordings, when last looked at; absent while nobody has.",
      [](const auto& recorder) {
        const bool looked =
            recorder.free_bytes() > 0 || recorder.phase() == wire::RecorderState::DISK_FULL;
@@ -78,51 +79,52 @@ constexpr auto kRecorderColumns = std::to_array<RecorderColumn>({
     {"skerry_recorder_recording_seconds", kGauge, "Length of the recording.",
      [](const auto& recorder) { return std::optional<MetricValue>(recorder.seconds()); }},
     // No counter: what the disk refuses a second later is taken off again.
-    {"skerry_recorder_spokes", kGauge, "In the recording.",
+    {"skerry_recorder_spokes", kGauge, "Spokes in the recording.",
      [](const auto& recorder) { return std::optional(count_of(recorder.spokes())); }},
     {"skerry_recorder_spokes_lost", kCounter,
-     "Missing in the recording: overwritten before they were taken, or without room on the disk; "
-     "begins again with the next one.",
+     "Spokes missing in the recording: overwritten before they were taken, or without room on the "
+     "disk; begins again with the next one.",
      [](const auto& recorder) { return std::optional(count_of(recorder.spokes_lost())); }},
-    {"skerry_recorder_marks", kCounter, "In the recording; begins again with the next one.",
+    {"skerry_recorder_marks", kCounter, "Marks in the recording; begins again with the next one.",
      [](const auto& recorder) { return std::optional(count_of(recorder.marks())); }},
 });
 
 using PlaybackColumn = MetricColumn<wire::PlaybackState>;
 constexpr auto kPlaybackColumns = std::to_array<PlaybackColumn>({
-    {"skerry_playback_playing", kGauge, "1: it plays; 0: it stands still.",
+    {"skerry_playback_playing", kGauge, "1: the playback runs; 0: it stands still.",
      [](const auto& playback) { return std::optional(flag_of(playback.playing())); }},
-    {"skerry_playback_rate_ratio", kGauge, "Pace over that of the recording.",
+    {"skerry_playback_rate_ratio", kGauge, "Pace of the playback over that of the recording.",
      [](const auto& playback) { return std::optional<MetricValue>(playback.rate()); }},
-    {"skerry_playback_position_seconds", kGauge, "Since the begin of the recording.",
+    {"skerry_playback_position_seconds", kGauge,
+     "Place of the playback, since the begin of the recording.",
      [](const auto& playback) { return std::optional<MetricValue>(playback.position_s()); }},
-    {"skerry_playback_length_seconds", kGauge, "Of the recording.",
+    {"skerry_playback_length_seconds", kGauge, "Length of the recording that is played.",
      [](const auto& playback) { return std::optional<MetricValue>(playback.length_s()); }},
-    {"skerry_playback_loop", kGauge, "1: it begins again at its end.",
+    {"skerry_playback_loop", kGauge, "1: the playback begins again at its end.",
      [](const auto& playback) { return std::optional(flag_of(playback.loop())); }},
 });
 
 using RadarColumn = MetricColumn<wire::RadarStatus>;
 constexpr auto kRadarColumns = std::to_array<RadarColumn>({
-    {"skerry_radar_spokes", kCounter, "Published.",
+    {"skerry_radar_spokes", kCounter, "Spokes published.",
      [](const auto& radar) { return std::optional(count_of(radar.spokes())); }},
-    {"skerry_radar_spokes_late", kCounter, "Published more than a sector after their time.",
+    {"skerry_radar_spokes_late", kCounter, "Spokes published more than a sector after their time.",
      [](const auto& radar) { return std::optional(count_of(radar.spokes_late())); }},
-    {"skerry_radar_sectors_skipped", kCounter, "Never made because the radar was too late.",
+    {"skerry_radar_sectors_skipped", kCounter, "Sectors never made because the radar was too late.",
      [](const auto& radar) { return std::optional(count_of(radar.sectors_skipped())); }},
-    {"skerry_radar_turns", kCounter, "Of the antenna, relative to the bow.",
+    {"skerry_radar_turns", kCounter, "Turns of the antenna, relative to the bow.",
      [](const auto& radar) { return std::optional(count_of(radar.scan())); }},
-    {"skerry_radar_lateness_max_seconds", kGauge, "Of the latest sector since the start.",
+    {"skerry_radar_lateness_max_seconds", kGauge, "How late the latest of all sectors was.",
      [](const auto& radar) { return std::optional<MetricValue>(radar.lateness_max_ms() * 1e-3); }},
-    {"skerry_radar_render_cell_seconds", kGauge, "To make one cell, mean of the last second.",
+    {"skerry_radar_render_cell_seconds", kGauge, "Time to make one cell, mean of the last second.",
      [](const auto& radar) {
        return std::optional<MetricValue>(radar.render_ns_per_cell() * 1e-9);
      }},
-    {"skerry_radar_coast_edges", kGauge, "Of the coast as the radar has it.",
+    {"skerry_radar_coast_edges", kGauge, "Edges of the coast as the radar has it.",
      [](const auto& radar) { return std::optional(count_of(radar.coast_edges())); }},
-    {"skerry_radar_transmitting", kGauge, "1: on the air; 0: standby.",
+    {"skerry_radar_transmitting", kGauge, "1: the radar is on the air; 0: standby.",
      [](const auto& radar) { return std::optional(flag_of(!radar.settings().standby())); }},
-    {"skerry_radar_views", kGauge, "Open, with the one that all share.",
+    {"skerry_radar_views", kGauge, "Views that are open, the one that all share among them.",
      [](const auto& radar) {
        return std::optional(count_of(1 + static_cast<std::uint64_t>(radar.views_size())));
      }},
@@ -130,17 +132,17 @@ constexpr auto kRadarColumns = std::to_array<RadarColumn>({
 
 using BoardColumn = MetricColumn<wire::BoardState>;
 constexpr auto kBoardColumns = std::to_array<BoardColumn>({
-    {"skerry_board_triggers", kCounter, "Of the interface board.",
+    {"skerry_board_triggers", kCounter, "Triggers of the interface board.",
      [](const auto& board) { return std::optional(count_of(board.triggers())); }},
-    {"skerry_board_sweeps", kCounter, "Made.",
+    {"skerry_board_sweeps", kCounter, "Sweeps made by the interface board.",
      [](const auto& board) { return std::optional(count_of(board.sweeps())); }},
-    {"skerry_board_sweeps_late", kCounter, "Left out because the board was too far behind.",
+    {"skerry_board_sweeps_late", kCounter, "Sweeps left out because the board was too far behind.",
      [](const auto& board) { return std::optional(count_of(board.sweeps_late())); }},
-    {"skerry_board_records", kCounter, "Published.",
+    {"skerry_board_records", kCounter, "Records published by the interface board.",
      [](const auto& board) { return std::optional(count_of(board.records())); }},
-    {"skerry_board_sweep_cpu_seconds", kGauge, "Of processor time for a sweep, mean.",
+    {"skerry_board_sweep_cpu_seconds", kGauge, "Processor time of a sweep, mean.",
      [](const auto& board) { return std::optional<MetricValue>(board.sweep_us() * 1e-6); }},
-    {"skerry_board_faults", kGauge, "Bits set in the register FAULTS.",
+    {"skerry_board_faults", kGauge, "Bits set in the FAULTS register of the interface board.",
      [](const auto& board) {
        return std::optional(count_of(static_cast<std::uint64_t>(std::popcount(board.faults()))));
      }},
@@ -148,15 +150,15 @@ constexpr auto kBoardColumns = std::to_array<BoardColumn>({
 
 using ClientColumn = MetricColumn<ClientTotals>;
 constexpr auto kClientColumns = std::to_array<ClientColumn>({
-    {"skerry_clients", kGauge, "Connected, and destinations of datagrams.",
+    {"skerry_clients", kGauge, "Clients connected, and destinations of datagrams.",
      [](const auto& clients) { return std::optional(count_of(clients.connected)); }},
-    {"skerry_client_connections", kCounter, "Made since the start.",
+    {"skerry_client_connections", kCounter, "Clients since the start.",
      [](const auto& clients) { return std::optional(count_of(clients.connections)); }},
-    {"skerry_client_spokes_sent", kCounter, "To all clients since the start.",
+    {"skerry_client_spokes_sent", kCounter, "Spokes sent to clients since the start.",
      [](const auto& clients) { return std::optional(count_of(clients.spokes_sent)); }},
-    {"skerry_client_spokes_lost", kCounter, "Overwritten before their client took them.",
+    {"skerry_client_spokes_lost", kCounter, "Spokes overwritten before their client took them.",
      [](const auto& clients) { return std::optional(count_of(clients.spokes_lost)); }},
-    {"skerry_client_sent_bytes", kCounter, "To all clients since the start.",
+    {"skerry_client_sent_bytes", kCounter, "Sent to clients since the start.",
      [](const auto& clients) { return std::optional(count_of(clients.bytes_sent)); }},
 });
 
@@ -166,22 +168,24 @@ struct OutputTotals {
 };
 using OutputColumn = MetricColumn<OutputTotals>;
 constexpr auto kOutputColumns = std::to_array<OutputColumn>({
-    {"skerry_output_datagrams", kCounter, "Of the picture, sent.",
+    {"skerry_output_datagrams", kCounter, "Datagrams of the picture sent.",
      [](const auto& output) { return std::optional(count_of(output.datagrams)); }},
     {"skerry_output_datagrams_unsent", kCounter,
-     "Of the picture, not taken by the system, or too late.",
+     "Datagrams of the picture not taken by the system, or too late.",
      [](const auto& output) { return std::optional(count_of(output.unsent)); }},
-    {"skerry_output_reports", kCounter, "Other datagrams, sent.",
+    {"skerry_output_reports", kCounter, "Other datagrams sent.",
      [](const auto& output) { return std::optional(count_of(output.reports)); }},
-    {"skerry_output_sent_bytes", kCounter, "Of both.",
+    {"skerry_output_sent_bytes", kCounter, "Sent in datagrams of the picture and others.",
      [](const auto& output) { return std::optional(count_of(output.bytes)); }},
-    {"skerry_output_spokes_lost", kCounter, "Overwritten before the output took them.",
+    {"skerry_output_spokes_lost", kCounter, "Spokes overwritten before the output took them.",
      [](const auto& output) { return std::optional(count_of(output.spokes_lost)); }},
-    {"skerry_output_commands", kCounter, "Received from displays.",
+    {"skerry_output_commands", kCounter, "Datagrams received from displays.",
      [](const auto& output) { return std::optional(count_of(output.commands)); }},
-    {"skerry_output_commands_refused", kCounter, "Of these, not understood or not obeyed.",
+    {"skerry_output_commands_refused", kCounter,
+     "Datagrams from displays not understood or not obeyed.",
      [](const auto& output) { return std::optional(count_of(output.refused)); }},
-    {"skerry_output_commands_dropped", kCounter, "Not looked at, because there were too many.",
+    {"skerry_output_commands_dropped", kCounter,
+     "Datagrams from displays not looked at, because there were too many.",
      [](const auto& output) { return std::optional(count_of(output.dropped)); }},
 });
 
@@ -189,7 +193,7 @@ void add_errors(MetricsText& text, const wire::Status& status) {
   std::map<std::string, std::uint64_t> counts;
   for (const auto& [kind, times] : status.errors())
     counts[metric_labels({{"kind", kind}})] += times;
-  text.family("skerry_errors", kCounter, "By kind, since the start.");
+  text.family("skerry_errors", kCounter, "Errors by kind, since the start.");
   for (const auto& [labels, times] : counts) text.add(labels, times);
 }
 
@@ -201,7 +205,7 @@ void add_recorder(MetricsText& text, const wire::RecorderState& recorder) {
       {wire::RecorderState::DISK_FULL, "disk_full"},
       {wire::RecorderState::FAILED, "failed"},
   }};
-  text.family(kPhase, MetricKind::state_set, "1: what the recorder is.");
+  text.family(kPhase, MetricKind::state_set, "1: the phase that the recorder is in.");
   for (const auto& [phase, name] : kPhases) {
     text.add(metric_labels({{kPhase, name}}), flag_of(recorder.phase() == phase));
   }
@@ -219,7 +223,8 @@ void add_radars(MetricsText& text, const wire::Status& status) {
   }
   add_columns(text, kRadarColumns, radars);
   // No counter: a view that ends takes its spokes along.
-  text.family("skerry_radar_encoded_spokes", kGauge, "Of the views that are open, by format.");
+  text.family("skerry_radar_encoded_spokes", kGauge,
+              "Spokes encoded of the views that are open, by format.");
   for (const auto& radar : status.radars()) {
     const std::string number = fmt::to_string(radar.radar());
     const std::map<std::string, std::uint64_t> encodes(radar.encodes().begin(),
