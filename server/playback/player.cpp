@@ -117,7 +117,9 @@ void Player::settle(UtcTime at, SteadyTime now) {
 
 PlayerStanding Player::standing() const {
   const std::lock_guard lock(mutex_);
-  return {place(steady_clock::now()), playing_, rate_, loop_, problem_};
+  std::string problem = problem_;
+  if (playing_ && !behind_.empty()) problem += (problem.empty() ? "" : "; ") + behind_;
+  return {place(steady_clock::now()), playing_, rate_, loop_, std::move(problem)};
 }
 
 std::optional<UtcTime> Player::present_utc() const {
@@ -215,6 +217,7 @@ void Player::advance(const std::stop_token& stop) {
     if (changes_ != seen_ || !runs()) return;
     const std::optional<UtcTime> goal = goal_;
     const double rate = clock_.rate();
+    if (!begun && !goal && pace_.begin(rate)) tell_pace();
     lock.unlock();
     if (!begun) {
       hold_enough(rate);
@@ -226,7 +229,9 @@ void Player::advance(const std::stop_token& stop) {
 
     lock.lock();
     const SteadyTime now = steady_clock::now();
-    if (now > clock_.due(next_->time) + kGiveUp) clock_.set(next_->time, now, rate);
+    const bool gives_up = now > clock_.due(next_->time) + kGiveUp;
+    if (gives_up) clock_.set(next_->time, now, rate);
+    if (!goal && pace_.note(next_->time, now, gives_up)) tell_pace();
     const SteadyTime due = clock_.due(next_->time);
     lock.unlock();
     const bool soon = rate > kFast && due - now < kEarly;
@@ -277,6 +282,11 @@ void Player::play(Piece& piece) {
     last = view.get();
   }
   if (last != nullptr) last->publish(std::move(piece.spokes));
+}
+
+void Player::tell_pace() {
+  behind_ = pace_.behind();
+  ++version_;
 }
 
 void Player::reach(UtcTime goal) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "protocol/recording/reader.hpp"
+#include "server/playback/pace_watch.hpp"
 #include "server/playback/piece_reader.hpp"
 #include "server/playback/play_clock.hpp"
 #include "server/playback/played_state.hpp"
@@ -39,7 +40,7 @@ struct PlayerStanding {
   bool playing = false;
   double rate = 1.0;
   bool loop = false;
-  std::string problem;
+  std::string problem;  // what could not be read; that it falls behind the rate, while it does
 };
 
 struct PlayerOptions {
@@ -52,7 +53,7 @@ struct PlayerOptions {
 
 // Spokes leave in sectors of up to 16, when the last of them is due: an absolute time, the rate's
 // fraction of the recorded one from the last change on.  One that falls behind by kGiveUp (a disk
-// or a machine that is too slow for the rate) goes on from there: nothing is left out.
+// or a machine that is too slow for the rate) goes on from there, and says so: nothing is left out.
 //
 // After a seek or a step the turn before it is played quickly (kCatchUp), so that consoles have
 // the picture as of then; and once more when a reader joins a playback that stands still.
@@ -111,6 +112,7 @@ class Player {
   UtcTime place(SteadyTime now) const;
   bool runs() const { return playing_ || goal_; }
   void settle(UtcTime at, SteadyTime now);  // from a goal, to play on or to stand
+  void tell_pace();
 
   std::uint64_t joins() const;
   bool somebody_joined(UtcTime here);
@@ -132,6 +134,7 @@ class Player {
   std::uint64_t joins_seen_ = 0;
   UtcTime joined_at_ = UtcTime::min();  // where it stood when a reader joined
   std::uint64_t seen_ = 0;              // of changes_
+  PaceWatch pace_;
   SteadyTime began_{};
   UtcTime began_utc_{};
 
@@ -145,7 +148,7 @@ class Player {
   UtcTime paused_at_;            // where it stands unless it runs
   std::optional<UtcTime> goal_;  // it catches up to there
   PlayClock clock_;
-  std::string problem_;
+  std::string problem_, behind_;
   std::uint64_t faults_ = 0;
 
   std::jthread thread_;  // last: ends before what it uses
