@@ -151,11 +151,11 @@ Result<std::shared_ptr<const ChunkData>, RecordingError> ChunkData::read(
   if (place.length > kMaxLength) {
     return fail(fmt::format("a chunk of {} octets, expected at most {}", place.length, kMaxLength));
   }
-  Bytes record;
-  if (!file.read_all(place.offset, static_cast<std::size_t>(place.length), record)) {
+  OctetBlock record(static_cast<std::size_t>(place.length));
+  if (!file.read_all(place.offset, record.room())) {
     return fail("the chunk cannot be read: the file is shorter than it was, or the disk fails");
   }
-  ByteReader in(record);
+  ByteReader in(record.octets());
   const auto op = static_cast<mcap::Op>(in.octet());
   if (op != mcap::Op::chunk || in.little_endian<std::uint64_t>() != in.left()) {
     return fail("there is no chunk of the length that the index says");

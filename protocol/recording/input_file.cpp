@@ -53,6 +53,10 @@ bool InputFile::read_all(std::uint64_t offset, std::size_t size, Bytes& out) con
   return read(offset, out) == size;
 }
 
+bool InputFile::read_all(std::uint64_t offset, std::span<std::uint8_t> out) const {
+  return offset <= size_ && out.size() <= size_ - offset && read(offset, out) == out.size();
+}
+
 std::span<const std::uint8_t> FileWindow::at(std::uint64_t offset, std::size_t size) {
   const auto window = from(offset, size);
   return window.first(std::min(size, window.size()));

@@ -30,6 +30,7 @@ class InputFile {
   std::size_t read(std::uint64_t offset, std::span<std::uint8_t> out) const;
   // All or nothing.
   bool read_all(std::uint64_t offset, std::size_t size, Bytes& out) const;
+  bool read_all(std::uint64_t offset, std::span<std::uint8_t> out) const;
 
   RecordingError error(std::uint64_t offset, std::string text) const {
     return {path_, offset, std::move(text)};

@@ -64,13 +64,14 @@ void ItemCursor::Impl::open_next_chunk() {
   continue_chunk(chunk, static_cast<std::size_t>(first - entries.begin()));
 }
 
-void ItemCursor::Impl::continue_chunk(const std::shared_ptr<OpenChunk>& chunk, std::size_t entry) {
+void ItemCursor::Impl::continue_chunk(std::shared_ptr<OpenChunk> chunk, std::size_t entry) {
   const auto entries = chunk->data->entries();
   if (entry >= entries.size()) {
     open_bytes_ -= chunk->data->memory();
     return;
   }
-  push({entries[entry].time, chunk->number, entries[entry].offset, chunk, entry, nullptr, {}});
+  const std::uint32_t number = chunk->number;
+  push({entries[entry].time, number, entries[entry].offset, std::move(chunk), entry, nullptr, {}});
 }
 
 void ItemCursor::Impl::open_packed(const Source& message) {
@@ -106,11 +107,11 @@ void ItemCursor::Impl::continue_packed(Source source) {
   }
 }
 
-void ItemCursor::Impl::go_on(const Source& given) {
+void ItemCursor::Impl::go_on(Source given) {
   if (given.packed) {
-    continue_packed(given);
+    continue_packed(std::move(given));
   } else {
-    continue_chunk(given.chunk, given.entry + 1);
+    continue_chunk(std::move(given.chunk), given.entry + 1);
   }
 }
 

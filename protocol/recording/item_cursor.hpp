@@ -52,10 +52,10 @@ class ItemCursor::Impl {
   void note(std::uint32_t chunk_number, RecordingError damage);
   void note(std::uint32_t chunk_number, std::uint32_t offset, const std::string& text);
   // Puts what comes at, or after, the entry into the heap.
-  void continue_chunk(const std::shared_ptr<OpenChunk>& chunk, std::size_t entry);
+  void continue_chunk(std::shared_ptr<OpenChunk> chunk, std::size_t entry);
   void open_packed(const Source& message);
   void continue_packed(Source source);
-  void go_on(const Source& given);
+  void go_on(Source given);
 
   std::shared_ptr<const OpenRecording> recording_;
   std::set<Topic> topics_;

@@ -95,7 +95,7 @@ void to_message(const Spoke& spoke, wire::Spoke& message) {
   if (header.geometry.bits == 4) {
     pack(spoke.cells, bytes);
   } else {
-    bytes.assign(spoke.cells.begin(), spoke.cells.end());
+    bytes.assign(reinterpret_cast<const char*>(spoke.cells.data()), spoke.cells.size());
   }
   if (!spoke.doppler.empty()) {
     pack(spoke.doppler, *message.mutable_doppler());
@@ -170,7 +170,8 @@ Result<Spoke, WireError> from_message(const wire::Spoke& message) {
     }
     spoke.cells = unpacked(bytes, message.cell_count());
   } else {
-    spoke.cells.assign(bytes.begin(), bytes.end());
+    const auto* const cells = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    spoke.cells.assign(cells, cells + bytes.size());
   }
 
   auto doppler = doppler_of(message);
