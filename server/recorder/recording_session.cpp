@@ -144,7 +144,8 @@ void RecordingSession::add_settings(RingReader& reader, UtcTime time) {
   const wire::Settings settings = host_.settings(reader.radar(), reader.view());
   const VideoChannelPtr channel = host_.find_channel(reader.radar(), reader.view());
   if (channel == nullptr || !reader.is_of(*channel)) return;
-  reader.settings_told = true;  // unless their chunk is lost
+  // Unless their chunk is lost.
+  reader.settings_told = reader.settings_told || time <= clock_.before();
   add({Kind::settings, reader.radar(), reader.view()}, time, settings);
 }
 
@@ -235,7 +236,7 @@ void RecordingSession::take_sector(RingReader& reader, const EncodedSector& sect
     if (!spoke) continue;
     const UtcTime time = clock_.saw(spoke->utc, now_);
     if (!plan_.inputs_only) {
-      if (!reader.settings_told) add_settings(reader, time);
+      if (!std::exchange(reader.settings_told, true)) add_settings(reader, time);
       writer_.add_spoke({Kind::spoke, reader.radar(), reader.view()}, time, spoke->bytes);
       continue;
     }

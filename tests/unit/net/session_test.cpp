@@ -249,6 +249,16 @@ TEST_F(Session, MoreViewsThanThereMayBeAreRefusedAndTheOldSubscriptionStays) {
   EXPECT_FALSE(line_.outgoing.empty());
 }
 
+TEST_F(Session, AViewWithoutNativeVideoIsNoneForAConsole) {
+  ASSERT_EQ(host_.open_view(0, 0, false, [](VideoChannel&) {}), 1u);
+  line_.incoming = {frame_of(new_view_message(1, 1)), frame_of(new_view_message(2, 0))};
+  begin();
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 2u);
+  EXPECT_EQ(replies[0].code(), wire::Reply::UNKNOWN);
+  EXPECT_EQ(replies[1].code(), wire::Reply::OK);
+}
+
 TEST_F(Session, AViewEndsSomeTimeAfterItsLastReaderHasLeft) {
   line_.incoming = {frame_of(new_view_message(1, 0))};
   begin();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -197,6 +198,30 @@ TEST_F(AllViews, EachFileOfASeriesHasTheSettingsOfItsViewsFirst) {
   for (const Recorded::Item& item : recorded(folder_.path(number)).items) {
     EXPECT_EQ(item.topic.view, 0u) << "it was closed before";
   }
+}
+
+TEST_F(AllViews, SettingsThatWereLostWithTheirChunkStandBeforeTheNextSpokes) {
+  config_.max_queue = 300'000;
+  begin();
+  const std::uint32_t view = open();
+  // More at once than may wait for the disk.
+  ASSERT_TRUE(comes_true([&] {
+    publish(16);
+    return recorder().state().spokes_lost() > 0;
+  }));
+  publish(1);
+  end();
+  const Recorded file = recorded(folder_.path("a.mcap"));
+  expect_settings_first(file);
+  std::uint64_t lost = 0;
+  for (const Event& event : file.events(Event::LOST)) {
+    lost += event.view() == view ? event.count() : 0;
+  }
+  EXPECT_GT(lost, 0u);
+  const auto spokes = std::count_if(file.items.begin(), file.items.end(), [&](const auto& item) {
+    return item.topic == recording::Topic{Kind::spoke, 0, view};
+  });
+  EXPECT_EQ(static_cast<std::uint64_t>(spokes) + lost, host_.published(0));
 }
 
 TEST_F(AllViews, AViewThatIsClosedIsHeldNoLonger) {
