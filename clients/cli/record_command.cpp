@@ -135,7 +135,7 @@ Command make_record_command(CLI::App& app) {
       "Examples:\n"
       "  skerry record start                     all radars; named by date and time\n"
       "  skerry record start \"watch 3\" --radar 0\n"
-      "  skerry record start exam --all-views     what each console saw, at its own range and "
+      "  skerry record start exam --all-views    what each console saw, at its own range and "
       "gain\n"
       "  skerry record mark \"collision\"          skerry play FILE --from collision goes there\n"
       "  skerry record watch                     a line a second until Ctrl-C\n"
