@@ -61,8 +61,9 @@ std::string recorder_line(const RecorderState& state) {
 }
 
 std::string recorder_text(const RecorderState& state) {
-  std::string text = fmt::format("{:<12}{}{}\n", "STATE", phase_text(state.phase()),
-                                 state.inputs_only() ? ", inputs only" : "");
+  std::string text = fmt::format("{:<12}{}{}{}\n", "STATE", phase_text(state.phase()),
+                                 state.inputs_only() ? ", inputs only" : "",
+                                 state.all_views() ? ", all views" : "");
   const auto add = [&](const char* what, const std::string& value) {
     text += fmt::format("{:<12}{}\n", what, value);
   };
@@ -74,9 +75,11 @@ std::string recorder_text(const RecorderState& state) {
                     bytes_text(static_cast<double>(state.total_bytes()))));
     add("TIME", time_text(state.seconds()));
     add("RATE", bytes_text(state.bytes_per_second()) + "/s");
-    add("FREE", bytes_text(static_cast<double>(state.free_bytes())));
     add("SPOKES", fmt::format("{}, {} lost", state.spokes(), state.spokes_lost()));
     add("MARKS", fmt::format("{}", state.marks()));
+  }
+  if (state.free_bytes() > 0 || state.phase() == RecorderState::DISK_FULL) {
+    add("FREE", bytes_text(static_cast<double>(state.free_bytes())));
   }
   if (!state.problem().empty()) add("PROBLEM", printable(state.problem()));
   return text;

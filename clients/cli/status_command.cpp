@@ -24,6 +24,11 @@ std::string with_degree_signs(std::string text) {
   return text;
 }
 
+std::string speed_and_turn(const wire::OwnShip& ship) {
+  if (ship.no_motion()) return fmt::format("{:>9} {:>10}", "-", "-");
+  return fmt::format("{:>6.1f} kn {:>9.1f}^", ship.speed_kn(), ship.rate_of_turn_deg_min());
+}
+
 std::string own_ships(const wire::Status& status) {
   std::string out = fmt::format("{:<20} {:<27} {:>7} {:>9} {:>10}  {}\n", "OWN SHIP", "POSITION",
                                 "HEADING", "SPEED", "TURN/MIN", "ORDERED");
@@ -32,11 +37,12 @@ std::string own_ships(const wire::Status& status) {
     const wire::OwnShip& ship = radar.own_ship();
     if (!seen.insert(ship.name()).second) continue;
     out += with_degree_signs(fmt::format(
-        "{:<20} {:<27} {:>7} {:>6.1f} kn {:>9.1f}^  {}\n", printable(ship.name(), 20),
-        position_text({ship.latitude_deg(), ship.longitude_deg()}),
-        bearing_text(ship.heading_deg()), ship.speed_kn(), ship.rate_of_turn_deg_min(),
-        ship.driven() ? "driven from outside"
-                      : fmt::format("{} {:.1f} kn", bearing_text(ship.ordered_course_deg()),
+        "{:<20} {:<27} {:>7} {} {}\n", printable(ship.name(), 20),
+        ship.no_position() ? "not known"
+                           : position_text({ship.latitude_deg(), ship.longitude_deg()}),
+        ship.no_heading() ? "-" : bearing_text(ship.heading_deg()), speed_and_turn(ship),
+        ship.driven() ? " driven from outside"
+                      : fmt::format(" {} {:.1f} kn", bearing_text(ship.ordered_course_deg()),
                                     ship.ordered_speed_kn())));
   }
   return out;

@@ -8,6 +8,7 @@
 #include "protocol/captures/navico_export.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
+#include "protocol/wire/own_ship_place.hpp"
 #include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::captures {
@@ -58,13 +59,14 @@ class SpokeSink {
     told_ = time;
     nmea::Rmc rmc;
     rmc.utc = time;
-    // Where nobody is, at 0 N 0 E, stands a ship whose position is not known.
-    if (ship.latitude_deg() != 0.0 || ship.longitude_deg() != 0.0) {
-      rmc.position = GeoPoint{ship.latitude_deg(), ship.longitude_deg()};
+    rmc.position = wire::place_known_of(ship);
+    if (!rmc.position) rmc.mode = 'N';
+    if (!ship.no_motion()) {
+      rmc.speed_kn = ship.speed_over_ground_kn();
+      rmc.course_deg = ship.course_over_ground_deg();
     }
-    rmc.speed_kn = ship.speed_over_ground_kn();
-    rmc.course_deg = ship.course_over_ground_deg();
-    const std::string text = nmea::encode(rmc) + nmea::encode(nmea::Hdt{ship.heading_deg()});
+    std::string text = nmea::encode(rmc);
+    if (!ship.no_heading()) text += nmea::encode(nmea::Hdt{ship.heading_deg()});
     out_.add(time, kSender, kNmea,
              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   }

@@ -116,6 +116,9 @@ wire::OwnShip ShipTrack::own_ship(std::uint32_t radar, UtcTime time) const {
     ship.set_latitude_deg(position_->latitude_deg);
     ship.set_longitude_deg(wrapped_longitude(position_->longitude_deg));
   }
+  ship.set_no_position(!position_);
+  ship.set_no_motion(!speed_kn_ || !course_deg_);
+  ship.set_no_heading(!heading_deg_);
   ship.set_heading_deg(heading() ? heading()->in_degrees() : 0.0);
   ship.set_course_over_ground_deg(course_deg_.value_or(0.0));
   ship.set_speed_over_ground_kn(speed_kn_.value_or(0.0));

@@ -117,12 +117,19 @@ Json interfaces_document(std::string_view address) {
 }
 
 std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship) {
-  return {{"navigation.position", Json{{"latitude", ship.position.latitude_deg},
-                                       {"longitude", ship.position.longitude_deg}}},
-          {"navigation.headingTrue", ship.heading_deg * kRadian},
-          {"navigation.courseOverGroundTrue", ship.course_over_ground_deg * kRadian},
-          {"navigation.speedOverGround", ship.speed_over_ground_mps},
-          {"navigation.rateOfTurn", ship.rate_of_turn_deg_min * kRadian / 60.0}};
+  std::vector<std::pair<std::string, Json>> values;
+  if (ship.position) {
+    values.emplace_back("navigation.position", Json{{"latitude", ship.position->latitude_deg},
+                                                    {"longitude", ship.position->longitude_deg}});
+  }
+  const auto add = [&](const char* path, std::optional<double> value, double unit) {
+    if (value) values.emplace_back(path, *value * unit);
+  };
+  add("navigation.headingTrue", ship.heading_deg, kRadian);
+  add("navigation.courseOverGroundTrue", ship.course_over_ground_deg, kRadian);
+  add("navigation.speedOverGround", ship.speed_over_ground_mps, 1.0);
+  add("navigation.rateOfTurn", ship.rate_of_turn_deg_min, kRadian / 60.0);
+  return values;
 }
 
 Json own_ship_document(const OwnShip& ship, UtcTime now) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,14 +57,15 @@ Json controls_document(const ControlStates& states);
 Json radar_state_document(const Radar& radar, const ControlStates& states, UtcTime now);
 Json interfaces_document(std::string_view address);
 
+// Of her motion all is absent that nobody knows.
 struct OwnShip {
   std::string name;
-  GeoPoint position;
-  double heading_deg = 0.0, course_over_ground_deg = 0.0;  // true
-  double speed_over_ground_mps = 0.0;
-  double rate_of_turn_deg_min = 0.0;
+  std::optional<GeoPoint> position = {};
+  std::optional<double> heading_deg = {}, course_over_ground_deg = {};  // true
+  std::optional<double> speed_over_ground_mps = {};
+  std::optional<double> rate_of_turn_deg_min = {};
 };
-// Path ("navigation.position") and value, SI units.
+// What is known: path ("navigation.position") and value, SI units.
 std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship);
 // The ship as a tree, as /signalk/v1/api/vessels/self has it.
 Json own_ship_document(const OwnShip& ship, UtcTime now);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "protocol/quantity/speed.hpp"
+#include "protocol/wire/own_ship_place.hpp"
 
 namespace skerry::server {
 namespace {
@@ -59,15 +60,15 @@ std::vector<nmea::AisMessage> static_reports(const TrafficItem& item) {
 
 nmea::AisMessage own_position_report(const wire::OwnShip& ship, std::uint32_t mmsi) {
   const UtcTime utc{Duration(static_cast<std::int64_t>(ship.utc_ns()))};
-  return nmea::AisPosition{.mmsi = mmsi,
-                           .class_b = false,
-                           .status = ship.speed_over_ground_kn() < kStillKn ? kAnchored : kUnderWay,
-                           .rate_of_turn_deg_min = ship.rate_of_turn_deg_min(),
-                           .speed_kn = ship.speed_over_ground_kn(),
-                           .position = GeoPoint{ship.latitude_deg(), ship.longitude_deg()},
-                           .course_deg = ship.course_over_ground_deg(),
-                           .heading_deg = ship.heading_deg(),
-                           .utc_second = second_of(utc)};
+  nmea::AisPosition report{
+      .mmsi = mmsi, .position = wire::place_known_of(ship), .utc_second = second_of(utc)};
+  if (!ship.no_heading()) report.heading_deg = ship.heading_deg();
+  if (ship.no_motion()) return report;
+  report.status = ship.speed_over_ground_kn() < kStillKn ? kAnchored : kUnderWay;
+  report.rate_of_turn_deg_min = ship.rate_of_turn_deg_min();
+  report.speed_kn = ship.speed_over_ground_kn();
+  report.course_deg = ship.course_over_ground_deg();
+  return report;
 }
 
 nmea::AisMessage own_static_report(const wire::OwnShip& ship, std::uint32_t mmsi) {

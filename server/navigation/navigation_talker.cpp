@@ -6,6 +6,7 @@
 
 #include "protocol/nmea/ais_sentences.hpp"
 #include "protocol/quantity/speed.hpp"
+#include "protocol/wire/own_ship_place.hpp"
 #include "server/navigation/ais_reports.hpp"
 #include "server/navigation/own_ship_sentences.hpp"
 
@@ -81,8 +82,8 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
     next = after(next, plan_.periods[sentence], now);
     if (is_of_targets(sentence)) {
       if (!tracks) {
-        tracks = tracks_.update({the_own().latitude_deg(), the_own().longitude_deg()},
-                                the_traffic(), now);
+        const std::optional<GeoPoint> here = wire::place_known_of(the_own());
+        tracks = here ? tracks_.update(*here, the_traffic(), now) : std::vector<Track>();
       }
       if (sentence == NavigationSentence::ttd) ++ttd_identifier_;
       auto lines = target_sentences(sentence, *tracks, *own, ttd_identifier_);
@@ -114,7 +115,7 @@ std::uint32_t NavigationTalker::own_mmsi(const wire::OwnShip& own) const {
 void NavigationTalker::say_ais(ScenarioTime now, const wire::OwnShip& own,
                                const std::vector<TrafficItem>& traffic,
                                std::vector<NavigationMessage>& out) {
-  const GeoPoint here{own.latitude_deg(), own.longitude_deg()};
+  const std::optional<GeoPoint> here = wire::place_known_of(own);
   const UtcTime utc{Duration(static_cast<std::int64_t>(own.utc_ns()))};
   const double range_m = plan_.ais_range_nm * Length::kMetresPerNauticalMile;
   const Duration fixed_period =
@@ -127,7 +128,7 @@ void NavigationTalker::say_ais(ScenarioTime now, const wire::OwnShip& own,
   std::vector<Near> near;
   for (const TrafficItem& item : traffic) {
     if (item.mmsi == 0 || item.kind == TrafficKind::other) continue;
-    const double range = place_of(item.position, here).range_m;
+    const double range = here ? place_of(item.position, *here).range_m : 0.0;
     if (range <= range_m) near.push_back({range, &item});
   }
   if (near.size() > kMostAis) {

@@ -1,6 +1,7 @@
 #include "server/navigation/own_ship_sentences.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
@@ -8,14 +9,19 @@
 #include "protocol/nmea/tracked_target_data.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
+#include "protocol/wire/own_ship_place.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr unsigned kQualityGps = 1, kQualitySimulated = 8;
+constexpr unsigned kQualityNone = 0, kQualityGps = 1, kQualitySimulated = 8;
 
 UtcTime utc_of(const wire::OwnShip& ship) {
   return UtcTime(Duration(static_cast<std::int64_t>(ship.utc_ns())));
+}
+
+std::optional<double> known(double value, bool is_known) {
+  return is_known ? std::optional(value) : std::nullopt;
 }
 
 nmea::Vbw log_of(const wire::OwnShip& ship) {
@@ -69,41 +75,49 @@ nmea::TtdTarget ttd_of(const Track& track) {
 std::string own_ship_sentence(NavigationSentence sentence, const wire::OwnShip& ship,
                               const wire::Settings& settings, bool says_simulated) {
   const UtcTime utc = utc_of(ship);
-  const GeoPoint position{ship.latitude_deg(), ship.longitude_deg()};
+  const std::optional<GeoPoint> position = wire::place_known_of(ship);
+  const auto heading_deg = known(ship.heading_deg(), !ship.no_heading());
+  const auto course_deg = known(ship.course_over_ground_deg(), !ship.no_motion());
+  const auto speed_kn = known(ship.speed_over_ground_kn(), !ship.no_motion());
   const char mode = says_simulated ? 'S' : 'A';
   switch (sentence) {
     case NavigationSentence::rmc:
       return encode(nmea::Rmc{.utc = utc,
                               .position = position,
-                              .speed_kn = ship.speed_over_ground_kn(),
-                              .course_deg = ship.course_over_ground_deg(),
-                              .mode = mode});
+                              .speed_kn = speed_kn,
+                              .course_deg = course_deg,
+                              .mode = position ? mode : 'N'});
     case NavigationSentence::gga:
       return encode(nmea::Gga{.time_of_day = nmea::time_of_day(utc),
                               .position = position,
-                              .quality = says_simulated ? kQualitySimulated : kQualityGps});
+                              .quality = !position        ? kQualityNone
+                                         : says_simulated ? kQualitySimulated
+                                                          : kQualityGps,
+                              .satellites = position ? nmea::Gga{}.satellites : 0});
     case NavigationSentence::vtg:
-      return encode(nmea::Vtg{.course_deg = ship.course_over_ground_deg(),
-                              .speed_kn = ship.speed_over_ground_kn(),
-                              .mode = mode});
+      return encode(
+          nmea::Vtg{.course_deg = course_deg, .speed_kn = speed_kn, .mode = speed_kn ? mode : 'N'});
     case NavigationSentence::zda:
       return encode(nmea::Zda{.utc = utc});
     case NavigationSentence::hdt:
-      return encode(nmea::Hdt{.heading_deg = ship.heading_deg()});
+      return encode(nmea::Hdt{.heading_deg = heading_deg});
     case NavigationSentence::ths:
-      return encode(nmea::Ths{.heading_deg = ship.heading_deg(), .mode = mode});
+      return encode(nmea::Ths{.heading_deg = heading_deg, .mode = heading_deg ? mode : 'V'});
     case NavigationSentence::rot:
-      return encode(nmea::Rot{.rate_deg_min = ship.rate_of_turn_deg_min()});
+      return encode(nmea::Rot{.rate_deg_min = known(ship.rate_of_turn_deg_min(), !ship.no_motion()),
+                              .valid = !ship.no_motion()});
     case NavigationSentence::vhw:
-      return encode(nmea::Vhw{.heading_deg = ship.heading_deg(), .speed_kn = ship.speed_kn()});
+      return encode(nmea::Vhw{.heading_deg = heading_deg,
+                              .speed_kn = known(ship.speed_kn(), !ship.no_motion())});
     case NavigationSentence::vbw:
-      return encode(log_of(ship));
+      return encode(ship.no_motion() || ship.no_heading() ? nmea::Vbw{} : log_of(ship));
     case NavigationSentence::rsd:
       return encode(nmea::Rsd{.range_nm = settings.range_nm()});
     default:  // osd
-      return encode(nmea::Osd{.heading_deg = ship.heading_deg(),
-                              .course_deg = ship.course_over_ground_deg(),
-                              .speed_kn = ship.speed_over_ground_kn()});
+      return encode(nmea::Osd{.heading_deg = heading_deg,
+                              .heading_valid = heading_deg.has_value(),
+                              .course_deg = course_deg,
+                              .speed_kn = speed_kn});
   }
 }
 

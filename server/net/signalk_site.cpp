@@ -11,6 +11,7 @@
 
 #include "protocol/quantity/speed.hpp"
 #include "protocol/signalk/units.hpp"
+#include "protocol/wire/own_ship_place.hpp"
 #include "server/net/net_clock.hpp"
 #include "server/net/signalk_encoder.hpp"
 
@@ -76,17 +77,20 @@ SignalkSite::Mounted* SignalkSite::find(std::string_view id) {
 
 signalk::OwnShip SignalkSite::own_ship() const {
   const wire::OwnShip ship = context_.host.own_ship(first_radar_);
-  return {.name = ship.name(),
-          .position = {ship.latitude_deg(), ship.longitude_deg()},
-          .heading_deg = ship.heading_deg(),
-          .course_over_ground_deg = ship.course_over_ground_deg(),
-          .speed_over_ground_mps = ship.speed_over_ground_kn() * kKnot,
-          .rate_of_turn_deg_min = ship.rate_of_turn_deg_min()};
+  signalk::OwnShip told{.name = ship.name(), .position = wire::place_known_of(ship)};
+  if (!ship.no_heading()) told.heading_deg = ship.heading_deg();
+  if (ship.no_motion()) return told;
+  told.course_over_ground_deg = ship.course_over_ground_deg();
+  told.speed_over_ground_mps = ship.speed_over_ground_kn() * kKnot;
+  told.rate_of_turn_deg_min = ship.rate_of_turn_deg_min();
+  return told;
 }
 
-signalk::Movement SignalkSite::movement() const {
+std::optional<signalk::Movement> SignalkSite::movement() const {
   const signalk::OwnShip ship = own_ship();
-  return {ship.position, ship.course_over_ground_deg, ship.speed_over_ground_mps};
+  if (!ship.position) return std::nullopt;
+  return signalk::Movement{*ship.position, ship.course_over_ground_deg.value_or(0.0),
+                           ship.speed_over_ground_mps.value_or(0.0)};
 }
 
 std::vector<TrafficItem> SignalkSite::others() const {
@@ -107,12 +111,13 @@ signalk::ControlStates SignalkSite::states(Mounted& radar) const {
 
 std::vector<Json> SignalkSite::targets(Mounted& radar) const {
   const std::vector<TrafficItem> traffic = others();
-  const signalk::Movement own = movement();
+  const std::optional<signalk::Movement> own = movement();
+  if (!own) return {};
   const double range_m =
       nautical_miles(context_.host.settings(radar.number, 0).range_nm()).in_metres();
   std::vector<Json> documents;
-  for (const signalk::Target& target : radar.targets.update(traffic, own, range_m, utc_now())) {
-    documents.push_back(signalk::target_document(target, own));
+  for (const signalk::Target& target : radar.targets.update(traffic, *own, range_m, utc_now())) {
+    documents.push_back(signalk::target_document(target, *own));
   }
   return documents;
 }
@@ -157,8 +162,10 @@ SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body) {
   if (!(distance >= 0.0 && distance <= kFarthest) || !(std::fabs(bearing) <= kTurn)) {
     return {400, "expected {\"bearing\": radians from true north, \"distance\": metres}"};
   }
+  const std::optional<signalk::Movement> own = movement();
+  if (!own) return {409, "own ship's position is not known"};
   const auto number =
-      radar.targets.acquire(others(), movement(), bearing / signalk::kRadian, distance, utc_now());
+      radar.targets.acquire(others(), *own, bearing / signalk::kRadian, distance, utc_now());
   if (!number) return {404, "no target there"};
   return {201, "OK", number};
 }
@@ -206,8 +213,8 @@ void SignalkSite::refresh() {
   // for ever.
   constexpr double kStirDeg = 1e-10;
   const double stir = kStirDeg * static_cast<double>(++refreshes_ % 997);
-  ship.heading_deg += stir;
-  ship.course_over_ground_deg += stir;
+  if (ship.heading_deg) *ship.heading_deg += stir;
+  if (ship.course_over_ground_deg) *ship.course_over_ground_deg += stir;
   for (auto& [path, value] : signalk::own_ship_values(ship)) put(fresh, path, std::move(value));
   for (Mounted& radar : radars_) {
     const std::string base = "radars." + radar.radar.id;

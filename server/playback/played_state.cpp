@@ -164,6 +164,9 @@ wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
   const std::lock_guard lock(mutex_);
   wire::OwnShip ship;
   ship.set_radar(radar);
+  ship.set_no_position(true);
+  ship.set_no_motion(true);
+  ship.set_no_heading(true);
   if (const auto found = own_ships_.find(radar); found != own_ships_.end()) {
     const auto& [time, said] = found->second;
     ship = said;
@@ -171,15 +174,21 @@ wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
     const GeoPoint place =
         moved({said.latitude_deg(), said.longitude_deg()}, said.course_over_ground_deg(),
               said.speed_over_ground_kn() * kKnot * since_s);
-    ship.set_latitude_deg(place.latitude_deg);
-    ship.set_longitude_deg(place.longitude_deg);
+    if (!ship.no_position()) {
+      ship.set_latitude_deg(place.latitude_deg);
+      ship.set_longitude_deg(place.longitude_deg);
+    }
     ship.set_heading_deg(
         wrapped(said.heading_deg() + said.rate_of_turn_deg_min() / 60.0 * since_s));
   } else if (const auto spoke = spokes_.lower_bound({radar, 0});
              spoke != spokes_.end() && spoke->first.first == radar) {
-    ship.set_latitude_deg(spoke->second.own_ship.latitude_deg);
-    ship.set_longitude_deg(spoke->second.own_ship.longitude_deg);
+    const GeoPoint antenna = spoke->second.own_ship;
+    ship.set_latitude_deg(antenna.latitude_deg);
+    ship.set_longitude_deg(antenna.longitude_deg);
+    // Spokes whose radar did not know its place have zeros (README.md of protocol/captures).
+    ship.set_no_position(antenna.latitude_deg == 0.0 && antenna.longitude_deg == 0.0);
     ship.set_heading_deg(spoke->second.heading.in_degrees());
+    ship.set_no_heading(false);
   }
   const Duration since_1970 = utc.value_or(now).time_since_epoch();
   ship.set_utc_ns(static_cast<std::uint64_t>(std::max<std::int64_t>(0, since_1970.count())));

@@ -120,6 +120,7 @@ wire::Reply Recorder::begin(const wire::Record& record, const std::string& origi
   state_.set_folder(config_.folder);
   state_.set_phase(wire::RecorderState::RECORDING);
   state_.set_inputs_only(record.inputs_only());
+  state_.set_all_views(record.all_views());
   ++version_;
   orders_.push_back(std::move(order));
   return {};
@@ -296,7 +297,6 @@ void Recorder::look_at_disk() {
   state.set_file(disk.file);
   state.set_file_bytes(disk.file_bytes);
   state.set_total_bytes(disk.total_bytes);
-  state.set_free_bytes(disk.free_bytes);
   state.set_problem(disk.problem);
   if (!disk.is_busy) {
     finishing_ = false;

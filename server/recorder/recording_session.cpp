@@ -294,7 +294,6 @@ wire::RecorderState RecordingSession::state(Steady now) const {
   state.set_file(disk.file);
   state.set_file_bytes(disk.file_bytes);
   state.set_total_bytes(disk.total_bytes);
-  state.set_free_bytes(disk.free_bytes);
   state.set_problem(disk.problem);
   state.set_seconds(std::chrono::duration<double>(now - begun_).count());
   if (written_.size() > 1) {
@@ -309,6 +308,7 @@ wire::RecorderState RecordingSession::state(Steady now) const {
   state.set_spokes_lost(lost_in_rings_ + dropped);
   state.set_marks(marks_);
   state.set_inputs_only(plan_.inputs_only);
+  state.set_all_views(plan_.all_views);
   return state;
 }
 

@@ -42,7 +42,7 @@ class RecordingSession {
   void control_changed(const std::string& text, Steady now);
   void stop(const std::string& origin, Steady now);
 
-  // All but `folder`.
+  // All but `folder` and `free_bytes`.
   wire::RecorderState state(Steady now) const;
 
  private:

@@ -62,12 +62,12 @@ const OwnShip = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['latitudeDeg', 'double'],
   4: ['longitudeDeg', 'double'], 5: ['headingDeg', 'double'], 6: ['speedKn', 'double'],
   7: ['rateOfTurnDegMin', 'double'], 8: ['orderedCourseDeg', 'double'], 9: ['orderedSpeedKn', 'double'],
-  16: ['driven', 'bool'],
+  16: ['driven', 'bool'], 17: ['noPosition', 'bool'], 18: ['noMotion', 'bool'], 19: ['noHeading', 'bool'],
 });
 const RecorderState = message({
   1: ['phase', 'uint32'], 2: ['file', 'string'], 3: ['folder', 'string'], 4: ['fileBytes', 'uint64'], 5: ['totalBytes', 'uint64'],
   6: ['seconds', 'double'], 7: ['bytesPerSecond', 'double'], 8: ['freeBytes', 'uint64'], 9: ['spokes', 'uint64'],
-  10: ['spokesLost', 'uint64'], 11: ['marks', 'uint32'], 12: ['problem', 'string'], 13: ['inputsOnly', 'bool'],
+  10: ['spokesLost', 'uint64'], 11: ['marks', 'uint32'], 12: ['problem', 'string'], 13: ['inputsOnly', 'bool'], 14: ['allViews', 'bool'],
 });
 const PlaybackMark = message({ 1: ['positionS', 'double'], 2: ['name', 'string'] });
 const PlaybackState = message({

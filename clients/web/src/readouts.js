@@ -17,13 +17,16 @@ export function showLink(state, retryInS) {
 }
 
 export function showOwnShip(ship, headingDeg) {
-  write('latitude', format.position(ship?.latitudeDeg, 'N', 'S', 2));
-  write('longitude', format.position(ship?.longitudeDeg, 'E', 'W', 3));
-  write('heading', format.bearing(headingDeg ?? NaN));
-  write('speed', format.fixed(ship?.speedKn, 1));
-  write('turn', format.rateOfTurn(ship?.rateOfTurnDegMin));
-  write('heading-short', format.bearing(headingDeg ?? NaN));
-  write('speed-short', format.fixed(ship?.speedKn, 1));
+  const place = ship?.noPosition ? undefined : ship;
+  const bow = ship?.noHeading ? NaN : headingDeg ?? NaN;
+  const motion = ship?.noMotion ? undefined : ship;
+  write('latitude', format.position(place?.latitudeDeg, 'N', 'S', 2));
+  write('longitude', format.position(place?.longitudeDeg, 'E', 'W', 3));
+  write('heading', format.bearing(bow));
+  write('speed', format.fixed(motion?.speedKn, 1));
+  write('turn', format.rateOfTurn(motion?.rateOfTurnDegMin));
+  write('heading-short', format.bearing(bow));
+  write('speed-short', format.fixed(motion?.speedKn, 1));
   $('order-course').placeholder = format.bearing(ship?.orderedCourseDeg);
   $('order-speed').placeholder = format.fixed(ship?.orderedSpeedKn, 1);
 }

@@ -72,7 +72,7 @@ export class Recording {
     $('record').textContent = this.isRunning ? 'Stop' : 'Record';
     $('record').setAttribute('aria-pressed', String(this.isRunning));
     $('record-mark').disabled = $('record-marking').querySelector('button').disabled = !this.isRunning;
-    write('record-phase', (WORDS[phase] ?? '?') + (state?.inputsOnly ? ', inputs only' : ''));
+    write('record-phase', (WORDS[phase] ?? '?') + (state?.inputsOnly ? ', inputs only' : '') + (state?.allViews ? ', all views' : ''));
     write('record-time', state ? duration(state.seconds) : '–');
     write('record-size', state ? bytes(state.fileBytes) : '–');
     write('record-rate', state && this.isRunning ? `${bytes(state.bytesPerSecond)}/s` : '–');

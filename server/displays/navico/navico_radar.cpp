@@ -240,10 +240,13 @@ class NavicoRadar final : public RadarEmulation {
       port.send(navico::kPresenceGroup, here);
     }
     if (!options_.ship_data) return;
-    const bool heading = heading_.is_due(now), navigation = navigation_.is_due(now),
-               speed = speed_.is_due(now);
+    bool heading = heading_.is_due(now), navigation = navigation_.is_due(now),
+         speed = speed_.is_due(now);
     if (!heading && !navigation && !speed) return;
     const wire::OwnShip ship = port.own_ship();
+    heading = heading && !ship.no_heading();
+    navigation = navigation && !ship.no_motion();
+    speed = speed && !ship.no_motion();
     const double course_deg = ship.course_over_ground_deg();
     const double speed_mps = ship.speed_over_ground_kn() * kKnot;
     if (heading) {

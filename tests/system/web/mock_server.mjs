@@ -25,7 +25,7 @@ export class MockServer {
   constructor(options = {}) {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
-      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, recorder: null, playback: null,
+      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null,
     }, options);
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
@@ -223,7 +223,7 @@ export class MockServer {
         radar: client.radar, name: this.ships[client.radar], latitudeDeg: 60.3925, longitudeDeg: 5.3233 - client.radar,
         headingDeg: this.headingDeg, speedKn: 11.9, rateOfTurnDegMin: 0,
         orderedCourseDeg: this.ordered.courseDeg, orderedSpeedKn: this.ordered.speedKn,
-        driven: this.driven,
+        driven: this.driven, noPosition: this.untold, noMotion: this.untold, noHeading: this.untold,
       } });
     }
   }

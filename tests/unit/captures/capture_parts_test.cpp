@@ -153,6 +153,23 @@ TEST_F(ShipTrackTest, HearsThePacketsOfAHalosNetwork) {
   EXPECT_FALSE(ship_.position().has_value());
 }
 
+TEST_F(ShipTrackTest, SaysWhatItHasNotHeard) {
+  wire::OwnShip own = ship_.own_ship(0, kMoment);
+  EXPECT_TRUE(own.no_position() && own.no_motion() && own.no_heading());
+  EXPECT_TRUE(hear(nmea::encode(nmea::Hdt{123.5})));
+  own = ship_.own_ship(0, kMoment);
+  EXPECT_TRUE(own.no_position() && own.no_motion());
+  EXPECT_FALSE(own.no_heading());
+  nmea::Rmc rmc;
+  rmc.utc = kMoment;
+  rmc.position = GeoPoint{1.0, 2.0};
+  rmc.speed_kn = 3.0;
+  rmc.course_deg = 4.0;
+  EXPECT_TRUE(hear(nmea::encode(rmc)));
+  own = ship_.own_ship(0, kMoment);
+  EXPECT_FALSE(own.no_position() || own.no_motion() || own.no_heading());
+}
+
 TEST_F(ShipTrackTest, BelievesNothingThatIsNotValid) {
   nmea::Rmc rmc;
   rmc.utc = kMoment;

@@ -73,6 +73,45 @@ TEST(NavigationTalker, SaysEverySentenceAtItsOwnRate) {
   EXPECT_EQ(count(said, gga), 0u) << "not in the plan";
 }
 
+// A recording may lack where own ship was, how she moved and where her bow pointed.
+TEST(NavigationTalker, SaysOfOwnShipOnlyWhatIsKnown) {
+  TestWorld world;
+  world.own.set_latitude_deg(0.0);
+  world.own.set_longitude_deg(0.0);
+  world.own.set_no_position(true);
+  world.own.set_no_motion(true);
+  world.own.set_no_heading(true);
+  world.add(1, 2.0);
+  std::map<NavigationSentence, Duration> all;
+  for (std::size_t i = 0; i < kNavigationSentences; ++i) {
+    all[static_cast<NavigationSentence>(i)] = 1s;
+  }
+  NavigationTalker talker(plan_of(all));
+  const auto said = listen(talker, world, 2.0);
+  const auto line = [&](NavigationSentence sentence) {
+    for (const Said& one : said) {
+      if (one.message.sentence == sentence) return one.message.lines.front();
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(line(rmc).substr(16, 8), ",V,,,,,,") << line(rmc);
+  EXPECT_EQ(line(gga).substr(16, 10), ",,,,,0,00,") << line(gga);
+  EXPECT_EQ(line(vtg).substr(0, 17), "$GPVTG,,T,,M,,N,,") << line(vtg);
+  EXPECT_EQ(line(hdt).substr(0, 9), "$HEHDT,,T") << line(hdt);
+  EXPECT_EQ(line(ths).substr(0, 9), "$HETHS,,V") << line(ths);
+  EXPECT_EQ(line(rot).substr(0, 9), "$TIROT,,V") << line(rot);
+  EXPECT_EQ(line(osd).substr(0, 9), "$RAOSD,,V") << line(osd);
+  for (const NavigationSentence targets : {ttm, tll, ttd}) EXPECT_EQ(line(targets), "nothing");
+  EXPECT_NE(line(vdm), "nothing") << "others say themselves where they are";
+  const auto own = ais_of<nmea::AisPosition>(said);
+  const auto hers = std::find_if(own.begin(), own.end(),
+                                 [](const auto& one) { return one.second.mmsi == 257'000'111; });
+  ASSERT_NE(hers, own.end());
+  EXPECT_FALSE(hers->second.position || hers->second.speed_kn || hers->second.course_deg ||
+               hers->second.heading_deg || hers->second.rate_of_turn_deg_min);
+  EXPECT_EQ(hers->second.status, 15u);
+}
+
 TEST(NavigationTalker, LatenessDoesNotAddUpAndWhatWasMissedIsLeftOut) {
   TestWorld world;
   NavigationTalker talker(plan_of({{hdt, 100ms}}));

@@ -298,6 +298,29 @@ TEST(PlayedState, WithoutItemsTheSpokesTellWhatTheyCan) {
   EXPECT_EQ(state.settings(0, 0).range_nm(), 6.0);
   EXPECT_EQ(state.own_ship(0, kRecordedAt, {}).latitude_deg(), 60.25);
   EXPECT_EQ(state.own_ship(0, kRecordedAt, {}).heading_deg(), 90.0);
+  EXPECT_FALSE(state.own_ship(0, kRecordedAt, {}).no_position());
+  EXPECT_FALSE(state.own_ship(0, kRecordedAt, {}).no_heading());
+  EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_motion());
+}
+
+TEST(PlayedState, WhatNobodyToldIsNotKnown) {
+  PlayedState state;
+  EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_position());
+  EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_heading());
+  Spoke spoke = recorded_spoke({}, 0, 0, 0);
+  spoke.header.own_ship = {};
+  state.take(spoke.header);
+  EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_position());
+  wire::OwnShip ship;
+  ship.set_no_position(true);
+  ship.set_speed_over_ground_kn(60.0);
+  const std::string bytes = ship.SerializeAsString();
+  ASSERT_TRUE(state.take({Kind::own_ship, 0, 0}, kRecordedAt,
+                         {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, {}));
+  const wire::OwnShip later = state.own_ship(0, kRecordedAt + 2s, {});
+  EXPECT_TRUE(later.no_position());
+  EXPECT_EQ(later.latitude_deg(), 0.0);
+  EXPECT_FALSE(later.no_motion() || later.no_heading());
 }
 
 TEST(RecordedValues, EveryNumberHasARange) {

@@ -302,6 +302,7 @@ TEST_F(AllViews, AreNotOfInputsAloneNorOfRadarsThatAreNotThere) {
 TEST_F(AllViews, FromTheStartIfConfigured) {
   config_.record_at_start = config_.record_all_views = true;
   ASSERT_TRUE(reaches(recorder(), State::RECORDING));
+  EXPECT_TRUE(recorder().state().all_views());
   const std::uint32_t view = open();
   publish(1);
   recorder().stop();

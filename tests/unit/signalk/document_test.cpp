@@ -77,7 +77,7 @@ TEST(Controls, PowerIsANumber) {
 
 TEST(OwnShip, IsInSiUnits) {
   const OwnShip ship{.name = "Frida",
-                     .position = {60.5, 4.96},
+                     .position = GeoPoint{60.5, 4.96},
                      .heading_deg = 180.0,
                      .course_over_ground_deg = 90.0,
                      .speed_over_ground_mps = 5.0,
@@ -90,6 +90,12 @@ TEST(OwnShip, IsInSiUnits) {
   EXPECT_NEAR(navigation["courseOverGroundTrue"]["value"], std::numbers::pi / 2, 1e-12);
   EXPECT_EQ(navigation["speedOverGround"]["value"], 5.0);
   EXPECT_NEAR(navigation["rateOfTurn"]["value"], std::numbers::pi / 180, 1e-12);
+}
+
+TEST(OwnShip, SaysNothingOfWhatNobodyKnows) {
+  const Json tree = own_ship_document({.name = "Frida", .heading_deg = 180.0}, UtcTime{});
+  EXPECT_EQ(tree["navigation"].size(), 1u);
+  EXPECT_TRUE(tree["navigation"].contains("headingTrue"));
 }
 
 TEST(Time, IsIsoWithMilliseconds) {

@@ -307,6 +307,17 @@ test('a ship that is driven from outside takes no orders', async () => {
   await page.waitForFunction(() => !document.querySelector('#order-speed').disabled);
 });
 
+test('what a recording does not tell of own ship is not shown', async () => {
+  await openFlat({ untold: true });
+  const told = () => page.evaluate(() => ['latitude', 'longitude', 'heading', 'speed', 'turn']
+    .map((id) => document.getElementById(id).textContent));
+  await page.waitForFunction(() => /^[0-9]/.test(document.querySelector('#order-course').placeholder));
+  assert.deepEqual(await told(), ['–', '–', '–', '–', '–']);
+  server.untold = false;
+  await page.waitForFunction(() => document.querySelector('#latitude').textContent !== '–');
+  assert.ok((await told()).every((text) => text !== '–'));
+});
+
 test('echoes that approach are red, those that recede blue', async () => {
   await openFlat({ doppler: (deg) => (deg < 120 ? 1 : deg < 240 ? 2 : 0) });
   const shot = await capture(page);
