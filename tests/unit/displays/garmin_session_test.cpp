@@ -7,8 +7,8 @@
 
 #include "protocol/garmin/xhd_reports.hpp"
 #include "server/displays/garmin/garmin_xhd.hpp"
-#include "tests/unit/pcap/radar_captures.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::server {
 namespace {

@@ -8,8 +8,8 @@
 #include "protocol/navico/command.hpp"
 #include "protocol/navico/report.hpp"
 #include "server/displays/navico/navico_radar.hpp"
-#include "tests/unit/pcap/radar_captures.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::server {
 namespace {

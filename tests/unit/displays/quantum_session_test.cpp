@@ -9,8 +9,8 @@
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/wire/byte_order.hpp"
 #include "server/displays/raymarine/quantum.hpp"
-#include "tests/unit/pcap/radar_captures.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
+#include "tests/unit/pcap/radar_captures.hpp"
 
 namespace skerry::server {
 namespace {
