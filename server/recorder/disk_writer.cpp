@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <pthread.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <chrono>
@@ -21,6 +22,12 @@ constexpr std::chrono::milliseconds kLookAround{1000};  // at free space while n
 constexpr std::chrono::seconds kRemoveEvery{10};
 // Kept free beyond the reserve for what is yet to come of files: index, list, folder.
 constexpr std::uint64_t kMargin = 1u << 20;
+
+// It has no name any more, and its room is free once it is closed.
+bool is_removed(const FileDescriptor& file) {
+  struct stat status {};
+  return file.is_open() && ::fstat(file.get(), &status) == 0 && status.st_nlink == 0;
+}
 
 }  // namespace
 
@@ -153,8 +160,9 @@ void DiskWriter::run() {
     const Outcome outcome = failed ? Outcome::failed : carry_out(job);
     lock.lock();
     is_working_ = false;
+    const bool removed = outcome == Outcome::no_room && is_removed(file_);
     const bool gives_up =
-        ends_queued_ > 0 || stopping_ || (job.kind == Job::Kind::write && state_.file_is_gone);
+        ends_queued_ > 0 || stopping_ || (job.kind == Job::Kind::write && removed);
     if (outcome == Outcome::no_room && !gives_up) {
       job.waited = true;
       if (!stuck_ || !state_.is_full) ++state_.version;
@@ -173,7 +181,7 @@ void DiskWriter::run() {
     } else if (outcome == Outcome::no_room) {
       // Nothing may follow what is missing, as its place in the file would be another.
       lock.unlock();
-      if (file_.is_open()) {
+      if (file_.is_open() && !removed) {
         set_problem(
             fmt::format("{}/{}: the disk is full, so the file has no end; `skerry recording "
                         "repair` makes one",

@@ -37,7 +37,7 @@ struct DiskState {
 // of recordings knows where in the file they are: while the disk is full they wait, and what comes
 // is not taken once the queue is full, or the disk's free space but for the reserve is spoken for.
 // What does not wait for room is the end of a recording, whose file then has no index, and a file
-// that is gone: the room it takes is free once it is closed.
+// that was removed: the room it takes is free once it is closed.
 //
 // Thread: functions are the recorder's and never wait for the disk, but for stop(); state(): any.
 class DiskWriter {

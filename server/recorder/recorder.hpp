@@ -19,7 +19,7 @@
 namespace skerry::server {
 
 // Its thread "recorder" takes and packs, "recorder-disk" waits for the disk.  Nothing is opened,
-// made or read before the first START.
+// made or read before the first START, but the disk is asked what is free.
 // Use: construct; start() once the host's channels have the format; stop() before the host ends.
 class Recorder final : public RecordingPort {
  public:

@@ -28,6 +28,8 @@ SeriesWriter::SeriesWriter(const RecorderConfig& config, DiskWriter& disk, Addit
 
 void SeriesWriter::begin(const std::string& name, Steady now) {
   now_ = now;
+  left_.clear();
+  lost_told_ = 0;
   disk_.begin(name);
   open_file();
 }
@@ -61,12 +63,26 @@ void SeriesWriter::prepare_chunk() {
     event.set_view(view.second);
     event.set_count(missing.spokes);
     event.set_text(missing.disk_was_full ? "the disk was full" : "the disk was too slow");
-    const std::string bytes = event.SerializeAsString();
-    note({{Kind::event},
-          now_utc_,
-          {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}});
+    note_event(event);
   }
+  // Of what radar they were, the disk does not know.
+  const std::uint64_t lost = disk_.state().spokes_lost;
+  if (lost > lost_told_) {
+    Event event;
+    event.set_kind(Event::DISK_FULL);
+    event.set_count(lost - lost_told_);
+    event.set_text("the disk was full after they were taken");
+    note_event(event);
+  }
+  lost_in_chunk_ = lost;
   preparing_ = false;
+}
+
+void SeriesWriter::note_event(const Event& event) {
+  const std::string bytes = event.SerializeAsString();
+  note({{Kind::event},
+        now_utc_,
+        {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}});
 }
 
 void SeriesWriter::note(const Item& item) {
@@ -107,6 +123,7 @@ bool SeriesWriter::flush() {
   if (taken) {
     kept_.clear();
     missing_.clear();
+    lost_told_ = lost_in_chunk_;
   } else {
     const bool disk_was_full = taken_ == DiskWriter::Taken::no_room;
     for (const auto& [view, count] : chunk_spokes_) {
@@ -129,12 +146,13 @@ void SeriesWriter::look_at_clock(Steady now, UtcTime now_utc) {
   if (in_chunk_ && now - chunk_begun_ >= kChunkTime) flush();
   const bool large = config_.roll_bytes > 0 && writer_->counts().bytes >= config_.roll_bytes;
   const bool long_enough = config_.roll_time.count() > 0 && now - file_begun_ >= config_.roll_time;
-  const bool is_gone = now - file_begun_ >= kGoneAfter && disk_.state().file_is_gone;
-  if (!is_gone) next_ordered_ = false;
-  if (!large && !long_enough && (!is_gone || next_ordered_)) return;
+  const DiskState disk = disk_.state();
+  if (disk.file == left_) return;  // not opened yet: files do not queue up
+  const bool is_gone = now - file_begun_ >= kGoneAfter && disk.file_is_gone;
   // What has no room would have none in the next, unless that of a file that is gone comes free.
-  if (!flush() && !is_gone) return;
-  next_ordered_ = true;
+  if (!is_gone && ((!large && !long_enough) || disk.is_full || !flush())) return;
+  if (is_gone) flush();
+  left_ = disk.file;
   always_ = true;
   writer_->finish();
   always_ = false;

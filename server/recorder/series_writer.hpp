@@ -72,6 +72,7 @@ class SeriesWriter {
   void open_file();
   void prepare_chunk();  // at its first item
   void note(const recording::Item& item);
+  void note_event(const recording::Event& event);
   bool flush();
   bool take(std::span<const std::uint8_t> bytes);
 
@@ -84,13 +85,15 @@ class SeriesWriter {
   bool always_ = false;    // begins and ends of files do not wait for room
   bool in_chunk_ = false;  // it has items
   bool preparing_ = false, ending_ = false;
-  bool next_ordered_ = false;  // a file, as the one before is gone
+  std::string left_;  // the file that the next was ordered after; empty: the first
   std::size_t chunk_bytes_ = 0;
   std::map<View, std::uint64_t> chunk_spokes_;
   std::vector<Kept> kept_;           // not yet known to be in a file
   std::map<View, Missing> missing_;  // not yet told in a file
   DiskWriter::Taken taken_ = DiskWriter::Taken::yes;
   std::uint64_t spokes_ = 0, dropped_ = 0;
+  // Of those that were taken and the disk lost: told in a file, and told in the chunk.
+  std::uint64_t lost_told_ = 0, lost_in_chunk_ = 0;
 };
 
 }  // namespace skerry::server

@@ -103,8 +103,10 @@ std::uint64_t told_lost(const RecordingReader& reader, std::uint32_t view) {
 void expect_seen(const std::vector<Spoke>& recorded, std::uint64_t lost,
                  const std::map<std::uint64_t, Spoke>& seen) {
   ASSERT_FALSE(recorded.empty());
-  EXPECT_EQ(recorded.back().header.sequence - recorded.front().header.sequence + 1,
-            recorded.size() + lost);
+  // Those lost before the first or behind the last leave no gap.
+  const std::uint64_t span = recorded.back().header.sequence - recorded.front().header.sequence + 1;
+  EXPECT_GE(span, recorded.size());
+  EXPECT_LE(span, recorded.size() + lost);
   std::size_t both = 0;
   for (const Spoke& spoke : recorded) {
     const auto found = seen.find(spoke.header.sequence);
@@ -214,9 +216,15 @@ TEST_F(RecordedExam, HasWhatEachTraineeSawAndPlaysIt) {
   client::SpokeClient of_staying = console_of(server, stays_), of_going = console_of(server, goes_);
   wire::Playback fast;
   fast.set_playing(true);
-  fast.set_rate(8.0);
+  fast.set_rate(4.0);
   ASSERT_TRUE(of_staying.playback(fast, kAnswerTime));
-  std::jthread other([&] { expect_played(of_staying, staying, staying_lost, 85.0); });
+  std::jthread other([&] {
+    try {
+      expect_played(of_staying, staying, staying_lost, 85.0);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
+    }
+  });
   expect_played(of_going, going, going_lost, 30.0);
 }
 

@@ -396,5 +396,66 @@ TEST_F(SuddenDeath, WhatWasTakenBeforeAFileWasFollowedByTheNextWaitsToo) {
   EXPECT_EQ(writer.state().problem, "");
 }
 
+// An operator who puts the file elsewhere on the same disk gains no room, and loses nothing.
+TEST_F(SuddenDeath, WhatWasTakenWaitsForAFileThatWasRenamed) {
+  const SmallDisk disk(folder_.path("disk"));
+  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  const std::string ballast = folder_.path("disk/ballast");
+  server::RecorderConfig config;
+  config.folder = folder_.path("disk");
+  config.reserve_bytes = 0;
+  server::DiskWriter writer(config);
+  writer.begin("a");
+  writer.take_end(Bytes(1000, 1));
+  ASSERT_TRUE(server::comes_true([&] { return !writer.state().is_busy; }));
+  {
+    std::ofstream file(ballast);
+    while (file << std::string(4096, 'x') << std::flush) continue;
+  }
+  std::filesystem::rename(folder_.path("disk/a.mcap"), folder_.path("disk/kept.mcap"));
+  ASSERT_TRUE(server::comes_true([&] { return writer.state().file_is_gone; }));
+  writer.take_end(Bytes(500'000, 2));
+  ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
+  std::filesystem::remove(ballast);
+  ASSERT_TRUE(server::comes_true([&] { return !writer.state().is_busy; }));
+  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/kept.mcap")), 501'000u);
+  EXPECT_EQ(writer.state().spokes_lost, 0u);
+}
+
+TEST_F(SuddenDeath, FilesDoNotQueueUpWhileTheNextCannotBeMade) {
+  // The root, the lock, the list, a file and another.
+  const SmallDisk disk(folder_.path("disk"), "size=32m,nr_inodes=5");
+  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  const std::string ballast = folder_.path("disk/ballast");
+  { std::ofstream(ballast) << 'x'; }
+  RecordedHost host(1, 1024);
+  server::RecorderConfig config;
+  config.folder = folder_.path("disk");
+  config.reserve_bytes = 256 << 10;
+  server::Recorder recorder(host, config);
+  recorder.start();
+  recorder.record(server::record_of(wire::Record::START, "a"), "test");
+  ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::RECORDING));
+  std::filesystem::rename(folder_.path("disk/a.mcap"), folder_.path("disk/moved.mcap"));
+  const auto publish_until = [&](const std::function<bool()>& done) {
+    return server::comes_true([&] {
+      host.publish();
+      std::this_thread::sleep_for(milliseconds(20));
+      return done();
+    });
+  };
+  const auto is_full = [&] { return recorder.state().phase() == wire::RecorderState::DISK_FULL; };
+  ASSERT_TRUE(publish_until(is_full));
+  const auto later = steady_clock::now() + 2 * server::SeriesWriter::kGoneAfter + milliseconds(500);
+  ASSERT_TRUE(publish_until([&] { return steady_clock::now() > later; }));
+  EXPECT_TRUE(is_full());
+  std::filesystem::remove(ballast);
+  ASSERT_TRUE(publish_until([&] { return !is_full(); }));
+  recorder.record(server::record_of(wire::Record::STOP), "test");
+  ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::OFF));
+  EXPECT_EQ(recorder.state().file(), "a-002.mcap");
+  EXPECT_TRUE(server::recorded(folder_.path("disk/a-002.mcap")).is_whole);
+}
+
 }  // namespace
 }  // namespace skerry::system_test

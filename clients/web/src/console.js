@@ -110,6 +110,7 @@ export class RadarConsole {
 
   // True, degrees; null when not known. Spokes carry it many times a second.
   headingDeg() {
+    if (this.ownShip?.noHeading) return null;
     if (this.spoke) return (this.spoke.heading * 360) / 4294967296;
     return this.ownShip ? this.ownShip.headingDeg : null;
   }

@@ -76,7 +76,10 @@ class AllViews : public testing::Test {
     for (int i = 0; i < sectors; ++i) host_.publish(radar);
     EXPECT_TRUE(comes_true([&] { return taken() == before + sectors * 16u * views; }));
   }
-  std::uint64_t taken() { return recorder().state().spokes() + recorder().state().spokes_lost(); }
+  std::uint64_t taken() {
+    const wire::RecorderState state = recorder().state();
+    return state.spokes() + state.spokes_lost();
+  }
   std::string spoke_bytes(std::uint32_t radar, std::uint32_t view, std::uint64_t sequence) const {
     Spoke made = host_.spoke(radar, sequence);
     made.header.view = view;
@@ -174,7 +177,7 @@ TEST_F(AllViews, OfTheRadarsThatAreRecorded) {
 }
 
 TEST_F(AllViews, EachFileOfASeriesHasTheSettingsOfItsViewsFirst) {
-  config_.roll_bytes = 300'000;
+  config_.roll_bytes = 400'000;
   begin();
   const std::uint32_t view = open();
   publish(16);

@@ -50,7 +50,10 @@ class Recording : public testing::Test {
       EXPECT_TRUE(comes_true([&] { return taken() + 512 > given(); }));
     }
   }
-  std::uint64_t taken() { return recorder().state().spokes() + recorder().state().spokes_lost(); }
+  std::uint64_t taken() {
+    const wire::RecorderState state = recorder().state();
+    return state.spokes() + state.spokes_lost();
+  }
   std::uint64_t given() const { return host_.published(0) + host_.published(1) - before_; }
 
   ScratchFolder folder_;
