@@ -66,6 +66,10 @@ class SpokeSink {
       rmc.course_deg = ship.course_over_ground_deg();
     }
     std::string text = nmea::encode(rmc);
+    // Of an RMC without a position nobody takes the rest.
+    if (!rmc.position && !ship.no_motion()) {
+      text += nmea::encode(nmea::Vtg{.course_deg = rmc.course_deg, .speed_kn = rmc.speed_kn});
+    }
     if (!ship.no_heading()) text += nmea::encode(nmea::Hdt{ship.heading_deg()});
     out_.add(time, kSender, kNmea,
              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

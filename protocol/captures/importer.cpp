@@ -83,6 +83,8 @@ class RadarWriter {
         writer_(writer) {}
 
   const PictureKey& key() const { return picture_.traits.key; }
+  // The last that a spoke told.
+  const std::optional<TrueBearing>& heading() const { return heading_; }
   const SurveyedPicture& picture() const { return picture_; }
   const FittedCounts& counts() const { return fitter_.counts(); }
 
@@ -100,6 +102,7 @@ class RadarWriter {
         add_event(writer_, each.time, recording::Event::GAP, radar_, each.missing,
                   fmt::format("{} spokes are not in the capture", each.missing));
       }
+      if (each.heading) heading_ = each.heading;
       fitter_.take(std::move(each), ship, fitted_);
     }
     write_fitted();
@@ -147,6 +150,7 @@ class RadarWriter {
   std::vector<CapturedSpoke> captured_;
   std::vector<Spoke> fitted_;
   std::optional<SpokeHeader> last_;  // written
+  std::optional<TrueBearing> heading_;
 };
 
 class Importer {
@@ -167,6 +171,7 @@ class Importer {
       for (const auto& radar : radars_) {
         if (radar->key() == *key) radar->take(datagram, ship_);
       }
+      if (!ship_.known()) write_own_ship(datagram.time);
       return;
     }
     for (const auto& radar : radars_) radar->hear(datagram);
@@ -187,7 +192,12 @@ class Importer {
     if (ship_written_ && time - *ship_written_ < kOwnShipEvery && time >= *ship_written_) return;
     ship_written_ = time;
     for (std::uint32_t i = 0; i < radars_.size(); ++i) {
-      add_message(writer_, {Kind::own_ship, i, 0}, time, ship_.own_ship(i, time));
+      wire::OwnShip ship = ship_.own_ship(i, time);
+      if (const auto& heading = radars_[i]->heading(); heading && ship.no_heading()) {
+        ship.set_heading_deg(heading->in_degrees());
+        ship.set_no_heading(false);
+      }
+      add_message(writer_, {Kind::own_ship, i, 0}, time, ship);
     }
   }
 

@@ -120,10 +120,12 @@ wire::OwnShip ShipTrack::own_ship(std::uint32_t radar, UtcTime time) const {
   ship.set_no_motion(!speed_kn_ || !course_deg_);
   ship.set_no_heading(!heading_deg_);
   ship.set_heading_deg(heading() ? heading()->in_degrees() : 0.0);
-  ship.set_course_over_ground_deg(course_deg_.value_or(0.0));
-  ship.set_speed_over_ground_kn(speed_kn_.value_or(0.0));
-  ship.set_speed_kn(speed_kn_.value_or(0.0));
-  ship.set_rate_of_turn_deg_min(rate_deg_min_.value_or(0.0));
+  if (!ship.no_motion()) {
+    ship.set_course_over_ground_deg(*course_deg_);
+    ship.set_speed_over_ground_kn(*speed_kn_);
+    ship.set_speed_kn(*speed_kn_);
+    ship.set_rate_of_turn_deg_min(rate_deg_min_.value_or(0.0));
+  }
   ship.set_ordered_course_deg(ship.heading_deg());
   ship.set_ordered_speed_kn(ship.speed_kn());
   ship.set_utc_ns(static_cast<std::uint64_t>(time.time_since_epoch().count()));

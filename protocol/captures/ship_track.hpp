@@ -21,8 +21,6 @@ class ShipTrack {
   bool known() const { return position_ || heading_deg_ || course_deg_ || speed_kn_; }
   std::optional<GeoPoint> position() const { return position_; }
   std::optional<TrueBearing> heading() const;
-  // Of a spoke that tells it better.
-  void set_heading(TrueBearing heading) { heading_deg_ = heading.in_degrees(); }
 
   wire::OwnShip own_ship(std::uint32_t radar, UtcTime time) const;
 

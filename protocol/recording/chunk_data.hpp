@@ -45,7 +45,7 @@ class ChunkData {
   // How many messages each channel has, those left out too.
   const std::map<std::uint16_t, std::uint64_t>& messages() const { return messages_; }
   std::size_t memory() const {
-    return records_.octets().size() + entries_.capacity() * sizeof(Entry) + sizeof(*this);
+    return records_.memory() + entries_.capacity() * sizeof(Entry) + sizeof(*this);
   }
 
  private:

@@ -29,6 +29,8 @@ struct FreeLz4Reader {
   void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
 };
 
+constexpr std::size_t kLeastShare = 16;  // of a block's room that its octets take
+
 // Of a frame's blocks, unpacked, at most.
 std::size_t block_bytes(LZ4F_blockSizeID_t size) {
   switch (size) {
@@ -56,9 +58,10 @@ Result<OctetBlock, std::string> read_lz4(std::span<const std::uint8_t> in, std::
   std::size_t taken = in.size(), given = 0;
   std::size_t left = LZ4F_getFrameInfo(context.get(), &info, in.data(), &taken);
   if (LZ4F_isError(left)) return fail(left);
-  // Where a whole block has room it is unpacked there and not copied, the last one too.
+  // Where a whole block has room it is unpacked there and not copied, the last one too; not of a
+  // few octets, of which there may be many.
   const std::size_t block = block_bytes(info.blockSizeID);
-  OctetBlock out(size, (size + block - 1) / block * block);
+  OctetBlock out(size, size < block / kLeastShare ? 0 : (size + block - 1) / block * block);
   LZ4F_decompressOptions_t options{};
   options.stableDst = 1;
   while (left != 0) {

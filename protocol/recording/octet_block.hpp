@@ -20,6 +20,7 @@ class OctetBlock {
         room_(std::max(size, room)) {}
 
   std::span<std::uint8_t> room() { return {octets_.get(), room_}; }
+  std::size_t memory() const { return room_; }
   std::span<const std::uint8_t> octets() const { return {octets_.get(), size_}; }
 
  private:

@@ -83,7 +83,8 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
     if (is_of_targets(sentence)) {
       if (!tracks) {
         const std::optional<GeoPoint> here = wire::place_known_of(the_own());
-        tracks = here ? tracks_.update(*here, the_traffic(), now) : std::vector<Track>();
+        const bool moves = !the_own().no_motion();  // or not; CPA needs to know
+        tracks = here && moves ? tracks_.update(*here, the_traffic(), now) : std::vector<Track>();
       }
       if (sentence == NavigationSentence::ttd) ++ttd_identifier_;
       auto lines = target_sentences(sentence, *tracks, *own, ttd_identifier_);

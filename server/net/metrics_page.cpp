@@ -93,7 +93,7 @@ using PlaybackColumn = MetricColumn<wire::PlaybackState>;
 constexpr auto kPlaybackColumns = std::to_array<PlaybackColumn>({
     {"skerry_playback_playing", kGauge, "1: the playback runs; 0: it stands still.",
      [](const auto& playback) { return std::optional(flag_of(playback.playing())); }},
-    {"skerry_playback_rate_ratio", kGauge, "Pace of the playback over that of the recording.",
+    {"skerry_playback_rate_ratio", kGauge, "Pace asked for, over that of the recording.",
      [](const auto& playback) { return std::optional<MetricValue>(playback.rate()); }},
     {"skerry_playback_position_seconds", kGauge,
      "Place of the playback, since the begin of the recording.",

@@ -88,9 +88,11 @@ signalk::OwnShip SignalkSite::own_ship() const {
 
 std::optional<signalk::Movement> SignalkSite::movement() const {
   const signalk::OwnShip ship = own_ship();
-  if (!ship.position) return std::nullopt;
-  return signalk::Movement{*ship.position, ship.course_over_ground_deg.value_or(0.0),
-                           ship.speed_over_ground_mps.value_or(0.0)};
+  if (!ship.position || !ship.course_over_ground_deg || !ship.speed_over_ground_mps) {
+    return std::nullopt;
+  }
+  return signalk::Movement{*ship.position, *ship.course_over_ground_deg,
+                           *ship.speed_over_ground_mps};
 }
 
 std::vector<TrafficItem> SignalkSite::others() const {
@@ -163,7 +165,7 @@ SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body) {
     return {400, "expected {\"bearing\": radians from true north, \"distance\": metres}"};
   }
   const std::optional<signalk::Movement> own = movement();
-  if (!own) return {409, "own ship's position is not known"};
+  if (!own) return {409, "own ship's position or motion is not known"};
   const auto number =
       radar.targets.acquire(others(), *own, bearing / signalk::kRadian, distance, utc_now());
   if (!number) return {404, "no target there"};

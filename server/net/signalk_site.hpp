@@ -76,7 +76,7 @@ class SignalkSite {
   void tick(std::chrono::steady_clock::time_point now);
 
  private:
-  std::optional<signalk::Movement> movement() const;  // of own ship, if her place is known
+  std::optional<signalk::Movement> movement() const;  // of own ship, if known
   std::vector<TrafficItem> others() const;            // all but her
   void refresh();
   void put(Values& fresh, const std::string& path, signalk::Json value) const;

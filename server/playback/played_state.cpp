@@ -178,8 +178,10 @@ wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
       ship.set_latitude_deg(place.latitude_deg);
       ship.set_longitude_deg(place.longitude_deg);
     }
-    ship.set_heading_deg(
-        wrapped(said.heading_deg() + said.rate_of_turn_deg_min() / 60.0 * since_s));
+    if (!ship.no_heading()) {
+      ship.set_heading_deg(
+          wrapped(said.heading_deg() + said.rate_of_turn_deg_min() / 60.0 * since_s));
+    }
   } else if (const auto spoke = spokes_.lower_bound({radar, 0});
              spoke != spokes_.end() && spoke->first.first == radar) {
     const GeoPoint antenna = spoke->second.own_ship;

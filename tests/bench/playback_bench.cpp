@@ -35,6 +35,7 @@ using client::SpokeClient;
 using recording::Compression;
 using recording::WriterOptions;
 
+constexpr std::chrono::seconds kLongest{60};  // of a playback: then it is given up
 constexpr std::uint32_t kSpokes = 4096, kTurns = 40;
 
 enum Form : std::int64_t { kLz4, kZstd, kCompact };
@@ -191,10 +192,12 @@ void ConsolesAt100(benchmark::State& state) {
     for (SpokeClient& console : consoles) {
       threads.emplace_back([&console] {
         std::uint64_t spokes = 0;
-        while (spokes + console.losses().lost() < std::uint64_t{kSpokes} * kTurns) {
-          const auto event = console.receive(5s).value();
-          if (!event) break;  // what is missing shows as a low pace
-          if (std::holds_alternative<Spoke>(*event)) ++spokes;
+        const auto until = std::chrono::steady_clock::now() + kLongest;
+        while (spokes + console.losses().lost() < std::uint64_t{kSpokes} * kTurns &&
+               std::chrono::steady_clock::now() < until) {
+          const auto event = console.receive(5s);
+          if (!event || !*event) break;  // what is missing shows as a low pace
+          if (std::holds_alternative<Spoke>(**event)) ++spokes;
         }
       });
     }

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 
 #include "tests/unit/captures/imported.hpp"
 #include "tests/unit/pcap/radar_captures.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 // A recording of one radar with own ship and settings: `spokes` spokes.
 void write_recording(const std::string& path, const ScanGeometry& geometry, std::uint32_t spokes,
-                     double reach_m) {
+                     double reach_m, const std::function<void(wire::OwnShip&)>& change = {}) {
   std::ofstream file(path, std::ios::binary);
   recording::RecordingWriter writer(
       [&](std::span<const std::uint8_t> bytes) {
@@ -32,6 +33,7 @@ void write_recording(const std::string& path, const ScanGeometry& geometry, std:
   ship.set_latitude_deg(60.25);
   ship.set_longitude_deg(5.5);
   ship.set_heading_deg(33.0);
+  if (change) change(ship);
   const auto add = [&](recording::Topic topic, const google::protobuf::MessageLite& message) {
     const std::string bytes = message.SerializeAsString();
     writer.add(
@@ -106,6 +108,26 @@ TEST(Export, Cat240ComesBackWithItsCellsBearingsAndShip) {
   }
   EXPECT_NEAR(back.back().header.own_ship.latitude_deg, 60.25, 1e-4);
   EXPECT_NEAR(got.own_ships.back().heading_deg(), 33.0, 0.1);
+}
+
+// A network with a log but no GPS.
+TEST(Export, SpeedAndCourseGoWithoutAPosition) {
+  const TestFile file(".mcap");
+  write_recording(file.path(), {360, 256, 8}, 720, 6000.0, [](wire::OwnShip& ship) {
+    ship.set_no_position(true);
+    ship.set_course_over_ground_deg(45.0);
+    ship.set_speed_over_ground_kn(9.5);
+  });
+  ExportReport report;
+  ExportOptions options;
+  options.radar = 1;
+  const Imported got = imported(exported(file.path(), options, report));
+  ASSERT_FALSE(got.own_ships.empty());
+  const wire::OwnShip& ship = got.own_ships.back();
+  EXPECT_TRUE(ship.no_position());
+  EXPECT_FALSE(ship.no_motion());
+  EXPECT_NEAR(ship.speed_over_ground_kn(), 9.5, 0.01);
+  EXPECT_NEAR(ship.course_over_ground_deg(), 45.0, 0.1);
 }
 
 TEST(Export, TsharkReadsTheCat240OfIt) {

@@ -134,6 +134,18 @@ TEST(ImportCaptures, TheTrueHeadingAndPlaceOfTheShipComeAlong) {
   EXPECT_NEAR(got.own_ships.back().latitude_deg(), 58.52958, 0.001);
 }
 
+TEST(ImportCaptures, WhatNothingTellsOfTheShipIsMarked) {
+  if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
+  const Imported silent = imported(unpack_radar_capture("garminxhd_txon_txoff.pcap.gz"));
+  ASSERT_FALSE(silent.own_ships.empty());
+  for (const wire::OwnShip& ship : silent.own_ships) {
+    EXPECT_TRUE(ship.no_position() && ship.no_motion() && ship.no_heading());
+  }
+  const Imported told = imported(unpack_radar_capture("3g-trueheading.pcap.gz"));
+  const wire::OwnShip& ship = told.own_ships.back();
+  EXPECT_FALSE(ship.no_position() || ship.no_heading());
+}
+
 TEST(ImportCaptures, StandbyIsToldAlthoughNoSpokesCome) {
   if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
   const Imported got = imported(unpack_radar_capture("garminxhd_txon_txoff.pcap.gz"));

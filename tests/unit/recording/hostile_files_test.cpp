@@ -1,5 +1,6 @@
 // Files made to do harm, and files of others: clear errors, bounded memory and time.
 #include <gtest/gtest.h>
+#include <lz4frame.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <zstd.h>
@@ -427,6 +428,20 @@ TEST(OpenFile, ThatIsCutIsDamagedNotACrash) {
   EXPECT_GT(cursor.chunks_damaged(), 0U);
   EXPECT_EQ(cursor.damage()->file, path);
   EXPECT_GT(cursor.damage()->offset, 90'000U);
+}
+
+// A file may have a million chunks of a few octets, all open at once.
+TEST(HostileFile, OfTinyChunksInLargeBlocksTakesLittleMemory) {
+  const Bytes octets(60, 7);
+  LZ4F_preferences_t preferences{};
+  preferences.frameInfo.blockSizeID = LZ4F_max4MB;
+  Bytes packed(LZ4F_compressFrameBound(octets.size(), &preferences));
+  packed.resize(
+      LZ4F_compressFrame(packed.data(), packed.size(), octets.data(), octets.size(), &preferences));
+  const auto back = decompress(Compression::lz4, packed, octets.size());
+  ASSERT_TRUE(back.ok());
+  EXPECT_TRUE(std::equal(octets.begin(), octets.end(), back->octets().begin()));
+  EXPECT_EQ(back->memory(), octets.size());
 }
 
 }  // namespace
