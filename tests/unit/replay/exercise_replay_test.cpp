@@ -132,6 +132,30 @@ TEST_F(Replay, MissesSpokesThatWereNeverMade) {
   EXPECT_FALSE(result.is_identical());
 }
 
+// What a radar has on the air, another may have seen before a killed recorder knew of it.
+TEST_F(Replay, EndsWhereARadarNeedsWhatAnotherDidBeyondItsInputs) {
+  std::optional<recording::Input::Taken> emitting;
+  for (const std::string& bytes : parts_->inputs) {
+    recording::Input input;
+    ASSERT_TRUE(input.ParseFromString(bytes));
+    if (input.taken().emits() && input.taken().first() > 100 && !emitting) {
+      emitting = input.taken();
+    }
+  }
+  ASSERT_TRUE(emitting);
+  const RecordedParts cut = with([&](recording::Input& input) {
+    if (input.has_reached() && input.reached().radar() == emitting->radar()) {
+      input.mutable_reached()->set_first(emitting->first() - 16);
+    }
+    return true;
+  });
+  const ComparisonResult result = compared(cut, false);
+  EXPECT_EQ(result.different, 0u) << result.first_difference;
+  EXPECT_GT(result.compared, 100u);
+  EXPECT_GT(result.missing, 0u);
+  EXPECT_FALSE(result.is_identical());
+}
+
 TEST_F(Replay, RefusesInputsThatContradictEachOther) {
   const auto refuses = [&](const RecordedParts& parts) {
     EXPECT_THROW(compared(parts, false), std::runtime_error);
