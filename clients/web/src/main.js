@@ -210,6 +210,7 @@ function showReadouts() {
   const rangeNm = view.rangeM / NAUTICAL_MILE_M;
   readouts.showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
   readouts.showOwnShip(radar.ownShip, headingDeg);
+  readouts.showOrientation(picture.headUp, radar.ownShip);
   readouts.showRange(rangeNm > 0 ? Number(rangeNm.toFixed(4)) : NaN);
   readouts.showMarkers(markers, headingDeg);
   readouts.showStream({
@@ -221,7 +222,7 @@ function showReadouts() {
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
   if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
-  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${picture.headUp ? 'head up' : 'north up'}.`;
+  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${$('orientation').textContent.toLowerCase()}.`;
   if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
 }
 

@@ -31,6 +31,11 @@ export function showOwnShip(ship, headingDeg) {
   $('order-speed').placeholder = format.fixed(ship?.orderedSpeedKn, 1);
 }
 
+// Where nobody knows her heading the bow is up, whatever was chosen.
+export function showOrientation(headUp, ship) {
+  write('orientation', headUp || ship?.noHeading ? 'Head up' : 'North up');
+}
+
 export function showRange(rangeNm) {
   write('range-now', format.rangeNm(rangeNm));
   write('ring-spacing', rangeNm > 0 ? format.rangeNm(ringsFor(rangeNm).spacingNm) : format.NONE);

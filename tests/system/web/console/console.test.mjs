@@ -313,6 +313,7 @@ test('what a recording does not tell of own ship is not shown', async () => {
     .map((id) => document.getElementById(id).textContent));
   await page.waitForFunction(() => /^[0-9]/.test(document.querySelector('#order-course').placeholder));
   assert.deepEqual(await told(), ['–', '–', '–', '–', '–']);
+  assert.equal(await page.locator('#orientation').textContent(), 'Head up');
   server.untold = false;
   await page.waitForFunction(() => document.querySelector('#latitude').textContent !== '–');
   assert.ok((await told()).every((text) => text !== '–'));
