@@ -289,21 +289,23 @@ TEST_F(SuddenDeath, AFileRemovedFromAFullDiskMakesRoomForTheNext) {
   server::Recorder recorder(host, config);
   recorder.start();
   recorder.record(server::record_of(wire::Record::START, "a"), "test");
-  const auto publish_until = [&](wire::RecorderState::Phase phase) {
+  const auto publish_until = [&](wire::RecorderState::Phase phase, const std::string& name) {
     return server::comes_true([&] {
       host.publish();
-      return recorder.state().phase() == phase;
+      const wire::RecorderState state = recorder.state();
+      return state.phase() == phase && state.file() == name;
     });
   };
-  ASSERT_TRUE(publish_until(wire::RecorderState::DISK_FULL));
+  ASSERT_TRUE(publish_until(wire::RecorderState::DISK_FULL, "a.mcap"));
   std::filesystem::remove(folder_.path("disk/a.mcap"));
-  ASSERT_TRUE(publish_until(wire::RecorderState::RECORDING));
+  ASSERT_TRUE(publish_until(wire::RecorderState::RECORDING, "a-002.mcap"));
+  host.publish();
   recorder.record(server::record_of(wire::Record::STOP), "test");
   ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::OFF));
   EXPECT_EQ(recorder.state().file(), "a-002.mcap");
   const server::Recorded file = server::recorded(folder_.path("disk/a-002.mcap"));
   EXPECT_TRUE(file.is_whole);
-  EXPECT_FALSE(file.events(recording::Event::DISK_FULL).empty());
+  EXPECT_FALSE(file.of(Kind::spoke).empty());
 }
 
 TEST_F(SuddenDeath, AStartWaitsForADiskThatHasRoomForItsFile) {
