@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
-#include <sys/mount.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -22,6 +21,7 @@
 #include "protocol/recording/repair.hpp"
 #include "tests/system/child_process.hpp"
 #include "tests/system/recorder_child.hpp"
+#include "tests/system/small_disk.hpp"
 #include "tests/unit/recorder/recorder_kit.hpp"
 
 namespace skerry::system_test {
@@ -198,31 +198,11 @@ TEST_F(SuddenDeath, AFileCutAnywhereHasAllBeforeItsLastChunk) {
   }
 }
 
-// A disk of a few MiB, that is there while the object lives.
-class SmallDisk {
- public:
-  explicit SmallDisk(std::string folder, const std::string& options = "size=6m")
-      : folder_(std::move(folder)) {
-    std::filesystem::create_directory(folder_);
-    is_there_ = ::mount("none", folder_.c_str(), "tmpfs", 0, options.c_str()) == 0;
-  }
-  ~SmallDisk() {
-    if (is_there_) ::umount2(folder_.c_str(), MNT_DETACH);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-  bool is_there() const { return is_there_; }
-
- private:
-  std::string folder_;
-  bool is_there_ = false;
-};
-
 TEST_F(SuddenDeath, OnAFullDiskLeavesAFileThatCanBeRead) {
   for (int i = 0; i < std::max(1, kills() / 5); ++i) {
     SCOPED_TRACE(i);
     const SmallDisk disk(folder_.path("disk"));
-    if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+    if (!disk.is_there()) GTEST_SKIP() << SmallDisk::kNeeds;
     const Tale tale(folder_.path("tale"));
     record_and_kill(folder_.path("disk"), tale, any_time(300), true);
     std::filesystem::copy_file(folder_.path("disk/a.mcap"), folder_.path("a.mcap"));
@@ -237,7 +217,7 @@ TEST_F(SuddenDeath, OnAFullDiskLeavesAFileThatCanBeRead) {
 // The operator makes room; the recording goes on, and says what is missing.
 TEST_F(SuddenDeath, ADiskThatHasRoomAgainIsRecordedToAgain) {
   const SmallDisk disk(folder_.path("disk"));
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
+  if (!disk.is_there()) GTEST_SKIP() << SmallDisk::kNeeds;
   const std::string ballast = folder_.path("disk/ballast");
   { std::ofstream(ballast) << std::string(1 << 20, 'x'); }
   RecordedHost host(1, 1024);
@@ -276,187 +256,6 @@ TEST_F(SuddenDeath, ADiskThatHasRoomAgainIsRecordedToAgain) {
   EXPECT_TRUE(file.is_whole);
   ASSERT_EQ(file.events(recording::Event::MARK).size(), 1u);
   EXPECT_EQ(file.events(recording::Event::MARK)[0].text(), "while full");
-}
-
-// An operator who makes room by removing the very file that is being written.
-TEST_F(SuddenDeath, AFileRemovedFromAFullDiskMakesRoomForTheNext) {
-  const SmallDisk disk(folder_.path("disk"));
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
-  RecordedHost host(1, 1024);
-  server::RecorderConfig config;
-  config.folder = folder_.path("disk");
-  config.reserve_bytes = 256 << 10;
-  server::Recorder recorder(host, config);
-  recorder.start();
-  recorder.record(server::record_of(wire::Record::START, "a"), "test");
-  const auto publish_until = [&](wire::RecorderState::Phase phase, const std::string& name) {
-    return server::comes_true([&] {
-      host.publish();
-      const wire::RecorderState state = recorder.state();
-      return state.phase() == phase && state.file() == name;
-    });
-  };
-  ASSERT_TRUE(publish_until(wire::RecorderState::DISK_FULL, "a.mcap"));
-  std::filesystem::remove(folder_.path("disk/a.mcap"));
-  ASSERT_TRUE(publish_until(wire::RecorderState::RECORDING, "a-002.mcap"));
-  host.publish();
-  recorder.record(server::record_of(wire::Record::STOP), "test");
-  ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::OFF));
-  EXPECT_EQ(recorder.state().file(), "a-002.mcap");
-  const server::Recorded file = server::recorded(folder_.path("disk/a-002.mcap"));
-  EXPECT_TRUE(file.is_whole);
-  EXPECT_FALSE(file.of(Kind::spoke).empty());
-}
-
-TEST_F(SuddenDeath, AStartWaitsForADiskThatHasRoomForItsFile) {
-  const SmallDisk disk(folder_.path("disk"), "size=6m,nr_inodes=3");  // root, lock, ballast
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
-  const std::string ballast = folder_.path("disk/ballast");
-  { std::ofstream(ballast) << 'x'; }
-  server::RecorderConfig config;
-  config.folder = folder_.path("disk");
-  config.reserve_bytes = 0;
-  server::DiskWriter writer(config);
-  writer.begin("waits");
-  writer.take_end(Bytes(1000, 7));
-  ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
-  EXPECT_FALSE(writer.state().failed) << writer.state().problem;
-  std::filesystem::remove(ballast);
-  ASSERT_TRUE(server::comes_true([&] { return !writer.state().is_busy; }));
-  EXPECT_EQ(writer.state().file, "waits.mcap");
-  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), 1000u);
-}
-
-// Others may fill the disk between a look at it and a write.
-TEST_F(SuddenDeath, WhatWasTakenWaitsForADiskThatOthersFilled) {
-  const SmallDisk disk(folder_.path("disk"));
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
-  const std::string ballast = folder_.path("disk/ballast");
-  server::RecorderConfig config;
-  config.folder = folder_.path("disk");
-  config.reserve_bytes = 0;
-  config.max_queue = 16 << 20;
-  server::DiskWriter writer(config);
-  const auto fill = [&] {
-    std::ofstream file(ballast);
-    while (file << std::string(4096, 'x') << std::flush) continue;
-  };
-  const Bytes chunk(500'000, 7);
-  const auto is_done = [&] { return !writer.state().is_busy; };
-
-  writer.begin("waits");
-  ASSERT_EQ(writer.take(chunk, 10), server::DiskWriter::Taken::yes);
-  ASSERT_TRUE(server::comes_true(is_done));
-  fill();
-  // Until the writer has looked, it takes what it has no room for.
-  if (writer.take(chunk, 10) == server::DiskWriter::Taken::yes) {
-    ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
-    EXPECT_EQ(writer.take(chunk, 10), server::DiskWriter::Taken::no_room);
-    std::filesystem::remove(ballast);
-    ASSERT_TRUE(server::comes_true(is_done));
-    EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), 2 * chunk.size());
-    EXPECT_TRUE(
-        server::comes_true([&] { return writer.take({}, 0) == server::DiskWriter::Taken::yes; }));
-    EXPECT_FALSE(writer.state().is_full);
-    fill();
-  }
-  // The end does not wait: the file then has none, and says so.
-  const std::uint64_t size = std::filesystem::file_size(folder_.path("disk/waits.mcap"));
-  writer.take_end(chunk);
-  writer.end();
-  ASSERT_TRUE(server::comes_true(is_done));
-  EXPECT_NE(writer.state().problem.find("skerry recording repair"), std::string::npos);
-  EXPECT_FALSE(writer.state().failed);
-  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/waits.mcap")), size);
-}
-
-TEST_F(SuddenDeath, WhatWasTakenBeforeAFileWasFollowedByTheNextWaitsToo) {
-  const SmallDisk disk(folder_.path("disk"));
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
-  const std::string ballast = folder_.path("disk/ballast");
-  server::RecorderConfig config;
-  config.folder = folder_.path("disk");
-  config.reserve_bytes = 0;
-  server::DiskWriter writer(config);
-  const auto is_done = [&] { return !writer.state().is_busy; };
-  writer.begin("rolls");
-  writer.take_end(Bytes(1000, 1));
-  ASSERT_TRUE(server::comes_true(is_done));
-  {
-    std::ofstream file(ballast);
-    while (file << std::string(4096, 'x') << std::flush) continue;
-  }
-  writer.take_end(Bytes(500'000, 2));
-  writer.next_file();
-  writer.take_end(Bytes(600'000, 3));
-  ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
-  std::filesystem::remove(ballast);
-  ASSERT_TRUE(server::comes_true(is_done));
-  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/rolls.mcap")), 501'000u);
-  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/rolls-002.mcap")), 600'000u);
-  EXPECT_EQ(writer.state().spokes_lost, 0u);
-  EXPECT_EQ(writer.state().problem, "");
-}
-
-// An operator who puts the file elsewhere on the same disk gains no room, and loses nothing.
-TEST_F(SuddenDeath, WhatWasTakenWaitsForAFileThatWasRenamed) {
-  const SmallDisk disk(folder_.path("disk"));
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
-  const std::string ballast = folder_.path("disk/ballast");
-  server::RecorderConfig config;
-  config.folder = folder_.path("disk");
-  config.reserve_bytes = 0;
-  server::DiskWriter writer(config);
-  writer.begin("a");
-  writer.take_end(Bytes(1000, 1));
-  ASSERT_TRUE(server::comes_true([&] { return !writer.state().is_busy; }));
-  {
-    std::ofstream file(ballast);
-    while (file << std::string(4096, 'x') << std::flush) continue;
-  }
-  std::filesystem::rename(folder_.path("disk/a.mcap"), folder_.path("disk/kept.mcap"));
-  ASSERT_TRUE(server::comes_true([&] { return writer.state().file_is_gone; }));
-  writer.take_end(Bytes(500'000, 2));
-  ASSERT_TRUE(server::comes_true([&] { return writer.state().is_full; }));
-  std::filesystem::remove(ballast);
-  ASSERT_TRUE(server::comes_true([&] { return !writer.state().is_busy; }));
-  EXPECT_EQ(std::filesystem::file_size(folder_.path("disk/kept.mcap")), 501'000u);
-  EXPECT_EQ(writer.state().spokes_lost, 0u);
-}
-
-TEST_F(SuddenDeath, FilesDoNotQueueUpWhileTheNextCannotBeMade) {
-  // The root, the lock, the list, a file and another.
-  const SmallDisk disk(folder_.path("disk"), "size=32m,nr_inodes=5");
-  if (!disk.is_there()) GTEST_SKIP() << "needs to mount a tmpfs: run as root";
-  const std::string ballast = folder_.path("disk/ballast");
-  { std::ofstream(ballast) << 'x'; }
-  RecordedHost host(1, 1024);
-  server::RecorderConfig config;
-  config.folder = folder_.path("disk");
-  config.reserve_bytes = 256 << 10;
-  server::Recorder recorder(host, config);
-  recorder.start();
-  recorder.record(server::record_of(wire::Record::START, "a"), "test");
-  ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::RECORDING));
-  std::filesystem::rename(folder_.path("disk/a.mcap"), folder_.path("disk/moved.mcap"));
-  const auto publish_until = [&](const std::function<bool()>& done) {
-    return server::comes_true([&] {
-      host.publish();
-      std::this_thread::sleep_for(milliseconds(20));
-      return done();
-    });
-  };
-  const auto is_full = [&] { return recorder.state().phase() == wire::RecorderState::DISK_FULL; };
-  ASSERT_TRUE(publish_until(is_full));
-  const auto later = steady_clock::now() + 2 * server::SeriesWriter::kGoneAfter + milliseconds(500);
-  ASSERT_TRUE(publish_until([&] { return steady_clock::now() > later; }));
-  EXPECT_TRUE(is_full());
-  std::filesystem::remove(ballast);
-  ASSERT_TRUE(publish_until([&] { return !is_full(); }));
-  recorder.record(server::record_of(wire::Record::STOP), "test");
-  ASSERT_TRUE(server::reaches(recorder, wire::RecorderState::OFF));
-  EXPECT_EQ(recorder.state().file(), "a-002.mcap");
-  EXPECT_TRUE(server::recorded(folder_.path("disk/a-002.mcap")).is_whole);
 }
 
 }  // namespace

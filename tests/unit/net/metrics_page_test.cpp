@@ -119,8 +119,8 @@ TEST(MetricsPage, HasTheRecorder) {
   wire::RecorderState& recorder = *status.mutable_recorder();
   recorder.set_phase(wire::RecorderState::DISK_FULL);
   recorder.set_file("watch 3.mcap");
-  recorder.set_folder("/home/instructor/recordings");
-  recorder.set_problem("no room in /home/instructor");
+  recorder.set_folder("watches/recordings");
+  recorder.set_problem("no room in watches/recordings");
   recorder.set_file_bytes(100);
   recorder.set_total_bytes(5'000'000'000);
   recorder.set_seconds(61.5);
@@ -141,7 +141,7 @@ TEST(MetricsPage, HasTheRecorder) {
   EXPECT_EQ(value_of(page, "skerry_recorder_spokes_lost_total"), "17");
   EXPECT_EQ(value_of(page, "skerry_recorder_marks_total"), "2");
   EXPECT_EQ(value_of(page, "skerry_recorder_free_bytes"), "0") << "the disk is full";
-  EXPECT_THAT(page, Not(HasSubstr("instructor"))) << "where files lie";
+  EXPECT_THAT(page, Not(HasSubstr("watches"))) << "where files lie";
   EXPECT_THAT(page, Not(HasSubstr("watch 3")));
 
   recorder.set_phase(wire::RecorderState::OFF);
