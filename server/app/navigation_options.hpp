@@ -4,7 +4,7 @@
 #include <string>
 
 #include "server/app/config.pb.h"
-#include "server/net/navigation_config.hpp"
+#include "server/net/common/navigation_config.hpp"
 
 namespace skerry::server {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/app/playback_options.hpp"
-#include "server/net/net_config.hpp"
+#include "server/net/common/net_config.hpp"
 #include "server/recorder/recorder_config.hpp"
 
 namespace skerry::server {

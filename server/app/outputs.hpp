@@ -4,7 +4,7 @@
 #include <string>
 
 #include "server/app/config.pb.h"
-#include "server/net/net_config.hpp"
+#include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "server/net/net_config.hpp"
+#include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
 

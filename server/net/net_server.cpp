@@ -14,17 +14,17 @@
 #include <utility>
 #include <vector>
 
-#include "server/net/display_desk.hpp"
-#include "server/net/encoders.hpp"
-#include "server/net/http_session.hpp"
-#include "server/net/listener.hpp"
-#include "server/net/native_session.hpp"
-#include "server/net/navigation_desk.hpp"
-#include "server/net/signalk_service.hpp"
-#include "server/net/stream_outputs.hpp"
-#include "server/net/tcp_peer.hpp"
-#include "server/net/tcp_transport.hpp"
-#include "server/net/udp_sender.hpp"
+#include "server/net/common/encoders.hpp"
+#include "server/net/common/listener.hpp"
+#include "server/net/common/tcp_peer.hpp"
+#include "server/net/http/http_session.hpp"
+#include "server/net/native/native_session.hpp"
+#include "server/net/native/tcp_transport.hpp"
+#include "server/net/navigation/navigation_desk.hpp"
+#include "server/net/outputs/display_desk.hpp"
+#include "server/net/outputs/stream_outputs.hpp"
+#include "server/net/outputs/udp_sender.hpp"
+#include "server/net/signalk/signalk_service.hpp"
 
 namespace skerry::server {
 namespace {
@@ -72,8 +72,7 @@ class NetServer::Impl {
                .port = context_.config.http_port,
                .option = "--http-port"},
               [this](TcpSocket socket, ConnectionSlotPtr slot) {
-                begin_http_session(context_, files_, signalk_->first(), std::move(socket),
-                                   std::move(slot));
+                serve_http(signalk_->first(), std::move(socket), std::move(slot));
               }),
         tick_(context_.io) {
     // Text fields that are not UTF-8 make parsing fail; protobuf would also write every such
@@ -89,7 +88,9 @@ class NetServer::Impl {
     }
     displays_.emplace(context_);
     navigation_.emplace(context_);
-    signalk_.emplace(context_, files_);
+    signalk_.emplace(context_, [this](SignalkSite& site, TcpSocket socket, ConnectionSlotPtr slot) {
+      serve_http(&site, std::move(socket), std::move(slot));
+    });
   }
 
   void start() {
@@ -157,6 +158,10 @@ class NetServer::Impl {
   std::vector<std::uint16_t> signalk_ports() const { return signalk_->further_ports(); }
 
  private:
+  void serve_http(SignalkSite* site, TcpSocket socket, ConnectionSlotPtr slot) {
+    begin_http_session(context_, files_, site, std::move(socket), std::move(slot));
+  }
+
   void run() {
     // Displays are sent their datagrams at the antenna's pace: before other programs where the
     // system lets it, and after the radars' threads.

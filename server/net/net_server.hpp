@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/core/radar_host.hpp"
-#include "server/net/net_config.hpp"
+#include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
 

@@ -105,14 +105,27 @@ const std::vector<Room>& table() {
       {"server/replay", {"protocol/", "echo/", "server/core/", "server/world/", "server/radar/"}},
       {"server/board",
        {"protocol/", "echo/sweeps/", "echo/radar/", "echo/kernel/", "server/core/"}},
-      {"server/displays", {"protocol/", "server/core/"}},
+      {"server/displays", {"protocol/", "server/core/", "server/displays/"}},
       {"server/displays/navico", {"protocol/", "server/core/", "server/displays/"}},
       {"server/displays/garmin", {"protocol/", "server/core/", "server/displays/"}},
       {"server/displays/raymarine", {"protocol/", "server/core/", "server/displays/"}},
       // What navigation data says, and what it is taken for.
       {"server/navigation", {"protocol/", "server/core/"}},
-      {"server/net",
+      // The network: what all speakers share, and a room for each that speaks.
+      {"server/net/common",
        {"protocol/", "server/core/", "server/displays/radar_emulation.hpp", "server/navigation/"}},
+      {"server/net/native", {"protocol/", "server/core/", "server/net/common/"}},
+      {"server/net/outputs",
+       {"protocol/", "server/core/", "server/displays/radar_emulation.hpp", "server/net/common/"}},
+      {"server/net/navigation",
+       {"protocol/", "server/core/", "server/navigation/", "server/net/common/"}},
+      {"server/net/signalk",
+       {"protocol/", "server/core/", "server/navigation/", "server/net/common/",
+        "server/net/http/web_answer.hpp"}},
+      {"server/net/http",
+       {"protocol/", "server/core/", "server/net/common/", "server/net/native/",
+        "server/net/signalk/"}},
+      {"server/net", {"protocol/", "server/core/", "server/net/"}},
       // Video and all that belongs to it, to the disk.
       {"server/recorder", {"protocol/", "server/core/"}},
       // A recording in place of radars.
@@ -145,7 +158,7 @@ struct Owned {
 const std::vector<Owned>& owned_headers() {
   static const std::vector<Owned> owned = {
       {"boost/",
-       {"server/net/asio.hpp", "clients/common/asio.hpp"},
+       {"server/net/common/asio.hpp", "clients/common/asio.hpp"},
        "include that file, which puts <utility> before Asio"},
       {"GeographicLib/",
        {"echo/chart/", "server/world/", "server/navigation/"},
@@ -167,8 +180,12 @@ const std::vector<Owned>& owned_headers() {
        {"clients/signals/", "clients/recording/", "protocol/signalk/",
         "server/app/exercise_files.cpp"},
        "use clients/signals, clients/recording or protocol/signalk/json.hpp"},
-      {"avahi-client/", {"server/net/mdns_advertiser.cpp"}, "use server/net/mdns_advertiser.hpp"},
-      {"avahi-common/", {"server/net/mdns_advertiser.cpp"}, "use server/net/mdns_advertiser.hpp"},
+      {"avahi-client/",
+       {"server/net/signalk/mdns_advertiser.cpp"},
+       "use server/net/signalk/mdns_advertiser.hpp"},
+      {"avahi-common/",
+       {"server/net/signalk/mdns_advertiser.cpp"},
+       "use server/net/signalk/mdns_advertiser.hpp"},
       {"spdlog/", {"server/"}, "return the error; the server logs it"},
       {"google/protobuf/",
        {"protocol/wire/", "protocol/recording/", "server/", "clients/"},
@@ -219,12 +236,8 @@ bool is_cpp(std::string_view path) {
   return name.ends_with(".hpp") || name.ends_with(".cpp");
 }
 
-// "echo/kernel" of "echo/kernel/isa.hpp", "echo" of "echo/spoke_renderer.hpp".
-std::string_view room_of(std::string_view path) {
-  const auto first = path.find('/');
-  const auto second = path.find('/', first + 1);
-  return path.substr(0, second == std::string_view::npos ? first : second);
-}
+// The folder of a file: "echo/kernel" of "echo/kernel/isa.hpp".
+std::string_view room_of(std::string_view path) { return path.substr(0, path.rfind('/')); }
 
 std::string_view trimmed(std::string_view line) {
   const auto from = line.find_first_not_of(" \t");

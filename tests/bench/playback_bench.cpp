@@ -20,7 +20,7 @@
 #include "clients/common/spoke_client.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/spoke_message.hpp"
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 #include "server/playback/playback_host.hpp"
 #include "tests/bench/child_server.hpp"
 #include "tests/bench/recorded_turn.hpp"

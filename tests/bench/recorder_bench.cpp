@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 #include "tests/unit/recorder/recorder_kit.hpp"
 
 namespace skerry::server {

@@ -1,4 +1,4 @@
-#include "server/net/access_policy.hpp"
+#include "server/net/common/access_policy.hpp"
 
 #include <gtest/gtest.h>
 

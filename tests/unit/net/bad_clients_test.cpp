@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "server/net/connection_table.hpp"
+#include "server/net/common/connection_table.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/net/client_registry.hpp"
+#include "server/net/common/client_registry.hpp"
 
 #include <gtest/gtest.h>
 

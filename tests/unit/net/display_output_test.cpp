@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "server/net/command_gate.hpp"
+#include "server/net/outputs/command_gate.hpp"
 #include "tests/unit/net/display_socket.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "server/net/mdns_advertiser.hpp"
+#include "server/net/signalk/mdns_advertiser.hpp"
 #include "tests/unit/net/test_client.hpp"
 
 namespace skerry::server {

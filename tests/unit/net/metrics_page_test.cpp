@@ -1,5 +1,5 @@
 // What of a status message stands at /metrics, and what does not.
-#include "server/net/metrics_page.hpp"
+#include "server/net/http/metrics_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

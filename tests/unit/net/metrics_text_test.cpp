@@ -1,5 +1,5 @@
 // The text formats of /metrics: which one, names, labels, numbers, and how much.
-#include "server/net/metrics_text.hpp"
+#include "server/net/http/metrics_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 
 #include "protocol/nmea/sentence.hpp"
 #include "protocol/nmea/udp450.hpp"
-#include "server/net/navigation_input.hpp"
+#include "server/net/navigation/navigation_input.hpp"
 #include "tests/unit/net/display_socket.hpp"
 #include "tests/unit/net/navigation_host.hpp"
 #include "tests/unit/net/test_client.hpp"

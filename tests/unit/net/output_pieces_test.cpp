@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "server/net/command_gate.hpp"
-#include "server/net/datagram_pacer.hpp"
-#include "server/net/output_conflicts.hpp"
-#include "server/net/output_socket.hpp"
+#include "server/net/common/output_socket.hpp"
+#include "server/net/outputs/command_gate.hpp"
+#include "server/net/outputs/datagram_pacer.hpp"
+#include "server/net/outputs/output_conflicts.hpp"
 
 namespace skerry::server {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "server/net/recording_news.hpp"
+#include "server/net/common/recording_news.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 

@@ -1,5 +1,5 @@
 // NativeSession on a transport made for tests: who may control, and failure at every operation.
-#include "server/net/native_session.hpp"
+#include "server/net/native/native_session.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "protocol/signalk/json.hpp"
-#include "server/net/signalk_rest.hpp"
+#include "server/net/signalk/signalk_rest.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 #include "tests/unit/net/test_web_socket.hpp"

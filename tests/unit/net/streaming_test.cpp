@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocol/wire/spoke_message.hpp"
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 

@@ -11,7 +11,7 @@
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/wire/datagram.hpp"
 #include "protocol/wire/spoke_message.hpp"
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 

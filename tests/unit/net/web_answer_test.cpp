@@ -1,4 +1,4 @@
-#include "server/net/web_answer.hpp"
+#include "server/net/http/web_answer.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "protocol/wire/spoke_message.hpp"
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 #include "server/recorder/view_readers.hpp"
 #include "tests/unit/recorder/recorder_kit.hpp"
 

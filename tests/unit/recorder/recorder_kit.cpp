@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "protocol/wire/spoke_message.hpp"
-#include "server/net/encoders.hpp"
+#include "server/net/common/encoders.hpp"
 
 namespace skerry::server {
 

@@ -1,0 +1,54 @@
+// NetConfig: addresses, ports and limits of the server's network side.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/asterix/cat240.hpp"
+#include "server/net/common/navigation_config.hpp"
+#include "server/net/common/output_config.hpp"
+#include "server/net/common/signalk_config.hpp"
+
+namespace skerry::server {
+
+struct NetConfig {
+  std::string bind = "127.0.0.1";   // address for TCP and HTTP
+  std::uint16_t tcp_port = 7410;    // native protocol; 0: any free port
+  std::uint16_t http_port = 7480;   // HTTP and WebSocket; 0: any free port
+  std::vector<UdpDestination> udp;  // native datagrams
+  std::vector<UdpDestination> cat240 = {{.radar = 0, .address = "127.0.0.1", .port = 8600}};
+  std::vector<UdpDestination> sweeps;  // records of interface boards, one in a body
+  std::vector<StreamOutputConfig> streams;
+  std::vector<DisplayOutputConfig> displays;
+  std::vector<NavigationOutputConfig> navigation_outputs;
+  std::vector<NavigationInputConfig> navigation_inputs;
+  Cat240Source cat240_source;  // of radar 0; radar n has sic + n, modulo 256
+
+  // What a Set message from elsewhere than this host must carry; empty: none is accepted from
+  // there.
+  std::string control_token;
+  // Names, without port, by which browsers may address this server, besides localhost and, when
+  // `bind` is no loopback address, any IP literal.
+  std::vector<std::string> allowed_hosts;
+  SignalkConfig signalk;
+  std::string web_root;  // directory with the web console; empty: the one built in
+
+  std::size_t max_connections = 256;  // TCP, HTTP and WebSocket together
+  // A client that leaves a full queue of replies unread for so long is closed.
+  std::chrono::milliseconds reply_timeout{10'000};
+  // For one HTTP request, and between two on a kept connection.
+  std::chrono::milliseconds http_timeout{15'000};
+};
+
+// One file of the web console as built into the server.
+struct WebFile {
+  std::string_view path;  // "/index.html"
+  std::string_view mime;  // "text/html; charset=utf-8"
+  std::string_view body;
+};
+
+}  // namespace skerry::server

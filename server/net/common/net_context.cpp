@@ -1,0 +1,190 @@
+#include "server/net/common/net_context.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/wire/frame.hpp"
+#include "server/core/process_memory.hpp"
+#include "server/net/common/encoders.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr std::size_t kMinSendBuffer = 32 * 1024;
+constexpr std::size_t kMaxSendBuffer = 4 * 1024 * 1024;  // Debian's tcp_wmem maximum
+constexpr std::size_t kUnknownSendBuffer = 1024 * 1024;  // of a board that has yet to send
+constexpr double kSpokeOverhead = 100;                   // bytes besides the cells
+constexpr double kSendBufferSeconds = 0.1;
+
+}  // namespace
+
+SharedBytes make_frame(const wire::ServerMessage& message) {
+  auto bytes = std::make_shared<Bytes>();
+  append_frame(*bytes, message);
+  return bytes;
+}
+
+NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
+    : host(radar_host),
+      config(std::move(net_config)),
+      connections(config.max_connections),
+      settings_version_(host.settings_version()),
+      world_version_(host.world_version()) {}
+
+SpokeFeed* NetContext::find_feed(std::uint32_t radar, std::uint32_t view,
+                                 const std::string& format) {
+  const FeedKey key(radar, view, format);
+  if (const auto known = feeds_.find(key); known != feeds_.end()) return known->second.get();
+  VideoChannelPtr channel = host.find_channel(radar, view);
+  if (channel == nullptr) return nullptr;
+  FormatRing* const ring = channel->find_format(format);
+  if (ring == nullptr) return nullptr;
+  auto& feed = feeds_[key];
+  feed = std::make_unique<SpokeFeed>(io, FormatRingPtr(std::move(channel), ring));
+  return feed.get();
+}
+
+SpokeFeed* NetContext::find_board_feed(std::uint32_t radar, const std::string& format) {
+  BoardPortPtr board = host.find_board(radar);
+  if (board == nullptr) return nullptr;
+  FormatRing& ring = board->ring(format);
+  auto& feed = board_feeds_[{radar, format}];
+  if (feed == nullptr) {
+    feed = std::make_unique<SpokeFeed>(io, FormatRingPtr(std::move(board), &ring));
+  }
+  return feed.get();
+}
+
+std::optional<std::uint32_t> NetContext::open_view(std::uint32_t radar, std::uint32_t like) {
+  const auto view = host.open_view(radar, like, false, [](VideoChannel& channel) {
+    channel.add_format(kNativeFormat, native_encoder());
+  });
+  if (view) opened_[{radar, *view}] = std::chrono::steady_clock::now();
+  return view;
+}
+
+bool NetContext::has_readers(const ViewKey& view) const {
+  const auto feed = feeds_.find(FeedKey(view.first, view.second, kNativeFormat));
+  return feed != feeds_.end() && !feed->second->readers().empty();
+}
+
+void NetContext::end_views(std::chrono::steady_clock::time_point now) {
+  for (auto view = opened_.begin(); view != opened_.end();) {
+    auto& [key, last_read] = *view;
+    if (has_readers(key)) last_read = now;
+    if (now - last_read < kViewGrace) {
+      ++view;
+      continue;
+    }
+    host.close_view(key.first, key.second);
+    const auto feed = feeds_.find(FeedKey(key.first, key.second, kNativeFormat));
+    if (feed != feeds_.end()) {
+      SpokeFeed::retire(std::move(feed->second));
+      feeds_.erase(feed);
+    }
+    view = opened_.erase(view);
+  }
+}
+
+std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
+  const wire::Hello hello = host.hello();
+  for (const wire::RadarInfo& info : hello.radars()) {
+    if (info.radar() != radar) continue;
+    const double spokes_per_second = info.spokes_per_turn() * info.rpm() / 60.0;
+    const double bytes_per_spoke = info.cells() * info.bits() / 8.0 + kSpokeOverhead;
+    const double bytes = spokes_per_second * bytes_per_spoke * kSendBufferSeconds;
+    return static_cast<std::size_t>(
+        std::clamp(bytes, double{kMinSendBuffer}, double{kMaxSendBuffer}));
+  }
+  return kMinSendBuffer;
+}
+
+std::size_t NetContext::board_send_buffer_for(std::uint32_t radar) const {
+  const BoardPortPtr board = host.find_board(radar);
+  const double rate = board->bytes_per_second();
+  if (rate <= 0.0) return kUnknownSendBuffer;
+  return static_cast<std::size_t>(
+      std::clamp(rate * kSendBufferSeconds, double{kMinSendBuffer}, double{kMaxSendBuffer}));
+}
+
+void NetContext::tell_send_buffers() {
+  for (const auto& [key, feed] : board_feeds_) {
+    if (feed->readers().empty()) continue;
+    const std::size_t bytes = board_send_buffer_for(key.first);
+    for (FeedReader* reader : feed->readers()) reader->on_send_buffer(bytes);
+  }
+}
+
+void NetContext::tell_settings() {
+  const std::uint64_t settings = host.settings_version(), world = host.world_version();
+  const bool settings_changed = std::exchange(settings_version_, settings) != settings;
+  const bool world_changed = std::exchange(world_version_, world) != world;
+  if (!settings_changed && !world_changed) return;
+  const SharedBytes of_world = world_changed ? world_frame() : nullptr;
+  for (const auto& [key, feed] : feeds_) {
+    if (feed->readers().empty()) continue;
+    const SharedBytes frame =
+        settings_changed ? settings_frame(std::get<0>(key), std::get<1>(key)) : nullptr;
+    for (FeedReader* reader : feed->readers()) {
+      if (frame) reader->on_settings(frame);
+      if (of_world) reader->on_world(of_world);
+    }
+  }
+}
+
+void NetContext::tell_own_ships() {
+  for (const auto& [key, feed] : feeds_) {
+    if (feed->readers().empty()) continue;
+    const SharedBytes frame = own_ship_frame(std::get<0>(key));
+    for (FeedReader* reader : feed->readers()) reader->on_own_ship(frame);
+  }
+}
+
+void NetContext::tell_recordings(std::chrono::steady_clock::time_point now) {
+  const RecordingNews::Frames due = recording_news_.due(now);
+  if (!due.recorder && !due.playback) return;
+  for (const auto& [key, feed] : feeds_) {
+    for (FeedReader* reader : feed->readers()) {
+      if (due.recorder) reader->on_recorder(due.recorder);
+      if (due.playback) reader->on_playback(due.playback);
+    }
+  }
+}
+
+wire::Hello NetContext::hello() const {
+  wire::Hello hello = host.hello();
+  hello.set_can_record(host.recording() != nullptr);
+  hello.set_playback(host.playback() != nullptr);
+  return hello;
+}
+
+SharedBytes NetContext::settings_frame(std::uint32_t radar, std::uint32_t view) const {
+  wire::ServerMessage message;
+  *message.mutable_settings() = host.settings(radar, view);
+  return make_frame(message);
+}
+
+SharedBytes NetContext::own_ship_frame(std::uint32_t radar) const {
+  wire::ServerMessage message;
+  *message.mutable_own_ship() = host.own_ship(radar);
+  return make_frame(message);
+}
+
+SharedBytes NetContext::world_frame() const {
+  wire::ServerMessage message;
+  *message.mutable_world() = host.world();
+  return make_frame(message);
+}
+
+wire::Status NetContext::status() const {
+  wire::Status status = host.status();
+  clients.append_to(status);
+  outputs.append_to(status);
+  for (const auto& [kind, times] : errors.counts()) (*status.mutable_errors())[kind] += times;
+  if (const RecordingPort* port = host.recording()) *status.mutable_recorder() = port->state();
+  if (const PlaybackPort* port = host.playback()) *status.mutable_playback() = port->state();
+  status.set_resident_mib(resident_mib());
+  return status;
+}
+
+}  // namespace skerry::server

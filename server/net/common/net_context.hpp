@@ -1,0 +1,94 @@
+// NetContext: what the connections of one server share.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "server/core/error_counts.hpp"
+#include "server/core/radar_host.hpp"
+#include "server/net/common/asio.hpp"
+#include "server/net/common/client_registry.hpp"
+#include "server/net/common/connection_table.hpp"
+#include "server/net/common/net_config.hpp"
+#include "server/net/common/output_registry.hpp"
+#include "server/net/common/recording_news.hpp"
+#include "server/net/common/spoke_feed.hpp"
+
+namespace skerry::server {
+
+// A ServerMessage as a frame that any number of sessions can send.
+SharedBytes make_frame(const wire::ServerMessage& message);
+
+// Thread: net-0, except where stated.
+class NetContext {
+ public:
+  NetContext(RadarHost& radar_host, NetConfig net_config);
+
+  asio::io_context io{1};  // first: destroyed last
+  RadarHost& host;
+  const NetConfig config;
+  ErrorCounts errors;      // any thread
+  ClientRegistry clients;  // any thread
+  OutputRegistry outputs;  // any thread
+  ConnectionTable connections;
+
+  // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
+  // context.
+  SpokeFeed* find_feed(std::uint32_t radar, std::uint32_t view, const std::string& format);
+
+  // Of a radar's interface board, kRecordsFormat or kSignalsFormat; nullptr if it has none.  Lives
+  // as long as the context.
+  SpokeFeed* find_board_feed(std::uint32_t radar, const std::string& format);
+
+  // A further view with the settings of view `like`, for native clients; nothing if the radar has
+  // as many as it may.  It ends when it has had no reader for kViewGrace.  Requires that
+  // find_feed() knows the radar and view.
+  std::optional<std::uint32_t> open_view(std::uint32_t radar, std::uint32_t like);
+  static constexpr std::chrono::seconds kViewGrace{5};
+  // Ends the views whose time has come.  Call it a few times a second.
+  void end_views(std::chrono::steady_clock::time_point now);
+
+  // About 100 ms of the radar's spokes, in bytes: what may wait in the kernel for a slow console,
+  // which so sees a picture at most that old.
+  std::size_t send_buffer_for(std::uint32_t radar) const;
+  // The same of a board's records, by what was sent lately.  Requires a radar with a board.
+  std::size_t board_send_buffer_for(std::uint32_t radar) const;
+
+  // Sends Settings and World to the readers of all views, if any changed since the last call.
+  void tell_settings();
+  // Sends RecorderState and PlaybackState to all readers when due.  Call it ten times a second.
+  void tell_recordings(std::chrono::steady_clock::time_point now);
+  // Tells the readers of boards what may now wait in the kernel.  Call it once a second.
+  void tell_send_buffers();
+  // Sends OwnShip to all readers.
+  void tell_own_ships();
+
+  // The host's, with what the network does for it.
+  wire::Hello hello() const;
+  RecordingNews::Frames recording_frames() const { return recording_news_.all(); }
+  SharedBytes settings_frame(std::uint32_t radar, std::uint32_t view) const;
+  SharedBytes own_ship_frame(std::uint32_t radar) const;
+  SharedBytes world_frame() const;
+  wire::Status status() const;  // any thread
+
+ private:
+  using FeedKey = std::tuple<std::uint32_t, std::uint32_t, std::string>;  // radar, view, format
+  using BoardKey = std::pair<std::uint32_t, std::string>;                 // radar, format
+  using ViewKey = std::pair<std::uint32_t, std::uint32_t>;                // radar, view
+  bool has_readers(const ViewKey& view) const;
+
+  std::map<FeedKey, std::unique_ptr<SpokeFeed>> feeds_;
+  std::map<BoardKey, std::unique_ptr<SpokeFeed>> board_feeds_;
+  // Further views and when each last had a reader.
+  std::map<ViewKey, std::chrono::steady_clock::time_point> opened_;
+  std::uint64_t settings_version_ = 0, world_version_ = 0;
+  RecordingNews recording_news_{host};
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,43 @@
+// RecordingNews: when consoles are told of the recorder and of what is played back.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "server/core/radar_host.hpp"
+#include "server/net/common/spoke_feed.hpp"
+
+namespace skerry::server {
+
+// Says what is due: each state when it changed, the recorder's once a second while it records (or
+// would, if the disk had room), and that of a playback twice a second while it plays.
+// Thread: net-0.
+class RecordingNews {
+ public:
+  static constexpr std::chrono::milliseconds kWhileRecording{1000};
+  static constexpr std::chrono::milliseconds kWhilePlaying{500};
+
+  // The host must outlive it.
+  explicit RecordingNews(RadarHost& host) : host_(host) {}
+
+  // Frames to send; nullptr: nothing to tell, or a host that does not record or play.
+  struct Frames {
+    SharedBytes recorder, playback;
+  };
+  // What is due.  Call it ten times a second: so often, at most, is anything told.
+  Frames due(std::chrono::steady_clock::time_point now);
+  // As of now, for a console that just came.
+  Frames all() const;
+
+ private:
+  struct Told {
+    std::optional<std::uint64_t> version;
+    std::chrono::steady_clock::time_point at;
+  };
+
+  RadarHost& host_;
+  Told recorder_, playback_;
+};
+
+}  // namespace skerry::server

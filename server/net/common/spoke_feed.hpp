@@ -1,0 +1,62 @@
+// SpokeFeed: one view in one format, or a board's records, as seen from the network thread.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "protocol/wire/wire_error.hpp"
+#include "server/core/radar_host.hpp"
+#include "server/net/common/asio.hpp"
+
+namespace skerry::server {
+
+using SharedBytes = std::shared_ptr<const Bytes>;
+// Keeps alive what the ring is part of: a channel or a board.
+using FormatRingPtr = std::shared_ptr<FormatRing>;
+
+// Told of news; takes the spokes itself, from SpokeFeed::ring() with its own cursor.
+// None of these may add or remove readers.  Thread: net-0.
+class FeedReader {
+ public:
+  virtual ~FeedReader() = default;
+  virtual void on_sector() = 0;
+  virtual void on_settings(const SharedBytes& /*frame*/) {}
+  virtual void on_own_ship(const SharedBytes& /*frame*/) {}
+  virtual void on_world(const SharedBytes& /*frame*/) {}
+  virtual void on_recorder(const SharedBytes& /*frame*/) {}
+  virtual void on_playback(const SharedBytes& /*frame*/) {}
+  // Of a board's feed: what may wait in the kernel, now and then anew.
+  virtual void on_send_buffer(std::size_t /*bytes*/) {}
+};
+
+// Wakes net-0 once per publish, and not once per reader: a publish while a wake-up is still posted
+// posts none.  The format is encoded only while there are readers.
+// Thread: net-0; destroy it only when its io_context runs no more, or with retire().
+class SpokeFeed {
+ public:
+  SpokeFeed(asio::io_context& io, FormatRingPtr ring) : io_(io), ring_(std::move(ring)) {}
+
+  // Destroys a feed without readers behind the wake-ups of it that are still posted.
+  static void retire(std::unique_ptr<SpokeFeed> feed);
+
+  // The reader's cursor begins at the next sector published.
+  Cursor add(FeedReader& reader);
+  void remove(FeedReader& reader);  // no effect on one that was not added
+
+  FormatRing& ring() { return *ring_; }
+  const std::vector<FeedReader*>& readers() const { return readers_; }
+
+ private:
+  void wake();  // radar thread
+
+  asio::io_context& io_;
+  FormatRingPtr ring_;
+  std::vector<FeedReader*> readers_;
+  std::atomic<bool> wake_posted_{false};
+  FormatRing::Registration registration_;  // last: released before what its wake uses
+};
+
+}  // namespace skerry::server

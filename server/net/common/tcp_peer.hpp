@@ -1,0 +1,27 @@
+// What TCP and WebSocket connections have in common: their socket's options and peer.
+#pragma once
+
+#include <string>
+
+#include "server/net/common/asio.hpp"
+
+namespace skerry::server {
+
+struct TcpPeer {
+  std::string text = "unknown";
+  bool is_loopback = false;
+};
+
+// An IPv4 address that came in over an IPv6 socket counts as the IPv4 address it is.
+bool is_loopback(const asio::ip::address& address);
+
+// Who is at the other end; a connection that is already gone is "unknown" and not on loopback.
+TcpPeer peer_of(const TcpSocket& socket);
+
+// No delay for small messages, and keep-alive probes, so that a peer that vanished without a word
+// is noticed after about a minute of silence.
+void set_stream_options(TcpSocket& socket);
+
+void set_send_buffer(TcpSocket& socket, std::size_t bytes);
+
+}  // namespace skerry::server

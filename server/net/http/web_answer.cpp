@@ -1,0 +1,119 @@
+#include "server/net/http/web_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+namespace skerry::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kMimeTypes = {{
+    {".html", "text/html; charset=utf-8"},
+    {".js", "text/javascript; charset=utf-8"},
+    {".mjs", "text/javascript; charset=utf-8"},
+    {".css", "text/css; charset=utf-8"},
+    {".json", "application/json"},
+    {".proto", "text/plain; charset=utf-8"},
+    {".svg", "image/svg+xml"},
+    {".png", "image/png"},
+    {".ico", "image/x-icon"},
+    {".wasm", "application/wasm"},
+}};
+
+std::string mime_of(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  for (const auto& [known, mime] : kMimeTypes) {
+    if (known == extension) return std::string(mime);
+  }
+  return "application/octet-stream";
+}
+
+bool clean(std::string_view path) {
+  if (!path.starts_with('/')) return false;
+  if (std::any_of(path.begin(), path.end(),
+                  [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; })) {
+    return false;
+  }
+  for (std::size_t begin = 1; begin < path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    const std::string_view segment = path.substr(begin, end - begin);
+    if (segment.empty() || segment == "." || segment == "..") return false;
+    begin = end + 1;
+  }
+  return true;
+}
+
+}  // namespace
+
+WebAnswer web_error(unsigned status, std::string text) {
+  text += '\n';
+  return {.status = status, .body = std::move(text)};
+}
+
+std::string clean_path(std::string_view target) {
+  target = target.substr(0, target.find_first_of("?#"));
+  std::string path;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    if (target[i] != '%') {
+      path += target[i];
+      continue;
+    }
+    unsigned value = 0;
+    const char* begin = target.data() + i + 1;
+    if (target.size() - i < 3) return {};
+    const auto [end, error] = std::from_chars(begin, begin + 2, value, 16);
+    if (error != std::errc() || end != begin + 2) return {};
+    path += static_cast<char>(value);
+    i += 2;
+  }
+  return clean(path) ? path : std::string();
+}
+
+WebFiles::WebFiles(std::span<const WebFile> built_in, const std::string& root)
+    : built_in_(built_in) {
+  if (root.empty()) return;
+  std::error_code error;
+  const fs::path canonical = fs::canonical(root, error);
+  if (error || !fs::is_directory(canonical, error)) {
+    throw std::runtime_error(
+        fmt::format("web root '{}' is no directory that can be read; give one that holds "
+                    "index.html with --web-root, or leave it out to use the built-in console",
+                    root));
+  }
+  root_ = canonical.string();
+}
+
+WebAnswer WebFiles::get(std::string_view target) const {
+  std::string path = clean_path(target);
+  if (path.empty()) return web_error(400, "400: the path of this request cannot be read");
+  if (path.ends_with('/')) path += "index.html";
+  if (!root_.empty()) return get_from_root(path);
+  const auto file = std::find_if(built_in_.begin(), built_in_.end(),
+                                 [&path](const WebFile& known) { return known.path == path; });
+  if (file == built_in_.end()) return web_error(404, "404: no such file; the console is at /");
+  return {.mime = std::string(file->mime), .body = std::string(file->body)};
+}
+
+WebAnswer WebFiles::get_from_root(const std::string& path) const {
+  const WebAnswer not_found = web_error(404, "404: no such file; the console is at /");
+  std::error_code error;
+  const fs::path file = fs::canonical(fs::path(root_ + path), error);
+  if (error || !file.string().starts_with(root_ + "/")) return not_found;
+  if (!fs::is_regular_file(file, error) || error) return not_found;
+  const auto size = fs::file_size(file, error);
+  if (error || size > kMaxFile) return not_found;
+  std::string body(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.read(body.data(), static_cast<std::streamsize>(size))) return not_found;
+  return {.mime = mime_of(file), .body = std::move(body)};
+}
+
+}  // namespace skerry::server

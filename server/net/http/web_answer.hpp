@@ -1,0 +1,47 @@
+// What HTTP requests get: decided without a socket.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "server/net/common/net_config.hpp"
+
+namespace skerry::server {
+
+struct WebAnswer {
+  unsigned status = 200;
+  std::string mime = "text/plain; charset=utf-8";
+  std::string body = {};
+  std::string_view vary = {};  // the request header that decided about the answer; a literal
+};
+
+// An error with its text as the body.
+WebAnswer web_error(unsigned status, std::string text);
+
+// The path of a request target: without query, percent-decoded.  Empty if it is no clean absolute
+// path: bad escapes, control characters, backslashes, empty or dot segments.
+std::string clean_path(std::string_view target);
+
+// The web console, from memory or from a directory.
+class WebFiles {
+ public:
+  static constexpr std::size_t kMaxFile = 16 * 1024 * 1024;
+
+  // `built_in` must outlive it.  With a non-empty `root` only files in that directory are served,
+  // links out of it not followed.
+  // Error: std::runtime_error if `root` is no directory.
+  WebFiles(std::span<const WebFile> built_in, const std::string& root);
+
+  // `target` as in the request line.  "/" is "/index.html".  Reads the disk if there is a root:
+  // meant for working on the console.
+  WebAnswer get(std::string_view target) const;
+
+ private:
+  WebAnswer get_from_root(const std::string& path) const;
+
+  std::span<const WebFile> built_in_;
+  std::string root_;  // canonical; empty: none
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,129 @@
+// NativeSession: one client of the native protocol, on whatever transport.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/wire/frame.hpp"
+#include "server/net/common/net_context.hpp"
+#include "server/net/native/board_desk.hpp"
+#include "server/net/native/byte_transport.hpp"
+
+namespace skerry::server {
+
+// Says Hello, answers requests in their order, and once subscribed sends spokes by whole sectors,
+// and records of a board by blocks.
+//
+// Never holds more than it must for a client that does not read: spokes and records stay in the
+// ring, which
+// overwrites them and counts; of Settings, OwnShip, World and the states of recorder and playback
+// only the newest waits; when kMaxReplies replies wait, no further request is read, and after
+// NetConfig::reply_timeout the client is closed.
+//
+// Alive as long as an operation of its own is in flight: nearly always a read, which also notices
+// that the client has gone.
+// Thread: net-0.
+class NativeSession final : public Connection,
+                            public FeedReader,
+                            public std::enable_shared_from_this<NativeSession> {
+ public:
+  static constexpr std::size_t kMaxReplies = 64;
+  static constexpr std::size_t kMaxReplyBytes = 64 * 1024;  // queued; one more reply may exceed it
+  static constexpr std::size_t kBatchBytes = 64 * 1024;  // one write; one more sector may exceed it
+
+  static void begin(NetContext& context, std::unique_ptr<ByteTransport> transport,
+                    ConnectionSlotPtr slot);
+
+  NativeSession(NetContext& context, std::unique_ptr<ByteTransport> transport,
+                ConnectionSlotPtr slot);
+
+  void close() override;
+  void on_sector() override { pump(); }
+  void on_settings(const SharedBytes& frame) override;
+  void on_own_ship(const SharedBytes& frame) override;
+  void on_world(const SharedBytes& frame) override;
+  void on_recorder(const SharedBytes& frame) override;
+  void on_playback(const SharedBytes& frame) override;
+  void on_send_buffer(std::size_t bytes) override;
+
+ private:
+  void start();
+  void read();
+  void on_read(error_code error, std::size_t size);
+  void process();      // answers what was read, until the replies are too many
+  bool handle_next();  // false: no whole request is left
+  void handle(std::span<const std::uint8_t> body);
+  void subscribe(std::uint32_t request, const wire::Subscribe& subscribe);
+  // The view a subscription asks for, a new one among them; nothing if it has been refused.
+  std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
+  void set(std::uint32_t request, const wire::Set& set);
+  void record(std::uint32_t request, const wire::Record& record);
+  void control_playback(std::uint32_t request, const wire::Playback& playback);
+  // One of the board's kinds.
+  void ask_board(const wire::ClientMessage& message);
+  bool may_control(std::uint32_t request, const std::string& token);
+  void reply(std::uint32_t request, wire::Reply::Code code, std::string text,
+             std::uint32_t view = 0);
+  void reply(std::uint32_t request, wire::Reply answer);
+  void send(const wire::ServerMessage& message);
+  // Sends an error and ends the connection once the client has it.
+  void fail(wire::Reply::Code code, std::string_view kind, std::string text);
+  void unsubscribe();
+  void limit_send_buffer();
+
+  void pump();  // starts a write if none is in flight and there is something to send
+  void add_to_batch(SharedBytes frame);
+  void add_sectors_to_batch();
+  void add_to_batch(EncodedSectorPtr sector);
+  void on_written(error_code error, std::size_t size);
+
+  bool replies_full() const {
+    return replies_.size() >= kMaxReplies || reply_bytes_ >= kMaxReplyBytes;
+  }
+  void end_after(std::chrono::milliseconds time, std::string_view kind);
+
+  NetContext& context_;
+  std::unique_ptr<ByteTransport> transport_;
+  ConnectionSlotPtr slot_;
+  ClientPtr client_;
+  Timer deadline_;  // for unread replies, or for the client to end a failed connection
+
+  std::array<std::uint8_t, 4096> read_buffer_;
+  FrameReader reader_{kMaxClientFrame};
+
+  SpokeFeed* feed_ = nullptr;  // nullptr: not subscribed
+  Cursor cursor_;
+  std::uint64_t lost_before_ = 0;  // by earlier subscriptions
+
+  std::size_t spoke_buffer_ = 0;  // of the kernel's, for spokes
+
+  BoardDesk boards_;
+
+  std::deque<SharedBytes> replies_;
+  std::size_t reply_bytes_ = 0;
+  // The newest not yet sent, of each kind.
+  enum News : std::size_t { kSettings, kOwnShip, kWorld, kRecorder, kPlayback, kKindsOfNews };
+  void tell(News kind, const SharedBytes& frame);
+  std::array<SharedBytes, kKindsOfNews> news_;
+
+  std::vector<std::shared_ptr<const void>> batch_owners_;  // keep what the write in flight sends
+  std::vector<asio::const_buffer> batch_;
+  std::size_t batch_bytes_ = 0;
+  std::uint64_t batch_spokes_ = 0;
+
+  bool reading_ = false;
+  bool writing_ = false;
+  bool waiting_for_replies_ = false;  // requests are not read until replies have gone
+  bool failed_ = false;               // only what is in replies_ is still sent
+  bool finished_ = false;             // told the client that nothing more comes
+  bool closed_ = false;
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,186 @@
+#include "server/net/signalk/signalk_delta_session.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "server/net/common/access_policy.hpp"
+#include "server/net/common/net_clock.hpp"
+#include "server/net/common/tcp_peer.hpp"
+
+namespace skerry::server {
+namespace {
+
+using signalk::Json;
+
+constexpr std::string_view kSource = "skerry";
+
+}  // namespace
+
+void SignalkDeltaSession::begin(NetContext& context, SignalkSite& site,
+                                std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot,
+                                const Client& client) {
+  const auto session = std::make_shared<SignalkDeltaSession>(context, site, std::move(stream),
+                                                             std::move(slot), client);
+  session->start();
+  site.enter(session);
+}
+
+SignalkDeltaSession::SignalkDeltaSession(NetContext& context, SignalkSite& site,
+                                         std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot,
+                                         const Client& client)
+    : context_(context),
+      site_(site),
+      stream_(std::move(stream)),
+      slot_(std::move(slot)),
+      token_(client.token) {
+  const TcpPeer peer = peer_of(beast::get_lowest_layer(*stream_).socket());
+  from_here_ = peer.is_loopback;
+  client_ = context.clients.add("signalk deltas", peer.text);
+  if (client.query.find("subscribe=none") == std::string::npos) {
+    subscriptions_.subscribe("*", signalk::Subscriptions::kUsualPeriod);
+  }
+}
+
+void SignalkDeltaSession::start() {
+  slot_->owner = weak_from_this();
+  TcpStream& tcp = beast::get_lowest_layer(*stream_);
+  set_stream_options(tcp.socket());
+  tcp.expires_never();
+  stream_->text(true);
+  stream_->read_message_max(kLongestRequest);
+  send(signalk::hello_document(site_.server(), utc_now()));
+  read();
+}
+
+void SignalkDeltaSession::close() {
+  if (closed_) return;
+  closed_ = true;
+  beast::get_lowest_layer(*stream_).close();
+}
+
+void SignalkDeltaSession::read() {
+  if (closed_ || reading_ || queue_.size() >= kMostQueued) return;
+  reading_ = true;
+  stream_->async_read(request_, [self = shared_from_this()](error_code error, std::size_t) {
+    self->reading_ = false;
+    self->on_read(error);
+  });
+}
+
+void SignalkDeltaSession::on_read(error_code error) {
+  if (error) {
+    if (error == websocket::error::message_too_big || error == websocket::error::buffer_overflow) {
+      context_.errors.add("signalk request too long", client_->peer);
+    }
+    return close();
+  }
+  const std::string text(static_cast<const char*>(request_.data().data()), request_.size());
+  request_.consume(request_.size());
+  handle(text);
+  read();
+}
+
+void SignalkDeltaSession::handle(const std::string& text) {
+  const auto request = signalk::read_stream_request(text);
+  if (!request) {
+    context_.errors.add("signalk malformed request", client_->peer + ": " + request.error());
+    return;
+  }
+  for (const auto& path : request->unsubscribe) {
+    subscriptions_.unsubscribe(path.pattern);
+  }
+  for (const auto& path : request->subscribe) {
+    subscriptions_.subscribe(path.pattern, path.period);
+  }
+  if (!request->unsubscribe.empty()) {
+    std::erase_if(sent_, [this](const auto& each) { return !subscriptions_.wants(each.first); });
+  }
+  if (!request->put_path.empty()) {
+    set_control(*request, request->token.empty() ? token_ : request->token);
+  }
+  if (!request->subscribe.empty() && queue_.size() < 4) {
+    send_news(std::chrono::steady_clock::now());
+  }
+}
+
+void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
+                                      const std::string& token) {
+  SignalkOutcome outcome{404, "no control of that path"};
+  if (auto refusal = control_refusal(from_here_, token, context_.config.control_token)) {
+    context_.errors.add("control refused", client_->peer + ": " + *refusal);
+    outcome = {403, "control from another host needs the server's control token"};
+  } else if (const auto* definition = SignalkSite::definition_at(request.put_path)) {
+    const std::string_view path = request.put_path;
+    constexpr std::size_t kBehindRadars = 7;  // "radars."
+    const auto id = path.substr(kBehindRadars, path.find('.', kBehindRadars) - kBehindRadars);
+    if (SignalkSite::Mounted* radar = site_.find(id)) {
+      outcome = site_.set_control(*radar, definition->key, request.put_value,
+                                  "Signal K display " + client_->peer);
+    }
+  }
+  if (outcome.status >= 400) {
+    context_.errors.add("signalk change refused", client_->peer + ": " + outcome.message);
+  }
+  if (request.request_id.empty()) return;
+  Json reply = signalk::reply_document(outcome.status, outcome.message);
+  reply["requestId"] = request.request_id;
+  send(reply);
+}
+
+void SignalkDeltaSession::on_tick(std::chrono::steady_clock::time_point now) {
+  if (queue_.empty() && !closed_) send_news(now);
+}
+
+void SignalkDeltaSession::send_news(std::chrono::steady_clock::time_point now) {
+  Json meta = Json::array(), values = Json::array();
+  for (const auto& [path, value] : site_.values()) {
+    const auto period = subscriptions_.period_of(path);
+    if (!period) continue;
+    const auto known = sent_.find(path);
+    const bool is_new = known == sent_.end();
+    // A tick that comes a little early is the one that was meant.
+    constexpr std::chrono::milliseconds kSlack{50};
+    if (!is_new && (known->second.value == value || now - known->second.at + kSlack < *period)) {
+      continue;
+    }
+    if (is_new) {
+      if (const auto* definition = SignalkSite::definition_at(path)) {
+        meta.push_back(Json{{"path", path}, {"value", signalk::definition_document(*definition)}});
+      }
+    }
+    values.push_back(Json{{"path", path}, {"value", *value}});
+    sent_[path] = {value, now};
+  }
+  for (auto known = sent_.begin(); known != sent_.end();) {
+    if (site_.values().contains(known->first)) {
+      ++known;
+      continue;
+    }
+    values.push_back(Json{{"path", known->first}, {"value", nullptr}});
+    known = sent_.erase(known);
+  }
+  if (!meta.empty()) {
+    send(signalk::delta_document(kSource, utc_now(), Json::array(), std::move(meta)));
+  }
+  if (!values.empty()) {
+    send(signalk::delta_document(kSource, utc_now(), std::move(values), Json::array()));
+  }
+}
+
+void SignalkDeltaSession::send(const Json& document) {
+  queue_.push_back(signalk::text_of(document));
+  if (queue_.size() == 1) write();
+}
+
+void SignalkDeltaSession::write() {
+  stream_->async_write(asio::buffer(queue_.front()),
+                       [self = shared_from_this()](error_code error, std::size_t size) {
+                         self->client_->bytes_sent.fetch_add(size, std::memory_order_relaxed);
+                         if (error) return self->close();
+                         self->queue_.pop_front();
+                         if (!self->queue_.empty()) self->write();
+                         self->read();
+                       });
+}
+
+}  // namespace skerry::server

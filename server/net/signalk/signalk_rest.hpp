@@ -1,0 +1,41 @@
+// Requests of Signal K clients: what path is what, and what it answers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/net/http/web_answer.hpp"
+#include "server/net/signalk/signalk_site.hpp"
+
+namespace skerry::server {
+
+struct SignalkRequest {
+  std::string_view method;  // "GET"
+  std::string path;         // clean, without query
+  std::string_view body = {};
+  std::string authority;     // HOST:PORT as the client has it
+  std::string address = {};  // of the server's end of the connection
+  std::string origin = {};   // who asks, for the log
+  // Why changes are refused, if they are; and whether a token was given that is right.
+  std::optional<std::string> refusal = {};
+  bool has_token = false;
+};
+
+// Whether the path is one of Signal K's, whatever becomes of it.
+bool is_signalk_path(std::string_view path);
+
+// Every answer is JSON; those to changes have the members state, statusCode and message.
+WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config,
+                         std::string_view control_token, const SignalkRequest& request);
+
+// What a WebSocket at that path is: spokes of a radar, the delta stream, or nothing of Signal K.
+struct SignalkStream {
+  SignalkSite::Mounted* spokes = nullptr;  // nullptr: deltas
+};
+std::optional<SignalkStream> signalk_stream(SignalkSite& site, std::string_view path);
+
+// The token of an Authorization header, "Bearer TOKEN" or "JWT TOKEN"; empty if there is none.
+std::string_view token_of(std::string_view authorization);
+
+}  // namespace skerry::server
