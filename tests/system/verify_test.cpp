@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -112,6 +113,23 @@ TEST_P(RecordedExercise, IsMadeAgainBitForBit) {
 
 INSTANTIATE_TEST_SUITE_P(Of, RecordedExercise, testing::Values(false, true),
                          [](const auto& of) { return of.param ? "Inputs" : "Video"; });
+
+// Recordings that version 0.1 made, and the SHA-256 that its own verify gave for their video.
+TEST(Verify, MakesTheVideoOfFormerRecordingsAgain) {
+  const std::map<std::string, std::string> former = {
+      {"all_views", "1505a75d47797319ff8ca7839553683e506efb782db8a2e84657faea591c3688"},
+      {"compact_zstd", "d92aa90248a86e054b2abdbd317326ebd7bb6accc7d45fbf391d89c27b4844b7"},
+      {"inputs", "30d1e51d5cef46215b8bc43c49b5d2715174635444bcd2e5bb76ad3d341abf4e"},
+      {"inputs_nmea", "b524524d4ae18d52e000a19a55e86c4c058449bf1fbba74f752f96c7fe09a1c7"},
+      {"none", "917b16cb4dec615d63533c626050037d3bd5ee571bf25e04ea28583cde65ad30"},
+      {"unfinished", "60614984c1e61f5cf01320f9be19070a9529127288edc86589101e04844c52f5"}};
+  for (const auto& [name, sum] : former) {
+    const Ending ending = run({skerry_program(), "recording", "verify",
+                               SKERRY_SOURCE_DIR "/tests/golden/recordings/" + name + ".mcap"});
+    EXPECT_EQ(ending.code, 0) << name << ": " << ending.out << ending.err;
+    EXPECT_THAT(ending.out, HasSubstr("SHA-256          " + sum)) << name;
+  }
+}
 
 TEST(Verify, SaysWhatCannotBeMadeAgain) {
   const TempFolder folder;
