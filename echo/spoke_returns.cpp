@@ -30,10 +30,10 @@ namespace skerry::echo {
 namespace {
 
 // Rock, trees and houses keep their phases for as long as a beam takes to pass: what is renewed
-// from turn to turn (recordings.md g) is a matter of the ship's own way.
+// from turn to turn (SOURCES.md "Pictures (g)") is a matter of the ship's own way.
 constexpr double kLandLifetime = 1.0;  // seconds
 // Share of land's mean power that comes from what stands out in its cell and stays: a Rician cell.
-// Turns then correlate as land's do (recordings.md g).
+// Turns then correlate as land's do (SOURCES.md "Pictures (g)").
 constexpr double kSteadyLand = 0.35;
 constexpr std::uint64_t kLandSpeckle = 0x1A4D5;
 

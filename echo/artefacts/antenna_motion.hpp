@@ -38,7 +38,7 @@ struct Motion {
 // reference and tilt only takes away: near cells on the up-roll (overshoot), far ones on both; that
 // a down-roll would strengthen the nearest cells is left out.  High land is treated as the
 // surface it stands on.
-// Source: physics.md B7; Gaussian beam and floor are assumptions.
+// Source: SOURCES.md "Artefacts"; Gaussian beam and floor are assumptions.
 // Thread: any.
 class AntennaMotionModel {
  public:

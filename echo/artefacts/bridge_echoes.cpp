@@ -11,7 +11,7 @@
 namespace skerry::echo {
 namespace {
 
-// Of the beam width, as wide as the uniform beam that gathers as much (physics.md B1).
+// Of the beam width, as wide as the uniform beam that gathers as much (SOURCES.md "Sets").
 constexpr double kEffective = 0.7527;
 
 // Where a ray meets a wall, metres; 0 where it does not.

@@ -8,7 +8,7 @@
 namespace skerry::echo {
 
 // A bridge again at 2, 3 .. kMostTrips times its range, as multiple_echoes.hpp has it for ships: a
-// bridge returns 0 dB of the height and arc it shows (physics.md B5), what the beam holds of it
+// bridge returns 0 dB of the height and arc it shows (SOURCES.md "Land"), what the beam holds of it
 // goes to and fro.  Points on bearings half a beam apart, the same for every sector, to
 // kBridgeReach; at most kMostBridges walls. Error: land before a bridge does not hide it here; both
 // legs are taken as equally long.

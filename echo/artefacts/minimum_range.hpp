@@ -11,8 +11,8 @@ namespace skerry::echo {
 
 // The first RadarModel::blind_cells see nothing, c (tau + 0.1 us) / 2.  Behind them the TR cell
 // still takes kTailDb, dying away as exp(-t / kTailSeconds).
-// Source: physics.md B7 for the blind range; the tail is an assumption, short enough that a buoy at
-// 40 m is seen (MSC.192: from 40 m).
+// Source: SOURCES.md "Artefacts" for the blind range; the tail is an assumption, short enough that
+// a buoy at 40 m is seen (MSC.192: from 40 m).
 inline constexpr double kTailDb = 6.0;
 inline constexpr double kTailSeconds = 0.05e-6;  // 7.5 m
 

@@ -28,9 +28,9 @@ std::uint32_t false_body(std::uint32_t body, std::uint64_t way);
 //   lambda^2 / 4 pi P2 / P1 = so st / ((4 pi)^2 R^4), and P(n) = P1 times its (n-1)th power, at n
 //   R.
 // Close by a hull is no point but at most a flat mirror, whose cross-section is pi R^2, so neither
-// is taken as more; the ratio is never over 1/16. Source: physics.md B2, B7 (the chain; the mirror
-// by images).  Error: lobing is that of the first trip on every one; hulls are as rough as their
-// median cross-section says.
+// is taken as more; the ratio is never over 1/16. Source: SOURCES.md "Propagation" and "Artefacts"
+// (the chain; the mirror by images).  Error: lobing is that of the first trip on every one; hulls
+// are as rough as their median cross-section says.
 double second_trip_ratio(double own_m2, double target_m2, double range_m);
 
 // The own hull's mean cross-section toward a bearing from the bow, as any ship's

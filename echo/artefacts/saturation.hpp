@@ -12,8 +12,8 @@ namespace skerry::echo {
 
 // An echo over kSaturationDb drives the receiver beyond its range by so many decibels; it then
 // loses as many, dying away as exp(-t / kRecoverySeconds), and what echoes behind is dimmed.
-// Source: physics.md B7: log amplifiers of 80 to 100 dB, an exponential tail.  The level within
-// them and the time are assumptions: sets differ.  The receiver's noise is not dimmed.
+// Source: SOURCES.md "Artefacts": log amplifiers of 80 to 100 dB, an exponential tail.  The level
+// within them and the time are assumptions: sets differ.  The receiver's noise is not dimmed.
 inline constexpr double kSaturationDb = 90.0;       // over noise
 inline constexpr double kRecoverySeconds = 1.0e-6;  // 150 m
 // The receiver is driven into no more than this.

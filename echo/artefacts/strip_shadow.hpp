@@ -15,7 +15,7 @@ struct Voltage {
 
 // Field behind a half plane that hides a plane wave by the Fresnel parameter v (negative: clears
 // it), 1 without it: (1+j)/2 integral from v to infinity of exp(-j pi t^2 / 2).  Its power is what
-// ITU-R P.526's knife-edge loss J(v) approximates (physics.md B2).
+// ITU-R P.526's knife-edge loss J(v) approximates (SOURCES.md "Propagation").
 // Error: 2e-3 in voltage, and 1e-4 of it beyond v = 5 (Abramowitz and Stegun 7.3.32 and 7.3.33;
 // beyond, the asymptotic series).  Held by StripShadow.AHalfPlaneIsTheKnifeEdge.
 Voltage past_half_plane(double v);
@@ -47,7 +47,8 @@ class StripShadow {
 // Whatever is in the way, this much comes through, one way (steel leaks round).
 inline constexpr double kLeastGain = 1e-4;
 
-// Width of the antenna with that beam: the cosine taper's 68.8 deg lambda / width (physics.md B1).
+// Width of the antenna with that beam: the cosine taper's 68.8 deg lambda / width (SOURCES.md
+// "Sets").
 double antenna_width_m(double beam_width_deg, double wavelength_m);
 
 }  // namespace skerry::echo

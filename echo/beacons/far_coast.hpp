@@ -18,7 +18,7 @@ namespace skerry::echo {
 // echoes come with ducts and are diffuse.
 struct FarCoast {
   double height_m = 60.0;   // over the water: 1 to 3000
-  double gamma_db = -8.0;   // as of rocky shore (physics.md B5)
+  double gamma_db = -8.0;   // as of rocky shore (SOURCES.md "Land")
   double nearest_m = 0.0;   // 0: the unambiguous range
   double farthest_m = 0.0;  // 0: farthest_trace()
 };

@@ -30,8 +30,8 @@ float emitter_beam(std::uint32_t off_units, double beam_width_deg, float side_lo
 // patterns as they turn and the frequency's loss.  Long range scales hold most of it.
 // Timing is exact (PulseTrain): Interference.LiesWherePulsesCountedOneByOneFall,
 // ...IsTheSameAfterThirtyDays.  Own pulses are those of PulseTrain(prf, model.radar).
-// Source: physics.md B7.  Error: a spoke shows the pulses fired in its own time, so that at fewer
-// pulses than spokes some spokes have none.
+// Source: SOURCES.md "Artefacts".  Error: a spoke shows the pulses fired in its own time, so that
+// at fewer pulses than spokes some spokes have none.
 class Interference {
  public:
   // What is put into one sector at most; beyond, later emitters of the scene are left out.

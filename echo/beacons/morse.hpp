@@ -12,7 +12,7 @@ namespace skerry::echo {
 std::string_view morse_of(char letter);
 
 // A code of 1 to 4 letters as marks of light and dark, in dots from its beginning: a dot is 1, a
-// dash 3, the gap between marks 1 (physics.md B6), between letters 3.
+// dash 3, the gap between marks 1 (SOURCES.md "Beacons"), between letters 3.
 struct MorseMarks {
   struct Mark {
     std::uint8_t from = 0, to = 0;

@@ -9,9 +9,9 @@
 
 namespace skerry::echo {
 
-// Friis: EIRP G lambda^2 / ((4 pi)^2 R^2) (physics.md B6), so both fall as R^-2.  Free space:
-// propagation and the own antenna's pattern are the caller's.  Half of the set's losses lie on
-// each way.  Ranges below kNearest count as that.
+// Friis: EIRP G lambda^2 / ((4 pi)^2 R^2) (SOURCES.md "Beacons"), so both fall as R^-2.  Free
+// space: propagation and the own antenna's pattern are the caller's.  Half of the set's losses lie
+// on each way.  Ranges below kNearest count as that.
 class OneWayLink {
  public:
   static constexpr double kNearest = 10.0;  // m: far-field formulas end about there

@@ -16,7 +16,7 @@ namespace skerry::echo {
 // delay_s behind the mark.  Its strength is one-way, R^-2, and follows the beam once, so that it is
 // about sqrt(2) wider than an echo as strong; the radar's pulse does not lengthen it.  Without
 // suppression the side lobes trigger it when it is near: arcs, then rings.
-// Sources: physics.md B6 (ITU-R M.824); suppression and threshold are by choice.
+// Sources: SOURCES.md "Beacons" (ITU-R M.824); suppression and threshold are by choice.
 // Error: answers to other radars, which may keep it busy, are left out; rain is the caller's.
 class RaconReturns {
  public:

@@ -10,8 +10,9 @@
 
 namespace skerry::echo {
 
-// How a SART sweeps.  Source: physics.md B6 (IMO SN/Circ.197): 9200 to 9500 MHz, twelve times down
-// in 0.4 us and up again in 7.5 us.  That it sweeps up slowly is by choice: no source read says so.
+// How a SART sweeps.  Source: SOURCES.md "Beacons" (IMO SN/Circ.197): 9200 to 9500 MHz, twelve
+// times down in 0.4 us and up again in 7.5 us.  That it sweeps up slowly is by choice: no source
+// read says so.
 struct SartSweep {
   static constexpr double kLeastHz = 9.2e9, kMostHz = 9.5e9;
   static constexpr double kFast = 0.4e-6, kSlow = 7.5e-6;  // seconds
@@ -33,9 +34,9 @@ struct SartSweep {
 // What a receiver of that bandwidth makes of a sweep of `hz_per_s` through it: power of its answer
 // against a steady carrier, and how long that lasts.  For a Gaussian filter of that half-power
 // width, exactly: with x = (2 ln 2 / pi) rate / B^2 the power is 1 / sqrt(1 + x^2) and the length
-// B sqrt(1 + x^2) / rate; for slow sweeps B / rate: 11, 37, 75 m at 3, 10, 20 MHz (physics.md B6).
-// A SART's slow sweep loses 3.4 dB at 3 MHz and 0.9 dB at 5 MHz, its fast one 15.7 dB and 11.2 dB.
-// Held by SartReturns.TheAnswerToASweepIsThatOfAGaussianFilter.
+// B sqrt(1 + x^2) / rate; for slow sweeps B / rate: 11, 37, 75 m at 3, 10, 20 MHz (SOURCES.md
+// "Beacons"). A SART's slow sweep loses 3.4 dB at 3 MHz and 0.9 dB at 5 MHz, its fast one 15.7 dB
+// and 11.2 dB. Held by SartReturns.TheAnswerToASweepIsThatOfAGaussianFilter.
 struct SweptAnswer {
   double power = 1.0;
   double length_s = 0.0;

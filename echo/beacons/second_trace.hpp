@@ -26,8 +26,9 @@ struct PrfJitter {
 // bearing and power kept; points that would then lie beyond the instrumented range, that lie there
 // without being folded, or that are lost in the noise (kLeastTrace) are taken out.  Points within
 // both ranges are left alone.  A straight coast becomes a hyperbola.
-// The model of jitter moves points by the sector, not by the pulse.  Source: physics.md B7.
-// Error: the antenna turns on by up to 0.25 deg (600 Hz, 24 rpm) meanwhile, which is left out.
+// The model of jitter moves points by the sector, not by the pulse.  Source: SOURCES.md
+// "Artefacts". Error: the antenna turns on by up to 0.25 deg (600 Hz, 24 rpm) meanwhile, which is
+// left out.
 inline constexpr float kLeastTrace = 0.05f;  // of the noise
 void fold_second_trace(const RadarModel& model, std::vector<PointEcho>& points,
                        PrfJitter jitter = {});

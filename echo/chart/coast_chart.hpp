@@ -20,7 +20,7 @@ enum class EdgeKind : std::uint8_t {
                // a coast; never refined, echoes no bank
 };
 
-// How a coast echoes, by the types of the seed paper.
+// How a coast echoes, by the types of Ji et al. 2016.
 enum class CoastType : std::uint8_t {
   unknown,     // the chart does not say: guessed from its shape, else as rocky
   artificial,  // I: quay, mole, wall: straight, sharp, strong

@@ -11,7 +11,7 @@
 namespace skerry::echo {
 namespace {
 
-// Two-way width of a Gaussian beam, sqrt(pi / (8 ln 2)) of its -3 dB width (physics.md B1).
+// Two-way width of a Gaussian beam, sqrt(pi / (8 ln 2)) of its -3 dB width (SOURCES.md "Sets").
 constexpr double kVerticalWidth = 0.75270;
 constexpr double kNearestRain = 1.0;  // m: nearer counts as this
 

@@ -14,14 +14,14 @@
 namespace skerry::echo {
 
 // Backscatter of rain per volume, 1/m: pi^5 0.93 Z 1e-18 / lambda^4 with Z = 200 R^1.6 mm6/m3
-// (Marshall and Palmer 1948, Rayleigh scattering; physics.md B4).  X band 4 mm/h: -62.94 dB.
+// (Marshall and Palmer 1948, Rayleigh scattering; SOURCES.md "Rain").  X band 4 mm/h: -62.94 dB.
 // Error: heavy rain at X band leaves the Rayleigh region by some tenths of a dB.
 double rain_reflectivity(double frequency_hz, double rate_mm_h);
 
 // Mean echo over noise at 1 mm/h: unit_snr eta V / R^4 with V = R clutter width * height * c tau /
 // 2 and height the smaller of 0.753 vertical beams at that range (Probert-Jones: the lower half of
 // the beam is turned up by the sea) and the rain's top.  So R^-2 up to some 14 km, then R^-3.
-inline constexpr double kRainTop = 4000.0;  // m, physics.md B4
+inline constexpr double kRainTop = 4000.0;  // m, SOURCES.md "Rain"
 // `clutter_width`: that of the antenna's pattern, radians (antenna_pattern.hpp).
 double rain_level(const RadarModel& model, double clutter_width, double range_m);
 

@@ -15,7 +15,7 @@ namespace skerry::echo {
 // stays; each lives for two epochs of kEpoch seconds and drifts downwind with the waves' group
 // speed, 0.57 of the wind (half the phase speed of the Pierson-Moskowitz peak), give or take 20 %
 // and 15 deg by layer.  In the frame of the waves it is forgotten (1/e) after 0.95 epochs.
-// Correlation: exp(-(d / L)^2) with L 1.2 times (pi/2)(U^2/g) sqrt(3 cos^2 + 1) (physics.md B3,
+// Correlation: exp(-(d / L)^2) with L 1.2 times (pi/2)(U^2/g) sqrt(3 cos^2 + 1) (SOURCES.md "Sea",
 // angle to the wind), so that the gamma texture made of it falls to 1/e at that length: within 15 %
 // for nu 0.2 to 1 up-, down- and crosswind; between them L is that of an ellipse, up to a quarter
 // shorter than the law.  L is 2 m at least.  Sampled at the nearest of four values to L, in steps

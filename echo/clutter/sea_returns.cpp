@@ -15,7 +15,7 @@ namespace skerry::echo {
 namespace {
 
 // Scatterers on the water forget their phases in 5 to 10 ms at X band, in proportion to the
-// wavelength (physics.md B3).
+// wavelength (SOURCES.md "Sea").
 double speckle_lifetime(double wavelength_m) { return 7.5e-3 * wavelength_m / 0.0318589; }
 
 // Looks are made for 128 directions.

@@ -6,7 +6,7 @@
 
 namespace skerry::echo {
 
-// Deep water: omega^2 = g k (physics.md B3; 10 s: 156.1 m).  Faces turned towards the radar are
+// Deep water: omega^2 = g k (SOURCES.md "Sea"; 10 s: 156.1 m).  Faces turned towards the radar are
 // brighter and, where the grazing angle is less than the swell's steepness, troughs lie in shadow.
 // Both vary as one wave of the clutter's decibels along the line of sight, `height` octaves to
 // either side, and leave the mean power as it is:

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kExpected =
     "expected two opposite corners in degrees, lat1,lon1,lat2,lon2, such as 60.0,4.6,60.6,5.6";
 
-// Where box-count dimensions were published for comparison (charts.md).
+// Areas whose box-count dimensions are known, for comparison (SOURCES.md "Shorelines").
 const std::array<CoastArea, 5>& places() {
   static const std::array<CoastArea, 5> all = {{
       {"bergen", 60.0, 60.6, 4.6, 5.6},

@@ -9,11 +9,11 @@
 
 namespace skerry::echo {
 
-// Pictures of the coast around a place, by the chart alone, as the seed paper prints it and
+// Pictures of the coast around a place, by the chart alone, as Ji et al. 2016 print it and
 // corrected.  Thread: one at a time.
 class FigureCoast {
  public:
-  // The seed paper's display: c and L are pixels of it.
+  // The display of Ji et al. 2016: c and L are pixels of it.
   static constexpr double kDisplayPixels = 1000.0;
 
   // Error: std::invalid_argument where there is no shore of the chart in range.

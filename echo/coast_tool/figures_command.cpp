@@ -54,7 +54,7 @@ void add_iterations(FigureSheet& sheet, const FigureCoast& coast, Parameters par
 }
 
 client::RgbaImage draw_figures(const FigureCoast& coast) {
-  FigureSheet sheet(coast, "The seed paper's figures 4, 5, 6, 9 and 10 on a real coast");
+  FigureSheet sheet(coast, "Figures 4, 5, 6, 9 and 10 of Ji et al. 2016 on a real coast");
   sheet.begin_row("Figure 4: random Koch curve as printed", "each edge of the chart whole");
   add_iterations(sheet, coast, parameters_of(CoastMethod::random_koch, 1));
   Parameters cut = parameters_of(CoastMethod::random_koch, 1);
@@ -142,7 +142,7 @@ int run(const FiguresOptions& options) {
 Command make_figures_command(CLI::App& app) {
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command = app.add_subcommand(
-      "figures", "Draws the seed paper's figures 4, 5, 6, 9 and 10 on a real coast");
+      "figures", "Draws figures 4, 5, 6, 9 and 10 of Ji et al. 2016 on a real coast");
   command->add_option("-o,--output", options->file, "PNG file to write")->capture_default_str();
   command->add_option("--at", options->place, "Own ship: latitude,longitude, degrees")
       ->delimiter(',')

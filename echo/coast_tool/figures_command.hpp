@@ -1,4 +1,4 @@
-// skerry coast figures: the seed paper's figures on a real coast.
+// skerry coast figures: the figures of Ji et al. 2016 on a real coast.
 #pragma once
 
 #include "echo/coast_tool/command.hpp"

@@ -17,7 +17,7 @@
 namespace skerry::echo {
 
 // Whoever draws between the vertices that are left: the corrected mode by its style (the
-// conventional method is the straight style), or the seed paper as printed.
+// conventional method is the straight style), or Ji et al. 2016 as printed.
 struct Contestant {
   std::string name;
   std::variant<CoastStyle, as_printed::Parameters> method;

@@ -11,7 +11,8 @@
 
 namespace skerry::echo {
 
-// What looks at the coast: spokes and cells as the radars of recordings.md have them.
+// A radar that looks at the coast, with the spokes and cells of a recorded one (SOURCES.md
+// "Pictures").
 struct JudgeRadar {
   RangeScale scale;
   double beam_deg = 1.2;
@@ -19,8 +20,8 @@ struct JudgeRadar {
 };
 
 // A place afloat in the area whose nearest shore is at a fifth to a third of the range, as in
-// recordings.md: the first of a spiral of 2000 from the middle of the area.  Nothing if there is
-// none.
+// SOURCES.md "Pictures": the first of a spiral of 2000 from the middle of the area.  Nothing if
+// there is none.
 std::optional<GeoPoint> place_afloat(const ThinnedCoast& coast, const CoastArea& area,
                                      RangeScale scale);
 

@@ -15,7 +15,7 @@ struct JudgeOptions {
 };
 
 // The conventional method, each corrected one with the style fitted to the thinned coast as `skerry
-// coast fit` would (beside it the default style), and each as the seed paper prints it, with c = 15
+// coast fit` would (beside it the default style), and each as Ji et al. 2016 print it, with c = 15
 // and L = 10 pixels and three iterations.
 // A pure function of its arguments.  Error: std::runtime_error and std::invalid_argument as
 // ThinnedCoast; a range scale without a place afloat near a shore.

@@ -1,4 +1,4 @@
-// A coast refined as the seed paper prints it, as a picture that the echo can be made of.
+// A coast refined as Ji et al. 2016 print it, as a picture that the echo can be made of.
 #pragma once
 
 #include "echo/fractal/as_printed/display.hpp"

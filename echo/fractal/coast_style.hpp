@@ -15,7 +15,8 @@ enum class CoastMethod : std::uint8_t {
 };
 inline constexpr int kCoastMethods = 5;
 
-// Phases of the Weierstrass-Mandelbrot series (seed paper section 2; physics.md C9).
+// Phases of the Weierstrass-Mandelbrot series (Ji et al. 2016 section 2; SOURCES.md "Corrections
+// 9").
 enum class SeriesPhases : std::uint8_t {
   cosine,       // phi_n = 0
   alternating,  // phi_n = n pi: the alternating sine series

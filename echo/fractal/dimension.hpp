@@ -20,7 +20,7 @@ double regular_apex_factor_for_dimension(double dimension);
 // How far, as part of its length, the middle of an edge stands off it rms, for a curve of dimension
 // 1 <= D <= 1.5 that does the same at every scale: the spread s of a Gaussian r that solves
 // E[2 (1/4 + r^2)^(D/2)] = 1 (Mauldin and Williams 1986).  0 for D = 1, 0.2295 for 1.15, 0.3975 for
-// 1.5.  Error: 1e-6.  Source: physics.md B8.
+// 1.5.  Error: 1e-6.  Source: SOURCES.md "Fractals".
 double self_similar_spread(double dimension);
 
 }  // namespace skerry::echo

@@ -9,8 +9,8 @@ namespace skerry::echo {
 // Scaled so that the bridge has a standard deviation of 1 at t = 1/2.  So, at any scale, the middle
 // of a piece of length d stands off its chord by d^H rms.  As H -> 1 the bridge tends to a proper
 // limit, although fractional Brownian motion itself tends to a straight line.
-// 0 < hurst < 1.  Source: Mandelbrot and Van Ness 1968 (seed paper eq. 1); physics.md B8.
-// Thread: immutable, any number.
+// 0 < hurst < 1.  Source: Mandelbrot and Van Ness 1968 (Ji et al. 2016 eq. 1); SOURCES.md
+// "Fractals". Thread: immutable, any number.
 class FractionalBridge {
  public:
   explicit FractionalBridge(double hurst);

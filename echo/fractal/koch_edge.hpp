@@ -45,8 +45,9 @@ KochJoints regular_koch_joints(bool apex_on_left, Roughness roughness);
 // edge never crosses or touches itself at any depth, joins exactly at its ends, and keeps clear of
 // all that keeps clear of its rhombus.  Held by KochEdge.PiecesStayInTheEnvelopeAndApart.
 // Nested: vertices made at one level never move; deeper levels only add.
-// Source: seed paper section 2 (random Koch curve), corrected as in physics.md B8 and C1: the
-// displacement is along the edge's normal, the apex is lowered below the touching height.
+// Source: Ji et al. 2016 section 2 (random Koch curve), corrected as in SOURCES.md "Fractals" and
+// "Corrections 1": the displacement is along the edge's normal, the apex is lowered below the
+// touching height.
 void split(const CoastPiece& piece, Roughness roughness, CoastPiece (&pieces)[4]);
 // The same for the regular curve: every piece keeps the edge's seed, whose last bit is the side.
 void split_regular(const CoastPiece& piece, Roughness roughness, CoastPiece (&pieces)[4]);

@@ -18,9 +18,9 @@ namespace skerry::echo {
 // and of its two neighbours.
 //
 // Plain midpoint displacement knows one vertex on either side and makes every middle by itself; its
-// variances are up to 25 % low and differ by place (creases; physics.md B8, C6).
-// Error: the variance of every increment of lag 1 to 32 finest steps, at every place, is within
-// 0.5 % of fractional Brownian motion, H 0.5 to 0.98; held by
+// variances are up to 25 % low and differ by place (creases; SOURCES.md "Fractals" and "Corrections
+// 6"). Error: the variance of every increment of lag 1 to 32 finest steps, at every place, is
+// within 0.5 % of fractional Brownian motion, H 0.5 to 0.98; held by
 // MidpointLaw.EveryIncrementHasTheVarianceOfFractionalBrownianMotion.
 // Source: Norros, Mannersalo, Wang 1999 (conditioning on neighbours); here the neighbours are those
 // of the coarser level only, so that a value depends on its place and not on what was made before.

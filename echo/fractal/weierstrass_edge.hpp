@@ -15,7 +15,7 @@ namespace skerry::echo {
 // W(1); n = 0 is one wave to the edge.  c makes the middle's standard deviation over random phases
 // 1, as that of FractionalBridge.  Phases: of the cosine series 0, of the alternating sine series
 // n pi - pi/2; both give one fixed curve, to which the edge's seed gives the side, so that coasts
-// do not all bulge one way (physics.md C9).
+// do not all bulge one way (SOURCES.md "Corrections 9").
 //
 // The terms:
 //  - below: until the rest together is less than kLowTail of the middle's standard deviation;

@@ -12,7 +12,7 @@ namespace skerry::echo {
 // sine series of phi_n = n pi: sum of (-1)^n gamma^(-(2-D) n) sin(gamma^n t).
 // Both ends infinite, W(gamma t) = gamma^(2-D) W(t) (the sine series: minus that).
 // gamma > 1, 1 <= dimension < 2, first <= last.
-// Source: seed paper section 2; Berry and Lewis 1980; physics.md B8 (vectors), C9.
+// Source: Ji et al. 2016 section 2; Berry and Lewis 1980; SOURCES.md "Fractals", "Corrections 9".
 struct WeierstrassSeries {
   double gamma = 1.5;
   double dimension = 1.5;

@@ -16,8 +16,8 @@ inline constexpr double kBankHeight = 4.0;  // of a rocky shore, metres
 // Height of the land above the water at `inland` metres behind a rocky shore, given the two noises
 // of that place in [-1, 1]: a bank at the edge, a rise over the first half kilometre, and roughness
 // that grows inland.  Synthetic: no chart of GSHHG's kind has heights.  Chosen so that the echo's
-// thickness and patches are like recordings.md (c): MODEL.md section 5.  Grows with `broad`, and
-// with `inland` and `fine` where fine >= 0.
+// thickness and patches are like SOURCES.md "Pictures (c)": MODEL.md section 5.  Grows with
+// `broad`, and with `inland` and `fine` where fine >= 0.
 template <typename Real>
 inline __attribute__((always_inline)) Real natural_height(Real inland, Real broad, Real fine) {
   const Real rise = Real(60.0) * inland / (inland + Real(900.0)) * (Real(1.0) + Real(0.9) * broad);

@@ -35,9 +35,8 @@ std::vector<ScaleDimension> local_dimensions(const BoxCensus& census);
 
 // Slope of log N over -log s.  The standard error is the larger of that of the regression and that
 // of a bootstrap of the tiles; the interval is twice (Student, n - 2) that to both sides.  Bias:
-// -0.02 on a Koch curve of 1.262, -0.1 on graphs of D 1.4, -0.05 of 1.25 (physics.md B8): never
-// judge a D by box counting closer than 0.1.
-// NaN where fewer than three sizes hold a box.
+// -0.02 on a Koch curve of 1.262, -0.1 on graphs of D 1.4, -0.05 of 1.25 (SOURCES.md "Fractals"):
+// never judge a D by box counting closer than 0.1. NaN where fewer than three sizes hold a box.
 DimensionEstimate box_dimension(const BoxCensus& census);
 
 }  // namespace skerry::echo

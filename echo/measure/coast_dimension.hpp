@@ -27,8 +27,8 @@ double dimension_of(std::span<const RulerLength> lengths);
 
 // Fractal dimension of a polyline: both of the above.  NaN where the line is shorter than 4 of the
 // longest ruler.  Bias on a Koch curve of 1.262: -0.04 to +0.01 by the rulers (+0.04 from one start
-// alone, physics.md B8); none on a straight line; on a graph it finds the D of the graph only where
-// rulers are shorter than it is high.  Held by Divider.FindsKochsDimensionWithinItsBias.
+// alone, SOURCES.md "Fractals"); none on a straight line; on a graph it finds the D of the graph
+// only where rulers are shorter than it is high.  Held by Divider.FindsKochsDimensionWithinItsBias.
 double divider_dimension(std::span<const PlanePoint> line, double shortest_ruler_m,
                          double longest_ruler_m);
 

@@ -30,7 +30,7 @@ std::vector<GraphVariation> second_variation(std::span<const double> heights, in
 // exact fractional Brownian motion scatter by, which blocks do not see where memory is long:
 // (0.017 + 0.05 (1.4 - D)) (64 longest_lag / n)^0.2; the interval is twice that to both sides.
 // Bias on fractional Brownian motion of 4096 steps, lags to 64: below 0.005 for D 1.4 and 1.25,
-// +0.013 for 1.1.  Source: Gneiting, Sevcikova, Percival (2012); physics.md B8.
+// +0.013 for 1.1.  Source: Gneiting, Sevcikova, Percival (2012); SOURCES.md "Fractals".
 // Held by GraphRoughness.FindsTheDimensionOfExactFractionalBrownianMotion.
 DimensionEstimate variogram_dimension(std::span<const double> heights, int longest_lag = 64);
 DimensionEstimate madogram_dimension(std::span<const double> heights, int longest_lag = 64);

@@ -10,8 +10,8 @@ namespace skerry::echo {
 inline constexpr std::array<std::uint32_t, 6> kCorrelationLags = {1, 2, 4, 8, 16, 32};
 
 // Correlation of the values of two cells so many spokes, or cells, apart, over the pairs of which
-// both echo (value at least 1).  NaN where there are none.  Source of the measure: recordings.md
-// (f).
+// both echo (value at least 1).  NaN where there are none.  Source of the measure: SOURCES.md
+// "Pictures" (f).
 struct PictureCorrelation {
   std::array<double, 6> spoke{};  // by kCorrelationLags
   std::array<double, 6> range{};

@@ -25,7 +25,7 @@ std::vector<FirstEcho> first_echoes(const PictureTurn& turn, const PictureWindow
 using Quantiles = std::array<double, 5>;
 Quantiles quantiles_of(std::vector<double> values);  // NaN where there are none
 
-// Source of the measures, and what real pictures have: recordings.md (b), (c).
+// Source of the measures, and what real pictures have: SOURCES.md "Pictures (b), (c)".
 struct EdgeStatistics {
   std::uint32_t spokes = 0;   // with a first echo
   double mean_range_m = 0.0;  // of the first echoes' begin

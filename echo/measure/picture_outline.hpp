@@ -16,9 +16,9 @@ struct OutlineScales {
   double above_from_m = 0.0, above_to_m = 0.0;
 };
 
-// As recordings.md (a) measured pictures of 1024 cells out to `range_m`: R/512 to R/66 and R/47 to
-// R/12, which is 0.05-0.39 and 0.54-2.1 beam widths on the ground in the HALO20's picture,
-// 0.06-0.48 and 0.68-2.7 in the 3G's.
+// As the pictures of SOURCES.md "Pictures (a)" were measured: pictures of 1024 cells out to
+// `range_m`: R/512 to R/66 and R/47 to R/12, which is 0.05-0.39 and 0.54-2.1 beam widths on the
+// ground in the HALO20's picture, 0.06-0.48 and 0.68-2.7 in the 3G's.
 OutlineScales recorded_scales(double range_m);
 
 // Split at `beam_m`: from 4 picture elements, where the estimator no longer sees them as such, to
@@ -49,8 +49,8 @@ struct OutlineDimensions {
 // beam at the first echoes' mean range, targets and specks, are left out; the outline is all
 // elements that miss one of 4 neighbours; a box count is the least of 4 placings of the grid.
 // Error: boxes of 2 elements read 0.1 low on smooth outlines, 4 and more 0.02.  Reproduces
-// recordings.md (a) within 0.02 for HALO20 and 0.02 for the 3G at 1633 m (picture_recording_test).
-// std::invalid_argument as require_valid().
+// SOURCES.md "Pictures (a)" within 0.02 for HALO20 and 0.02 for the 3G at 1633 m
+// (picture_recording_test). std::invalid_argument as require_valid().
 OutlineDimensions outline_dimensions(const PictureTurn& turn, const PictureWindow& window,
                                      double range_m);
 

@@ -11,7 +11,7 @@
 namespace skerry::echo {
 
 struct PictureScore {
-  // Of the outline: split at the beam, and as recordings.md split it (by the range).
+  // Of the outline: split at the beam, and as SOURCES.md "Pictures" split it (by the range).
   double below_beam = 0.0, above_beam = 0.0;
   double below_recorded = 0.0, above_recorded = 0.0;
   Quantiles thickness_m{};

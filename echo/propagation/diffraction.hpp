@@ -4,8 +4,8 @@
 namespace skerry::echo {
 
 // Loss of a knife edge, dB one way, for the edge's height v in units of the Fresnel parameter.
-// 0 below v = -0.78.  Source: ITU-R P.526, single knife edge; physics.md B0: J(0) = 6.03, J(1) =
-// 13.93, J(2.4) = 20.54 dB.
+// 0 below v = -0.78.  Source: ITU-R P.526, single knife edge; SOURCES.md "Vectors": J(0) = 6.03,
+// J(1) = 13.93, J(2.4) = 20.54 dB.
 double knife_edge_loss_db(double v);
 
 // v of an edge `height_m` over the straight line between two points `to_edge_m` and `beyond_m` from

@@ -20,7 +20,8 @@ PathConditions path_conditions(const RadarSet& set, const Atmosphere& atmosphere
                                double wave_height_m);
 
 // Gas (oxygen and 7.5 g/m3 of water), dB/km one way: 0.0136 in the X band, 0.0075 in the S band.
-// Source: physics.md B2 (P.676 at 9.41 and 3.05 GHz).  Error: 3e-4 dB/km within the bands.
+// Source: SOURCES.md "Propagation" (P.676 at 9.41 and 3.05 GHz).  Error: 3e-4 dB/km within the
+// bands.
 double gas_db_per_km(Band band);
 
 // Lower and higher heights count as these.

@@ -6,7 +6,7 @@
 namespace skerry::echo {
 
 // gamma = k R^alpha, dB/km one way, R in mm/h.  Source: ITU-R P.838-3, equations 1 to 3 and tables
-// 1 to 4, for a level path; physics.md B0.  Frequency 1 to 1000 GHz.
+// 1 to 4, for a level path; SOURCES.md "Vectors".  Frequency 1 to 1000 GHz.
 struct RainLaw {
   double k = 0.0;
   double alpha = 1.0;

@@ -19,8 +19,8 @@ double rain_profile(double distance_squared, double radius_m);
 // Rate at a place of the plane, mm/h, `dt` seconds after the scene's time: the clouds' sum.
 double rain_rate_at(std::span<const RainCell> rain, PlanePoint place, double dt);
 
-// Rate along a spoke and the two-way attenuation up to each cell (P.838-3; physics.md B2).
-// Nothing is done, and any() is false, where no cell of rain lies under the spoke.
+// Rate along a spoke and the two-way attenuation up to each cell (P.838-3; SOURCES.md
+// "Propagation"). Nothing is done, and any() is false, where no cell of rain lies under the spoke.
 //
 // Rate and attenuation are worked out at knots, a twentieth of the smallest cloud's radius
 // and 0.7 dB apart at most (or one cell), and go straight between.  Error, for clouds of a radius

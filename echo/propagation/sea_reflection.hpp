@@ -14,17 +14,17 @@ struct ReflectionPath {
 };
 
 // Requires range_m > 0, heights > 0 and the target within the horizon of both,
-// sqrt(2 ae) (sqrt h1 + sqrt h2).  Source: physics.md B2; the mirror is the root of Fermat's cubic
-// 2 x^3 - 3 d x^2 + (d^2 - 2 ae (h1 + h2)) x + 2 ae h1 d = 0, the divergence
-// (1 + 2 d1 d2 / (ae d sin psi))^-1/2 [M: Kerr 1951].
-// Error: the Earth as a parabola: heights of 1e-6 of themselves within 400 km.
+// sqrt(2 ae) (sqrt h1 + sqrt h2).  Source: SOURCES.md "Propagation"; the mirror is the root of
+// Fermat's cubic 2 x^3 - 3 d x^2 + (d^2 - 2 ae (h1 + h2)) x + 2 ae h1 d = 0, the divergence (1 + 2
+// d1 d2 / (ae d sin psi))^-1/2 (Kerr 1951, unverified). Error: the Earth as a parabola: heights of
+// 1e-6 of themselves within 400 km.
 ReflectionPath reflection_path(double range_m, double antenna_height_m, double target_height_m,
                                double effective_earth_m);
 
 // What a rough sea leaves of the reflected voltage.  g = 2 pi sigma_h sin(psi) / lambda, sigma_h
 // the standard deviation of the surface (a quarter of the significant wave height). Ament: exp(-2
 // g^2).  Miller, Brown, Vegh: exp(-2 g^2) I0(2 g^2), nearer to what is measured where the sea is
-// rough; it is the one in use.  Source: physics.md B2.  Error of I0: 5e-7 relative.
+// rough; it is the one in use.  Source: SOURCES.md "Propagation".  Error of I0: 5e-7 relative.
 double ament_roughness(double g);
 double miller_brown_roughness(double g);
 

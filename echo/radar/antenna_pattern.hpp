@@ -36,7 +36,7 @@ class AntennaPattern {
   // Off the axis by more than this, two_way() stays below `level` (a ratio in (0, 1)).
   std::uint32_t reach_units(double level) const;
   // Width of the uniform beam that gathers as much of evenly spread clutter, radians: the integral
-  // of two_way(), 0.75 beam widths (physics.md B1).
+  // of two_way(), 0.75 beam widths (SOURCES.md "Sets").
   double clutter_width() const { return clutter_width_; }
 
  private:

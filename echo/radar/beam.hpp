@@ -8,7 +8,7 @@ namespace skerry::echo {
 
 // One-way voltage pattern of a cosine-tapered aperture, 1 on the axis:
 // g(mu) = cos(mu) / (1 - (2 mu / pi)^2), mu = 68.8 pi sin(angle) / beam width in degrees.
-// First null at about 1.25 beam widths, first side lobe -23 dB.  Source: physics.md B1.
+// First null at about 1.25 beam widths, first side lobe -23 dB.  Source: SOURCES.md "Sets".
 double cosine_taper_voltage(double angle_deg, double beam_width_deg);
 
 // Two-way power weights of rays -reach .. +reach, `rays` to the turn, about an axis `part` of a ray

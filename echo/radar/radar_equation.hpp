@@ -12,7 +12,8 @@ inline constexpr double kEffectiveEarth = kEarthRadius * 4.0 / 3.0;  // m, stand
 
 // Depth of a pulse along the range, c tau / 2.
 inline double pulse_depth_m(double length_s) { return 0.5 * kLightSpeed * length_s; }
-// Within it the receiver is blind: the transmitter fires and the TR cell recovers (physics.md B7).
+// Within it the receiver is blind: the transmitter fires and the TR cell recovers (SOURCES.md
+// "Receiver").
 inline double blind_range_m(double length_s) { return pulse_depth_m(length_s + 0.1e-6); }
 // Farthest range whose echo is back before the next pulse, c / (2 PRF).
 inline double unambiguous_range_m(double prf_hz) { return 0.5 * kLightSpeed / prf_hz; }
@@ -22,7 +23,7 @@ inline double hits_per_scan(double beam_width_deg, double prf_hz, double rpm) {
 }
 
 // Received power of 1 m2 at 1 m, watts, beam centre, free space:
-// Pt G^2 lambda^2 / ((4 pi)^3 L).  Source: physics.md B2.
+// Pt G^2 lambda^2 / ((4 pi)^3 L).  Source: SOURCES.md "Propagation".
 double received_watts_of_unit_target(const RadarSet& set);
 
 // Receiver noise k T0 B F, watts.
@@ -34,7 +35,8 @@ double unit_signal_to_noise(const RadarSet& set, const Pulse& pulse);
 
 // Height the smooth Earth hides at `range_m`, metres, for an antenna that high: 0 within the
 // antenna's own horizon sqrt(2 ae h), beyond it (R - horizon)^2 / (2 ae) with ae = 4/3 Earth.
-// Source: physics.md B0, B2: 2.2256 NM per root metre.  Error: standard atmosphere only.
+// Source: SOURCES.md "Vectors" and "Propagation": 2.2256 NM per root metre.  Error: standard
+// atmosphere only.
 double hidden_height(double range_m, double antenna_height_m);
 
 // Farthest range at which antenna and target see each other, metres.

@@ -31,7 +31,7 @@ struct Pulse {
 // Which pulse the operator wants.
 enum class PulseChoice : std::uint8_t { automatic, short_pulse, medium_pulse, long_pulse };
 
-// Defaults: a 25 kW X-band set with a 6 ft antenna.  Source: physics.md B1 (typical brochures).
+// Defaults: a 25 kW X-band set with a 6 ft antenna.  Source: SOURCES.md "Sets" (typical brochures).
 struct RadarSet {
   std::string name = "25 kW X";
   double frequency_hz = 9.41e9;

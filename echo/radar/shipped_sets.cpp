@@ -8,7 +8,7 @@
 namespace skerry::echo {
 namespace {
 
-// A river radar.  All [M]: short pulses, a long antenna, turning fast.
+// A river radar.  All [unverified]: short pulses, a long antenna, turning fast.
 RadarSet river_x() {
   RadarSet set;
   set.name = "river X";
@@ -26,8 +26,8 @@ RadarSet river_x() {
   return set;
 }
 
-// 30 kW, 12 ft, 21 or 26 rpm [V: Furuno FAR-2137S, physics.md B1]; bandwidths [V: SN/Circ.197]; the
-// rest [M: table of B1].
+// 30 kW, 12 ft, 21 or 26 rpm [read: Furuno FAR-2137S, SOURCES.md "Sets"]; bandwidths [read: IMO
+// SN/Circ.197]; the rest [unverified: table of "Sets"].
 RadarSet thirty_kilowatt_s() {
   RadarSet set;
   set.name = "30 kW S";
@@ -52,8 +52,8 @@ RadarSet thirty_kilowatt_s() {
 // Domes of small craft send long coded pulses or sweeps of a few watts.  They are modelled as the
 // pulse set that is as good: a pulse as long as the compressed one, of the same energy, in a
 // receiver of one over its length.  The code's range side lobes, and the near blindness of long
-// codes, are left out. Power [C] from 25 W and codes of 5 to 100 us [M]: a time-bandwidth product
-// of about 120.
+// codes, are left out. Power [computed] from 25 W and codes of 5 to 100 us [unverified]: a
+// time-bandwidth product of about 120.
 RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, double gain_db,
               double rpm) {
   RadarSet set;
@@ -68,9 +68,9 @@ RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, doub
   set.rpm = rpm;
   set.antenna_height_m = 4.0;
   set.losses_db = 1.0;
-  // [C]: of a Gaussian beam's echo over the first level by x dB sqrt(x / 6) beam widths are seen;
-  // saturated points are from 0.86 of a beam wide, medium ones 0.67, weak ones a quarter
-  // (recordings.md e).
+  // [computed]: of a Gaussian beam's echo over the first level by x dB sqrt(x / 6) beam widths are
+  // seen; saturated points are from 0.86 of a beam wide, medium ones 0.67, weak ones a quarter
+  // (SOURCES.md "Pictures (e)").
   set.video_range_db = 6.0;
   set.pulses = {{0.06e-6, 17e6, 3000.0, 0.5},
                 {0.1e-6, 10e6, 3000.0, 1.5},
@@ -80,7 +80,8 @@ RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, doub
   return set;
 }
 
-// Sweeps of 165 mW over 1.3 ms, 200 a second [M]: the energy of 0.2 us of 1.1 kW [C].
+// Sweeps of 165 mW over 1.3 ms, 200 a second [unverified]: the energy of 0.2 us of 1.1 kW
+// [computed].
 RadarSet sweeping_dome(std::string name, double beam_width_deg, double gain_db, double rpm) {
   RadarSet set = dome(std::move(name), 1.1e3, beam_width_deg, gain_db, rpm);
   for (Pulse& pulse : set.pulses) pulse.prf_hz = 200.0;
@@ -88,9 +89,10 @@ RadarSet sweeping_dome(std::string name, double beam_width_deg, double gain_db, 
 }
 
 const auto& all() {
-  // Turns of the recorded sets [V: recordings.md j]; their beams [M], which the azimuth extents of
-  // saturated points bear out at 1.0 to 1.5 beam widths (recordings.md e).  The 4G's is the beam as
-  // its processing sharpens it; its aperture's is 5.2 deg.
+  // Turns of the recorded sets [computed: SOURCES.md "Pictures (j)"]; their beams [unverified],
+  // which the azimuth extents of saturated points bear out at 1.0 to 1.5 beam widths (SOURCES.md
+  // "Pictures (e)").  The 4G's is the beam as its processing sharpens it; its aperture's is 5.2
+  // deg.
   static const std::array sets = {
       RadarSet{},
       river_x(),

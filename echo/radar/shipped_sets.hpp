@@ -8,8 +8,8 @@
 
 namespace skerry::echo {
 
-// The first is the default.  All pass faults_of().  Figures marked [V] are read in public material,
-// [M] assumed from general knowledge of such sets, [C] computed; see shipped_sets.cpp.
+// The first is the default.  All pass faults_of().  Figures are marked [read], [computed] or
+// [unverified] as in SOURCES.md; see shipped_sets.cpp.
 std::span<const RadarSet> shipped_sets();
 
 // The set of exactly that name.  Throws std::invalid_argument, listing the names there are.

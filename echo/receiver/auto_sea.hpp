@@ -22,7 +22,7 @@ class AutoSea {
  public:
   static constexpr std::uint32_t kBearings = 64;
   static constexpr double kAboveTurnDb = 6.0;
-  static constexpr double kReachNm = 10.0;  // physics.md B1: the effect ends at 8 to 10 NM
+  static constexpr double kReachNm = 10.0;  // SOURCES.md "Sets": the effect ends at 8 to 10 NM
   static constexpr double kDeadDb = 1.0;    // what is less over noise is noise
 
   // Range bins wholly within blind_cells are not looked at.  noise_octaves: mean of log2 of noise.

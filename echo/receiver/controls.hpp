@@ -84,7 +84,7 @@ std::optional<std::string> fault_of(const ViewControls& controls);
 // 12 dB (f - f0)^2 / B^2 as of a Gaussian one (3 dB at half a bandwidth), and the knob moves f by
 // kTuningSpan bandwidths to either side of 50.  Nothing for automatic tuning, which follows the
 // transmitter at once.  Receiver noise, and what is broader than the filter (SART), stay.
-// Source: physics.md B7 for the law; the span is this receiver's own.
+// Source: SOURCES.md "Receiver" for the law; the span is this receiver's own.
 inline constexpr double kTuningSpan = 1.5;
 double tune_loss_db(const RadarControls& controls);
 

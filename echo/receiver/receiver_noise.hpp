@@ -18,7 +18,7 @@ double samples_in_cell(double cell_m, double bandwidth_hz);
 //
 // samples <= 1: neighbouring cells are correlated as behind a rectangular filter of bandwidth B;
 // the correlation of power k cells apart is (sin x / x)^2, x = pi k samples.  For samples = 0.62
-// that is .23, .03 (recordings.md h measured .23, .04 of a Quantum 2).
+// that is .23, .03 (SOURCES.md "Pictures (h)" measured .23, .04 of a Quantum 2).
 // samples > 1: neighbouring cells are independent, and decimation acts on the samples:
 //   peak: power of pure noise is the largest of `samples` exponentials.  That is one exponential
 //     plus `beside` = -ln Beta(2, samples - 1) (Renyi's representation of order statistics), which

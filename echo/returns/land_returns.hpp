@@ -32,10 +32,10 @@ inline constexpr std::uint32_t kFineSeed = 0x51F1E;
 // Constant gamma: a piece of land returns gamma times the area it shows across the line of sight,
 // that is the arc times the height that stands out above everything nearer (terrain and Earth), so
 // flats are weak, slopes that face the radar strong, and what lies in shadow silent.  R^-3 in all:
-// R^-4 of the radar equation times the arc.  Source: physics.md B2, B5 (gamma -8 dB, wooded hill).
-// The first cell of each stretch holds its bank, so the leading edge stands at the crossing.
-// `path` is the ray over the Earth-fixed lattice.  `profile`: null, or cleared for as many cells as
-// `power` has (shore_returns.hpp).
+// R^-4 of the radar equation times the arc.  Source: SOURCES.md "Propagation" and "Land" (gamma -8
+// dB, wooded hill). The first cell of each stretch holds its bank, so the leading edge stands at
+// the crossing. `path` is the ray over the Earth-fixed lattice.  `profile`: null, or cleared for as
+// many cells as `power` has (shore_returns.hpp).
 void add_land(std::span<const LandInterval> land, const LandModel& model, const LatticePath& path,
               std::span<float> power, GroundProfile* profile = nullptr);
 

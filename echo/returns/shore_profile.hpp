@@ -1,4 +1,4 @@
-// What the ground is like behind a shore, by the types of the seed paper.
+// What the ground is like behind a shore, by the types of Ji et al. 2016.
 #pragma once
 
 #include <algorithm>
@@ -8,17 +8,17 @@
 
 namespace skerry::echo {
 
-// The ground at one place: height over the water, and gamma of what covers it (physics.md B5: a
+// The ground at one place: height over the water, and gamma of what covers it (SOURCES.md "Land": a
 // piece of land returns gamma times the area it shows across the line of sight).
 struct Ground {
   double height_m = 0.0;
   double gamma = 0.0;
 };
 
-inline constexpr double kLandGamma = 0.158;        // -8 dB: wooded hill
-inline constexpr double kFaceGamma = 0.708;        // -1.5 dB: quay wall, of -5 to 0 (B5)
-inline constexpr double kFaceHeight = 3.0;         // of a quay where no height is charted, metres
-inline constexpr double kWetEdge = 30.0;           // metres over which wet sand fades in
+inline constexpr double kLandGamma = 0.158;  // -8 dB: wooded hill
+inline constexpr double kFaceGamma = 0.708;  // -1.5 dB: quay wall, of -5 to 0 (SOURCES.md "Land")
+inline constexpr double kFaceHeight = 3.0;   // of a quay where no height is charted, metres
+inline constexpr double kWetEdge = 30.0;     // metres over which wet sand fades in
 inline constexpr double kBeachSlope = 1.0 / 50.0;  // of sand and mud, up to 150 m above the water
 
 // Of natural land (land_chunk.hpp), in double.

@@ -19,7 +19,8 @@ struct StructureModel {
 };
 
 // Gamma of a vertical face: sigma = gamma times the area it shows across the line of sight.
-// Source: physics.md B5, -5 to 0 dB: breakwaters (loose rock) -5, bridges (girders) 0, the rest -3.
+// Source: SOURCES.md "Land", -5 to 0 dB: breakwaters (loose rock) -5, bridges (girders) 0, the rest
+// -3.
 double wall_gamma(ObjectClass kind);
 
 // What a wall returns for each metre it runs along the line of sight, as if it were so much of a

@@ -19,7 +19,7 @@ inline float exponential_of(std::uint64_t hash) {
 
 // Unit-mean power of one passing: 1 (Swerling 0), exponential (Swerling 1) or chi-square of four
 // degrees of freedom (Swerling 3).  Constant while the beam passes, new at the next one.  `key`
-// names target, radar and passing.  Source: physics.md B6.
+// names target, radar and passing.  Source: SOURCES.md "Targets".
 // Held by Fluctuation.IsOfItsSwerlingCase.
 inline float fluctuation_of(Fluctuation kind, std::uint64_t key) {
   switch (kind) {

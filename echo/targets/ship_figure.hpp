@@ -9,15 +9,16 @@
 namespace skerry::echo {
 
 // Median radar cross-section of a ship, m2: 52 sqrt(f MHz) D^1.5 with D in kilotonnes
-// (Skolnik 1974; physics.md B6), D from length, beam and a draught of 0.4 beam at block coefficient
-// 0.7.  Error: Skolnik's ships were of 2 to 17 kt; below that it is an extrapolation.
+// (Skolnik 1974; SOURCES.md "Targets"), D from length, beam and a draught of 0.4 beam at block
+// coefficient 0.7.  Error: Skolnik's ships were of 2 to 17 kt; below that it is an extrapolation.
 double ship_cross_section(double length_m, double beam_m, double frequency_hz);
 
 // Mean cross-section of a ship, m2, in one passing of the beam.  The median is Skolnik's (or the
 // hull's own, given for X band and carried to other bands by the square root of frequency); an
 // echo of many scatterers is exponential, whose mean is its median over ln 2.  `side`: sine of the
 // aspect, 0 bow on, 1 abeam.  Abeam it stands 10 to 20 dB higher, by ship, in a lobe 24 deg wide at
-// half its peak.  Source: physics.md B6.  Held by ShipEcho.MedianIsSkolniks, ...ABroadside...
+// half its peak.  Source: SOURCES.md "Targets".  Held by ShipEcho.MedianIsSkolniks,
+// ...ABroadside...
 double ship_mean_cross_section(const Hull& hull, double frequency_hz, double side);
 
 // How finely a ship is made: `along` her length (a power of two) times `rows` across.

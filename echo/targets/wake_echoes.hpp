@@ -18,7 +18,7 @@ void wake_parts(const Hull& hull, double dt, std::uint64_t pass_key, std::vector
 
 // Where a cable echoes: at the foot of the perpendicular from the own ship, if that lies on the
 // cable, as three steady wires of 15 mm radius (reflectors.hpp); it moves along as the own ship
-// does, always at right angles to the cable.  Source: physics.md B7.
+// does, always at right angles to the cable.  Source: SOURCES.md "Artefacts".
 std::optional<EchoPart> cable_part(const OverheadCable& cable, PlanePoint own_ship);
 
 }  // namespace skerry::echo

@@ -11,7 +11,7 @@
 namespace skerry::board {
 
 // Offsets in the page.  A 64-bit value stands in two registers, low half first.
-// Source: physics.md A4 (fpga/fpga.go of that project: Control, Metadata, Live, AtTrig).
+// Source: BOARD.md "Sources" (fpga/fpga.go of that project: Control, Metadata, Live, AtTrig).
 enum class Digdar : std::uint32_t {
   command = 0x00,
   trig_source = 0x04,

@@ -65,7 +65,7 @@ struct SweepMeta {
 
 // Turns clockwise from the ARP, in [0, 1): (ACPs + fraction - fraction at the ARP) / ACPs per turn.
 // 0 where no ACP has been seen twice.  A fraction is at most 1: an antenna that stands still does
-// not turn on.  Source: physics.md A4, timing arithmetic.
+// not turn on.  Source: BOARD.md "Sources", timing arithmetic.
 // Bound: an ACP stands for the tick nearest to it, so at constant speed, with the ARP on an ACP,
 // the azimuth is off by half a tick of turning at most, and half a tick more with an ARP between
 // two (tests SweepAzimuth, BoardAzimuth).

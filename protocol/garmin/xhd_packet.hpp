@@ -1,5 +1,5 @@
 // The network protocol of Garmin xHD radars: packets of a type and a number.  README.md tells what
-// every type is, as far as it is known.  Source: displays.md 4, garminxhd_txon_txoff.pcap.gz.
+// every type is, as far as it is known.  Source: garmin/README.md, garminxhd_txon_txoff.pcap.gz.
 #pragma once
 
 #include <cstdint>
@@ -81,7 +81,7 @@ Result<Packet, WireError> decode_packet(std::span<const std::uint8_t> datagram);
 Bytes encode_packet(Type type, int octets, std::int64_t number);
 Bytes encode_packet(std::uint32_t type, std::span<const std::uint8_t> payload);
 
-// What a display may set.  Source: displays.md 4.
+// What a display may set.  Source: garmin/README.md.
 struct CommandRange {
   Type type;
   std::int64_t least;

@@ -11,10 +11,10 @@ namespace skerry::garmin {
 
 inline constexpr std::size_t kSpokeHeaderBytes = 36;
 inline constexpr std::size_t kMaxCells = 705;
-// What the radar of the capture sends; displays.md 4 has 695 of another.
+// What the radar of the capture sends; garmin/README.md has 695 of another.
 inline constexpr std::uint32_t kCells = 698;
-// 698 cells span 2093 m at a range of 1852 m.  Source: garminxhd_txon_txoff.pcap.gz; displays.md 4
-// rounds it to 1.125.
+// 698 cells span 2093 m at a range of 1852 m.  Source: garminxhd_txon_txoff.pcap.gz;
+// garmin/README.md rounds it to 1.125.
 inline constexpr double kSpanOfRange = 2093.0 / 1852.0;
 
 struct SpokePacket {

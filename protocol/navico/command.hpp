@@ -1,4 +1,4 @@
-// Commands: what a display tells a Navico radar.  Source: displays.md 3.
+// Commands: what a display tells a Navico radar.  Source: navico/README.md.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Frames: the picture of a Navico radar, 32 spokes to a datagram.  Source: displays.md 3,
-// recordings.md.
+// Frames: the picture of a Navico radar, 32 spokes to a datagram.  Source: navico/README.md.
 #pragma once
 
 #include <array>

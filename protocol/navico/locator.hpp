@@ -1,4 +1,5 @@
-// The locator: how displays find a Navico radar and its multicast groups.  Source: displays.md 3.
+// The locator: how displays find a Navico radar and its multicast groups.  Source:
+// navico/README.md.
 #pragma once
 
 #include <cstdint>

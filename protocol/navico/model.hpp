@@ -1,5 +1,4 @@
-// The Navico radars, their addresses and their ranges.  Source: displays.md 3;
-// ../shared/data/radar.
+// The Navico radars, their addresses and their ranges.  Source: navico/README.md.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Reports: what a Navico radar says of itself.  Octets that nobody knows are listed in README.md.
-// Source: displays.md 3; ../shared/data/radar.
+// Source: navico/README.md, and captures of real radars.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Own ship's motion on a HALO's network: heading, navigation and speed packets.
-// Source: displays.md 3.  None of them is in a recording: what is not described there is zero, but
-// for the octets that begin and number an 'NKOE' packet.
+// Source: navico/README.md.  None of them is in a recording: what is not described there is zero,
+// but for the octets that begin and number an 'NKOE' packet.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // VDM and VDO: AIS messages in sentences, several where one does not hold them.
-// Source: IEC 61162-1:2010 8.3.93, 8.3.94; ../shared/facts/displays.md 6.
+// Source: IEC 61162-1:2010 8.3.93, 8.3.94; nmea/README.md.
 #pragma once
 
 #include <array>

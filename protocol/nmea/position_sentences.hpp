@@ -1,5 +1,5 @@
 // RMC, GGA, GLL, VTG and ZDA: position, course and speed over ground, and time.
-// Source: IEC 61162-1:2010 clause 8; ../shared/facts/physics.md A1.  The date of RMC is ddmmyy.
+// Source: IEC 61162-1:2010 clause 8; nmea/README.md "Sources".  The date of RMC is ddmmyy.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // RSD, OSD, TTM and TLL: what a radar says of itself and of the targets it tracks.
 // Source: IEC 61162-1:2010 clause 8; Furuno FAR-28x7 manual AP-25 and FAR-21x9 (fields of RSD, OSD,
-// TTM); ../shared/facts/physics.md A1.
+// TTM); nmea/README.md "Sources".
 #pragma once
 
 #include <optional>

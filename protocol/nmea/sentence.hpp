@@ -1,5 +1,5 @@
 // Sentence: the frame of NMEA 0183 and IEC 61162-1: "$GPRMC,...*hh" and "!AIVDM,...*hh".
-// Source: IEC 61162-1:2010 clause 7; ../shared/facts/displays.md 6.
+// Source: IEC 61162-1:2010 clause 7; nmea/README.md.
 #pragma once
 
 #include <cstddef>

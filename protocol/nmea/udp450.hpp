@@ -1,6 +1,6 @@
 // IEC 61162-450: sentences in UDP datagrams.  A datagram begins with "UdPbC" and a zero; each line
 // has a TAG block before its sentence, "\s:RA0001,n:12*hh\$...".
-// Source: ../shared/facts/physics.md A1 (header, TAG block, groups); the standard could not be
+// Source: nmea/README.md "Sources" (header, TAG block, groups); the standard could not be
 // read.
 #pragma once
 

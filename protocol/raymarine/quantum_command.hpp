@@ -1,4 +1,5 @@
-// What displays ask of a Raymarine Quantum radar.  Source: displays.md 5, mayara docs/raymarine.
+// What displays ask of a Raymarine Quantum radar.  Source: raymarine/README.md, mayara
+// docs/raymarine.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // How a Raymarine Quantum radar makes itself known: three packets, each once a second, to a group
-// that all of this maker's equipment uses.  Source: displays.md 5,
+// that all of this maker's equipment uses.  Source: raymarine/README.md,
 // quantum2-solent-03-gain-sea-rain.pcap.gz; README.md lists what is unknown in them.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What a Raymarine Quantum radar reports on its data group.  README.md lists what is unknown.
-// Source: displays.md 5, quantum2-solent-03-gain-sea-rain.pcap.gz.
+// Source: raymarine/README.md, quantum2-solent-03-gain-sea-rain.pcap.gz.
 #pragma once
 
 #include <array>

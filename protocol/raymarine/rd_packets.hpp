@@ -1,5 +1,6 @@
 // Raymarine E-120 displays with analogue scanners (RD), read only: the video and state of such a
-// radar.  Source: recordings.md, raymarine-e120-analog-tx-stdby.pcap.gz, mayara docs/raymarine.
+// radar.  Source: raymarine/README.md, raymarine-e120-analog-tx-stdby.pcap.gz, mayara
+// docs/raymarine.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ inline constexpr std::string_view kSelf = "vessels.self";
 inline constexpr std::string_view kRadarsPath = "/signalk/v2/api/vessels/self/radars";
 inline constexpr std::string_view kStreamPath = "/signalk/v1/stream";
 
-// How the list of radars is written; displays differ (displays.md 1).
+// How the list of radars is written; displays differ (signalk/README.md).
 enum class Dialect : std::uint8_t {
   current,  // {"version","radars":{id: radar}}: Radar API 3.4.0
   array,    // [radar, ...] with its state: Signal K server 2.23

@@ -9,7 +9,7 @@ namespace skerry::signalk {
 
 // Values 0 .. levels-1 are echoes by strength, 0 none; behind them stand the edge of a tracked
 // target, the two Doppler colours and the trail, which displays paint by themselves.
-// Source: displays.md 1.
+// Source: signalk/README.md.
 struct Legend {
   std::uint32_t levels = 128;
 

@@ -24,7 +24,7 @@ struct RadarSpoke {
 };
 
 // Appends a field `spokes` (2) of RadarMessage.  A message is any number of them one after another,
-// so messages can be put together and cut apart between spokes.  Source: displays.md 1.
+// so messages can be put together and cut apart between spokes.  Source: signalk/README.md.
 void append_radar_spoke(Bytes& out, const RadarSpoke& spoke);
 
 // The range, bearing and the rest of `header`, whose spoke is one of `turn_spokes`.

@@ -43,7 +43,7 @@ constexpr ScenarioTime first_time_in(Tick tick, std::uint32_t clock_hz) {
 
 // Pulse n comes n * numerator / denominator ticks after the origin, at the nearest tick: a rational
 // computed from n each time, so that after any number of pulses the error is still at most half a
-// tick and nothing drifts.  Source: physics.md A4.  Held by TickClock.* for 30 days.
+// tick and nothing drifts.  Source: BOARD.md "Sources".  Held by TickClock.* for 30 days.
 class TickSeries {
  public:
   TickSeries() = default;

@@ -28,7 +28,7 @@ navico::Model model_of(EmulationKind kind) {
 
 bool is_navico(EmulationKind kind) { return kind <= EmulationKind::navico_halo; }
 
-// A family is known by how its serial numbers begin (displays.md 3).
+// A family is known by how its serial numbers begin (navico/README.md).
 std::string navico_serial(const EmulationSpec& spec) {
   if (!spec.serial.empty() || spec.number == 0) return spec.serial;
   const char* beginning = spec.kind == EmulationKind::navico_4g ? "1403302" : "1902501";

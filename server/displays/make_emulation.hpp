@@ -46,7 +46,8 @@ EmulationIdentity identity_of(const EmulationSpec& spec);
 
 // Whether displays of the kind know its addresses beforehand.
 bool has_fixed_addresses(EmulationKind kind);
-// Its spokes leave together in bursts so long apart (recordings.md); 0: each on its own.
+// Its spokes leave together in bursts so long apart (protocol/navico/README.md,
+// protocol/garmin/README.md); 0: each on its own.
 Duration burst_of(EmulationKind kind);
 
 }  // namespace skerry::server

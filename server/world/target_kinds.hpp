@@ -16,8 +16,8 @@ struct KindSize {
 
 // Requires a kind other than `ship`.
 // Source: the rows of MSC.192(79) Table 2 and its footnotes on cross-section, the latter as
-// reported by others (physics.md A1); MSC.164(78) for the reflector.  Fluctuation is this project's
-// choice.
+// reported by others (SOURCES.md "Rules"); MSC.164(78) for the reflector.  Fluctuation is this
+// project's choice.
 KindSize size_of(scenario::Target::Kind kind);
 
 // Sets what the file has not given of a target other than a ship: `height_given` says whether it

@@ -26,7 +26,7 @@ void delay(RecordedTurn::Spoke& spoke, Duration by);
 // The full scene at 24 turns a minute, 4096 spokes of 1024 cells of 8 bits; where no chart is
 // installed, something like it.
 RecordedTurn simulated_turn();
-// That, and the HALO20 capture of ../shared/data/radar where it is there.
+// That turn, and the one of the HALO20 capture where that stands beside the repository.
 std::vector<RecordedTurn> recorded_turns();
 
 }  // namespace skerry::bench

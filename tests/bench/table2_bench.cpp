@@ -1,4 +1,4 @@
-// Table 2 of the seed paper: what a turn's coast costs, by method, iterations and range, as printed
+// Table 2 of Ji et al. 2016: what a turn's coast costs, by method, iterations and range, as printed
 // and corrected, measured in one run on the coast at Bergen.
 //   table2_bench [--quick] [--csv FILE]
 #include <fmt/format.h>

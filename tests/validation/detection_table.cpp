@@ -39,7 +39,7 @@ const std::vector<Weather> kWeather = {{"clear", 0.0, 0.0},
                                        {"rain 16 mm/h", 16.0, 0.0},
                                        {"sea state 2", 0.0, 2.0},
                                        {"sea state 5", 0.0, 5.0}};
-// Significant wave heights in the middle of sea states 2 and 5, metres (physics.md B3).
+// Significant wave heights in the middle of sea states 2 and 5, metres (SOURCES.md "Sea").
 double waves_of(double state) { return state < 1.0 ? 0.0 : state < 3.0 ? 0.3 : 3.2; }
 
 class Watch {

@@ -1,5 +1,5 @@
-// Statistics of real radar pictures that do not depend on the site (recordings.md e to h), for sets
-// like the recorded ones.
+// Statistics of real radar pictures that do not depend on the site (SOURCES.md "Pictures (e) to
+// (h)"), for sets like the recorded ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>

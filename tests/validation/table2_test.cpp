@@ -1,5 +1,5 @@
 // MSC.192(79) table 2: each target is seen at its range, clutter free, antenna 15 m, in 8 of 10
-// scans or better with a probability of false alarm of 1e-4.  Cross-sections: physics.md A1.
+// scans or better with a probability of false alarm of 1e-4.  Cross-sections: SOURCES.md "Rules".
 #include <gtest/gtest.h>
 
 #include <algorithm>

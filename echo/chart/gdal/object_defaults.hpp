@@ -21,7 +21,7 @@ struct ObjectDefault {
 // By S-57 object class ("BOYLAT") and its category (BOYSHP, BCNSHP, CATLMK, CATSLC, CATBRG, CATMOR;
 // 0: none charted).  Nothing for classes that stand out of no water.
 //
-// Source: only three rows rest on a document, MSC.192(79) table 2 as physics.md A1 gives it: a buoy
+// Source: only three rows rest on a document, MSC.192(79) table 2 (SOURCES.md "Rules"): a buoy
 // with a corner reflector 3.5 m high, 10 m2; a typical buoy 3.5 m, 5 m2; a channel marker 1 m, 1
 // m2. All other heights and cross-sections are this project's ASSUMPTIONS: usual sizes, and of the
 // order of what such a shape returns between its strongest and weakest aspect.

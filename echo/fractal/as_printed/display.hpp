@@ -1,4 +1,4 @@
-// The display the seed paper draws its coasts on.
+// The display that Ji et al. 2016 draw their coasts on.
 #pragma once
 
 #include "protocol/quantity/geo_point.hpp"
@@ -12,8 +12,8 @@ struct PixelPoint {
   friend constexpr bool operator==(PixelPoint, PixelPoint) = default;
 };
 
-// A round picture, north up, of the coast within `range_m` of `centre`.  What the paper states in
-// display samples (c and L) is another length on the ground at every range (physics.md C11).
+// A round picture, north up, of the coast within `range_m` of `centre`.  The paper's c and L count
+// pixels: on the ground they are another length at every range (SOURCES.md "Corrections 11").
 struct Display {
   PlanePoint centre;
   double range_m = 1.0;  // > 0

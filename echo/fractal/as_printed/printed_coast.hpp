@@ -1,17 +1,19 @@
-// The coastline algorithms of the seed paper, as printed, to compare others with.
+// The coastline algorithms of Ji et al. 2016 as printed, to compare others with.
 //
-// Source: Ji, Zhang, Yang, Liu, Sawhney, Visualization in Engineering 4:8 (2016), as physics.md B8
-// and C report it, its errors included: C1 to C3 (direction and size of the displacement), C5 (it
-// may cross anything), C9 (one fixed curve whose ends do not join), C11 (lengths in display
-// pixels).  Coasts to be shown are made by echo/fractal/edge_refiner.hpp.
+// Source: Ji, Zhang, Yang, Liu, Sawhney, Application of fractal algorithms of coastline echo's
+// generation on marine radar simulator, Visualization in Engineering 4:8 (2016).  Its errors are
+// kept; SOURCES.md "Corrections" numbers them: 1 to 3 (direction and size of the displacement), 5
+// (it may cross anything), 9 (one fixed curve whose ends do not join), 11 (lengths in pixels of the
+// display).  edge_refiner.hpp makes the coasts that are shown.
 //
-// Where the report leaves the printed meaning open, this is a READING:
+// The paper leaves some points open.  Here they are read so:
 //  - c (Koch, 15): an edge longer than c pixels is first cut into equal pieces of at most c pixels,
-//    each of which then is a Koch edge (C10: "adds points to Koch"; C11: in screen samples).
+//    each of which then is a Koch edge (Corrections 10: "adds points to Koch"; 11: in screen
+//    samples).
 //  - "heights of the sample points" (fBm): the display's y of the vertices passed in.
 //  - Weierstrass-Mandelbrot: t runs from 0 to 1 along each edge, and W(t) times `amplitude` times
 //    the edge's length is added along the edge's left normal; an iteration halves t.  An edge's far
-//    end stays where the next begins, so the curve steps back there by W(1) (C9).
+//    end stays where the next begins, so the curve steps back there by W(1) (Corrections 9).
 //  - number of terms and amplitude of the series: not printed; the defaults are ours.
 #pragma once
 
@@ -39,7 +41,7 @@ struct Parameters {
   double apex_factor = 1.0;        // Koch: height of the apex, as part of an equilateral's, 0 .. 2
 
   double hurst = 0.6;  // fBm: H, 0 .. 1
-  // fBm: standard deviation, pixels, 0 .. 1e6; by default that of the heights of the points.
+  // fBm: standard deviation, pixels, 0 .. 1e6; default: that of the heights of the points.
   std::optional<double> sigma_px = std::nullopt;
 
   double dimension = 1.5;                      // series: D, 1 .. 1.99
@@ -79,8 +81,8 @@ double deviation_of_heights(std::span<const PixelPoint> line);
 // alternating sine series, sum of (-1)^n gamma^(-(2-D)n) sin(gamma^n t).
 // Error against all n: at most 2 g^(-h(N+1)) / (1 - g^-h), h = 2 - D, of the terms left out above
 // (half of it for the sines), and (t^2/2) g^(-D(M+1)) / (1 - g^-D) of those below (cosines;
-// physics.md B8).  A double no longer holds the phase of a term beyond 2^53: such terms count
-// nothing, which is within the same bound, N being the last term kept (gamma 1.5, t <= 1: n =
+// SOURCES.md "Fractals").  A double no longer holds the phase of a term beyond 2^53: such terms
+// count nothing, which is within the same bound, N being the last term kept (gamma 1.5, t <= 1: n =
 // 90, 1.3e-7).
 class Series {
  public:

@@ -19,7 +19,7 @@ for (const name of ['SKERRYD', 'SKERRY']) {
 
 const CAPTURES = fileURLToPath(new URL('../../../../shared/data/radar/', import.meta.url));
 const HALO20 = `${CAPTURES}halo20-ranges.pcap.gz`;
-const withCaptures = { skip: existsSync(HALO20) ? false : 'no recordings of radars in ../shared/data/radar' };
+const withCaptures = { skip: existsSync(HALO20) ? false : 'no captures of real radars beside the repository' };
 const Spoke = schema.lookupType('skerry.wire.Spoke');
 
 let folder, browser, server, page;

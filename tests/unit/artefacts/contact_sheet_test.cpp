@@ -289,7 +289,7 @@ TEST(ArtefactScenes, RainEchoesInItsCellAndDimsWhatLiesBehind) {
            (away < kRainRadius + 100.0 || d.metres > off);
   });
   EXPECT_GT(inside, 2000);
-  // At 3 GHz rain returns 20 dB less (physics.md B0); the set makes good some of it.
+  // At 3 GHz rain returns 20 dB less (SOURCES.md "Vectors"); the set makes good some of it.
   const auto level = [&](const std::string& name) {
     return shown(name).mean(middle, 0.5 * half, off - 1500.0, off + 1500.0);
   };

@@ -53,7 +53,7 @@ TEST(StripShadow, AHalfPlaneIsTheKnifeEdge) {
               worst_db);
   EXPECT_LT(worst, 2.2e-3);
   EXPECT_LT(worst_db, 0.6);
-  // physics.md B0.
+  // SOURCES.md "Vectors".
   const auto loss = [](double v) {
     const Voltage e = past_half_plane(v);
     return -decibels(e.in_phase * e.in_phase + e.quadrature * e.quadrature);

@@ -157,7 +157,7 @@ double expected_rms_of_h() {
 }
 
 TEST(PrintedCoast, MidpointsMoveAlongOneDiagonalOnly) {
-  // physics.md C1: RMS across and along an edge by its direction.
+  // SOURCES.md "Corrections 1": RMS across and along an edge by its direction.
   const struct {
     double degrees, across, along;
   } table[] = {
@@ -181,7 +181,7 @@ TEST(PrintedCoast, MidpointsMoveAlongOneDiagonalOnly) {
 }
 
 TEST(PrintedCoast, MidpointsFoldEdgesOfFortyFiveDegreesBackOnThemselves) {
-  // physics.md C1: sigma/L 0.05, 0.1, 0.3, 1.0: 0, 0.4, 76, 100 % of the edges fold.
+  // SOURCES.md "Corrections 1": sigma/L 0.05, 0.1, 0.3, 1.0: 0, 0.4, 76, 100 % of the edges fold.
   const struct {
     double sigma, folded;
   } table[] = {{0.05, 0.0}, {0.1, 0.004}, {0.3, 0.76}, {1.0, 1.0}};
@@ -218,8 +218,8 @@ TEST(PrintedCoast, SigmaIsTheDeviationOfTheHeightsOfThePoints) {
 }
 
 TEST(PrintedCoast, SeriesHasTheValuesComputedIndependently) {
-  // n up to 60: to all digits of physics.md B8, and of the same sum in 50 decimal digits, which the
-  // phases of doubles (1.5^60 * 2^-53 = 4e-6, weight 5e-6) keep to 1e-8.
+  // n up to 60: to all digits of SOURCES.md "Fractals", and of the same sum in 50 decimal digits,
+  // which the phases of doubles (1.5^60 * 2^-53 = 4e-6, weight 5e-6) keep to 1e-8.
   const Series w(Parameters{.terms_below = 60, .terms_above = 60});
   EXPECT_EQ(w.at(0.0), 0.0);
   EXPECT_NEAR(w.at(1.0), 5.75957, 5e-6);
@@ -271,7 +271,7 @@ TEST(PrintedCoast, TermsWhosePhaseADoubleCannotHoldCountNothing) {
 }
 
 TEST(PrintedCoast, SeriesBulgesEveryEdgeTheSameWayAndDoesNotJoin) {
-  // Edges of one length in two directions; to the left of each (physics.md C9).
+  // Edges of one length in two directions; to the left of each (SOURCES.md "Corrections 9").
   const Line line = {{0, 0}, {100, 0}, {100, 100}};
   const Line w = refine(line, {.method = CoastMethod::weierstrass, .iterations = 8});
   const Series series(Parameters{});

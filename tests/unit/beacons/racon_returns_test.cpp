@@ -31,7 +31,7 @@ Scene with_racon(double bearing_deg, double range_m, const char* code = "K") {
 }
 
 TEST(RaconReturns, BeginBehindTheMarkByTheDelayAndAreAsLongAsTheReply) {
-  // 0.7 us are 104.9 m, 25 us 2.023 NM (physics.md B0); "T" is one dash.
+  // 0.7 us are 104.9 m, 25 us 2.023 NM (SOURCES.md "Vectors"); "T" is one dash.
   const RadarModel model = model_at(6.0);
   const Scene scene = with_racon(90.0, 5000.0, "T");
   const Picture picture = hear_turn(model, scene);

@@ -36,7 +36,7 @@ RadarSet at_frequency(double hz) {
 }
 
 TEST(SartReturns, SpacingIsThatOfTheSweep) {
-  // physics.md B0: 7.9 us are 0.6394 NM, twelve of them 7.673 NM; 95 us in all (B6).
+  // SOURCES.md "Vectors": 7.9 us are 0.6394 NM, twelve of them 7.673 NM; 95 us in all ("Beacons").
   const double spacing = 0.5 * kLightSpeed * SartSweep::kCycle / kNauticalMile;
   EXPECT_NEAR(spacing, 0.6394, 0.00005);
   EXPECT_NEAR(spacing * SartSweep::kCycles, 7.673, 0.0005);
@@ -152,7 +152,7 @@ TEST(SartReturns, MoveWithTheirRaft) {
 }
 
 TEST(SartReturns, DotLengthIsBandwidthOverThreeHundredMegahertzOfTheSlowSweep) {
-  // physics.md B6: 11, 37, 75 m at 3, 10, 20 MHz, while the filter follows the sweep.
+  // SOURCES.md "Beacons": 11, 37, 75 m at 3, 10, 20 MHz, while the filter follows the sweep.
   const double rate = 300e6 / 7.5e-6;
   const double expected[3][2] = {{3e6, 11.0}, {10e6, 37.0}, {20e6, 75.0}};
   for (const auto& [bandwidth, metres] : expected)

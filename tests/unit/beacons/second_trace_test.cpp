@@ -26,7 +26,7 @@ CoastPicture coast_of(std::vector<PlanePoint> vertices) {
 }
 
 TEST(SecondTrace, UnambiguousRangesAreThoseOfTheTable) {
-  // physics.md B0.
+  // SOURCES.md "Vectors".
   const double expected[5][2] = {
       {600, 134.90}, {1000, 80.94}, {1800, 44.97}, {3000, 26.98}, {3600, 22.48}};
   for (const auto& [prf, nm] : expected)
@@ -38,7 +38,7 @@ TEST(SecondTrace, AMountainAtFortyMilesShowsAtThirteen) {
   points[0].bearing_units = 12345;
   fold_second_trace(fast_model(24.0), points);
   ASSERT_EQ(points.size(), 1u);
-  EXPECT_NEAR(points[0].range_m / kNauticalMile, 13.02, 0.005);  // physics.md B7
+  EXPECT_NEAR(points[0].range_m / kNauticalMile, 13.02, 0.005);  // SOURCES.md "Artefacts"
   EXPECT_EQ(points[0].bearing_units, 12345u);
   EXPECT_EQ(points[0].power, 100.0f);
 }

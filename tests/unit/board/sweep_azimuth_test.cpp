@@ -1,4 +1,4 @@
-// The timing arithmetic of physics.md A4: ACPs, triggers, azimuth and range.
+// The timing arithmetic of BOARD.md "Sources": ACPs, triggers, azimuth and range.
 #include <gtest/gtest.h>
 
 #include <cmath>

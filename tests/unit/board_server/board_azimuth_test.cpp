@@ -42,7 +42,7 @@ const Case kAny[] = {{20'000'000, 24'000, 4096},         {20'000'000, 24'000, 45
                      {20'000'000, 24'000, 2048, 12'345}, {61'440'000, 33'333, 360, -777}};
 
 TEST(BoardAzimuth, CountPlusFractionOfTheAcpPeriodIsTrueToHalfATick) {
-  // physics.md A4: spoke azimuth = ACP count + ticks since the ACP / ACP period.
+  // BOARD.md "Sources": spoke azimuth = ACP count + ticks since the ACP / ACP period.
   double worst = 0.0;
   for (const Case& c : kAny) {
     if (c.arp_error != 0) continue;  // whose ARP is itself at a nearest tick

@@ -29,7 +29,7 @@ double acp_microseconds(std::uint32_t acps, double rpm) {
 }
 
 TEST(TickClock, AcpPeriodsAreThoseOfTheTimingArithmetic) {
-  // physics.md A4.
+  // BOARD.md "Sources".
   EXPECT_NEAR(acp_microseconds(4096, 24.0), 610.352, 0.0005);
   EXPECT_NEAR(acp_microseconds(2048, 24.0), 1220.703, 0.0005);
   EXPECT_NEAR(acp_microseconds(450, 24.0), 5555.556, 0.0005);

@@ -48,10 +48,11 @@ double length_of(const GeoPoint& a, const GeoPoint& b) {
 struct Box {
   const char* name;
   double west, east, south, north;
-  double kilometres, median, mean;  // charts.md; zero where it states none
+  double kilometres, median, mean;  // SOURCES.md "Shorelines"; zero where it states none
 };
 
-// Edges whose middle lies in the box, all levels; charts.md cut its sum in some such way, hence 3
+// Edges whose middle lies in the box, all levels; the sums of SOURCES.md "Shorelines" are cut in
+// some such way, hence 3
 // %.
 TEST_F(GshhgFull, HasTheLengthAndSpacingThatWereMeasuredOnce) {
   for (const Box& box : {Box{"Bergen", 4.6, 5.6, 60.0, 60.6, 1937, 96, 143},

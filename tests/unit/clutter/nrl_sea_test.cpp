@@ -36,7 +36,7 @@ TEST(NrlSea, HasTheTableOfTheFacts) {
   }
 }
 
-// Nathanson's measurements, dB; 0: none (physics.md B3).
+// Nathanson's measurements, dB; 0: none (SOURCES.md "Sea").
 constexpr double kGrazing[] = {0.1, 0.3, 1.0, 3.0, 10.0};
 struct Measured {
   const char* name;

@@ -160,8 +160,8 @@ TEST(StyleChoice, EdgesStandOutAsMeasured) {
               testing::Contains(HasSubstr("too few chords")));
 }
 
-// charts.md, GSHHG full.  It counted boxes at points a quarter of a box apart, which misses
-// corners: 0.01 less in D than the exact count here.  Bound: the standard errors of both.
+// SOURCES.md "Shorelines", GSHHG full.  It counted boxes at points a quarter of a box apart, which
+// misses corners: 0.01 less in D than the exact count here.  Bound: the standard errors of both.
 TEST(CoastFit, FindsThePublishedDimensionsOfRealCoasts) {
   const std::filesystem::path file = "/usr/share/gmt-gshhg/binned_GSHHS_f.nc";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs " << file << " (gmt-gshhg-full)";

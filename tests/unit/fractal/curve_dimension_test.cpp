@@ -13,8 +13,8 @@ namespace {
 constexpr int kCurveDepth = 12, kCurveOctaves = 6;
 
 // Mean over 60 edges of 50 km with all the room there is.  One curve's estimate scatters by 0.019
-// at D 1.25 and 0.038 at 1.1 (physics.md B8), the mean of 60 by 0.005 at most; the folds at the
-// walls of the room add 0.01 at the full amplitude.  gamma far from 1 makes steps of log2 gamma
+// at D 1.25 and 0.038 at 1.1 (SOURCES.md "Fractals"), the mean of 60 by 0.005 at most; the folds at
+// the walls of the room add 0.01 at the full amplitude.  gamma far from 1 makes steps of log2 gamma
 // octaves.
 double measured(const CoastStyle& style) {
   const samples::Bridges bridges(style);
@@ -63,7 +63,7 @@ TEST(CurveDimension, OneIsStraight) {
   }
 }
 
-// The same from the vertices the refiner gives, at several bearings (the paper's error C1).
+// The same from the vertices the refiner gives, at several bearings (SOURCES.md "Corrections 1").
 TEST(CurveDimension, OfWhatTheRefinerGivesIsTheSameAtAllBearings) {
   for (const CoastMethod method : {CoastMethod::midpoint, CoastMethod::weierstrass}) {
     const EdgeRefiner refiner({.method = method, .dimension = 1.25});

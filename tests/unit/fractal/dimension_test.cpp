@@ -39,7 +39,7 @@ TEST(Dimension, GreatestOfEveryMethodCanBeHad) {
 }
 
 TEST(Dimension, OfRegularKochIsTheClosedForm) {
-  // physics.md B8.
+  // SOURCES.md "Fractals".
   EXPECT_NEAR(regular_koch_dimension(0.8), 1.1812, 5e-5);
   EXPECT_NEAR(regular_koch_dimension(0.95), 1.2407, 5e-5);
   EXPECT_NEAR(regular_koch_dimension(1.0), std::log(4.0) / std::log(3.0), 1e-9);
@@ -49,7 +49,7 @@ TEST(Dimension, OfRegularKochIsTheClosedForm) {
 }
 
 TEST(Dimension, SelfSimilarSpreadIsThatOfTheTable) {
-  // physics.md B8, Gaussian r.
+  // SOURCES.md "Fractals", Gaussian r.
   const double table[][2] = {{1.02, .0835}, {1.05, .1325}, {1.10, .1877},
                              {1.15, .2295}, {1.20, .2640}, {1.25, .2936},
                              {1.30, .3194}, {1.40, .3626}, {1.50, .3975}};

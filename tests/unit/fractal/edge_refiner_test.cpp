@@ -183,7 +183,7 @@ TEST_P(EveryMethod, NeighboursNeverMeetWithinTheirClearance) {
 }
 
 // The paper adds one offset to x and y, so that an edge's roughness depends on its bearing and is
-// nothing at 45 deg (physics.md C1).
+// nothing at 45 deg (SOURCES.md "Corrections 1").
 TEST_P(EveryMethod, IsEquallyRoughAtAllBearings) {
   if (GetParam() == CoastMethod::straight) return;
   const EdgeRefiner refiner({.method = GetParam(), .dimension = 1.15});

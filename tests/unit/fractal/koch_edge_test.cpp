@@ -91,7 +91,8 @@ TEST(KochEdge, IsSeededAndDisplacesAlongTheNormal) {
     CoastPiece pieces[4];
     split(edge, roughness, pieces);
     // The paper adds one offset to x and y, so that edges at 45 deg get no roughness at all
-    // (physics.md C1); here the apex stands equally far from the edge at every bearing.
+    // (SOURCES.md "Corrections 1"); here the apex stands equally far from the edge at every
+    // bearing.
     const double height = cross(edge.to - edge.from, pieces[1].to - edge.from) / 100.0;
     EXPECT_NEAR(height, 100.0 * koch_joints(99, roughness).apex_height, 1e-9);
     EXPECT_GT(std::fabs(height), 5.0);

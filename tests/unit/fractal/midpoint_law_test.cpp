@@ -150,7 +150,7 @@ TEST(MidpointLaw, VarianceAndDimensionAreThoseOfDaviesHarte) {
 }
 
 // Plain midpoint displacement has 8 to 15 % more variance across its newest vertices than across
-// older ones (physics.md B8), which shows as creases.
+// older ones (SOURCES.md "Fractals"), which shows as creases.
 TEST(MidpointLaw, HasNoCreases) {
   for (const double hurst : {0.6, 0.75, 0.9}) {
     const samples::Bridges bridges({.method = CoastMethod::midpoint, .dimension = 2.0 - hurst});

@@ -14,7 +14,7 @@ namespace skerry::echo {
 namespace {
 
 TEST(WeierstrassSeries, HasTheKnownValues) {
-  // physics.md B8: gamma = D = 1.5 up to n = 60.
+  // SOURCES.md "Fractals": gamma = D = 1.5 up to n = 60.
   const WeierstrassSeries sixty{.first = -60, .last = 60};
   EXPECT_NEAR(weierstrass(sixty, 1.0), 5.75957, 5e-6);
   EXPECT_NEAR(weierstrass(sixty, 1.5), 7.05402, 6e-6);
@@ -57,7 +57,7 @@ TEST(WeierstrassSeries, ScalesAsItsLawSays) {
 }
 
 TEST(WeierstrassSeries, TailsAreBounded) {
-  // physics.md B8, gamma = D = 1.5.
+  // SOURCES.md "Fractals", gamma = D = 1.5.
   EXPECT_NEAR(high_tail_bound(1.5, 1.5, 10), 1.172, 0.001);
   EXPECT_NEAR(high_tail_bound(1.5, 1.5, 20), 0.154, 0.001);
   EXPECT_NEAR(high_tail_bound(1.5, 1.5, 30), 0.0203, 0.0001);

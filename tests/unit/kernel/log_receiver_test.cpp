@@ -88,8 +88,8 @@ TEST(LogReceiver, GivesTheSameBitsOnEveryInstructionSet) {
   });
 }
 
-// Exponential noise of unit mean: mean and spread of its decibels are known (physics.md B0), and
-// its distribution function passes Kolmogorov and Smirnov's test at n = 2^20: D <= 1.95/sqrt(n)
+// Exponential noise of unit mean: mean and spread of its decibels are known (SOURCES.md "Vectors"),
+// and its distribution function passes Kolmogorov and Smirnov's test at n = 2^20: D <= 1.95/sqrt(n)
 // with probability 0.999.
 TEST(LogReceiver, NoiseIsExponentialWithUnitMean) {
   std::vector<double> e;

@@ -71,8 +71,8 @@ TEST(BoxCount, TilesAddUpToTheWhole) {
   }
 }
 
-// physics.md B8 finds 1.242 +- 0.007 where the true value is 1.2619: a bias of 0.02, here over
-// scales in which the curve repeats itself twice (3^-6 to 3^-4 of its length), by direction.
+// SOURCES.md "Fractals" finds 1.242 +- 0.007 where the true value is 1.2619: a bias of 0.02, here
+// over scales in which the curve repeats itself twice (3^-6 to 3^-4 of its length), by direction.
 TEST(BoxCount, FindsKochsDimensionWithinItsBias) {
   double sum = 0.0;
   int turns = 0;
@@ -87,7 +87,7 @@ TEST(BoxCount, FindsKochsDimensionWithinItsBias) {
   EXPECT_NEAR(sum / turns, std::log(4.0) / std::log(3.0), 0.027);
 }
 
-// Graphs as high as they are long read low by the amounts physics.md B8
+// Graphs as high as they are long read low by the amounts SOURCES.md "Fractals"
 // states: 1.303, 1.196, 1.060.
 TEST(BoxCount, ReadsLowOnGraphsAsItsTableSays) {
   struct Case {

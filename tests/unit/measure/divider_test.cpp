@@ -35,7 +35,8 @@ TEST(Divider, StepsAlongASemicircleAreItsChords) {
   EXPECT_NEAR(lengths.front().length_m, 6.0 * ruler, 0.1 * ruler);
 }
 
-// physics.md B8 finds 1.304 +- 0.005 from one start; averaged over starts less is left of the bias.
+// SOURCES.md "Fractals" finds 1.304 +- 0.005 from one start; averaged over starts less is left of
+// the bias.
 TEST(Divider, FindsKochsDimensionWithinItsBias) {
   const auto line = koch_curve(7, 1.0);
   for (double longest : {1.0 / 27.0, 1.0 / 9.0, 1.0 / 4.0}) {
@@ -84,7 +85,7 @@ TEST(ChordOffsets, OfASawAreItsTeeth) {
 
 TEST(ChordOffsets, AreThoseOfTheMidpointsOfBrownianMotion) {
   // A low graph, so that chords lie along it: the middle of a bridge of length 1 has variance
-  // 2^-2H - 1/4 (physics.md B8, RMD).
+  // 2^-2H - 1/4 (SOURCES.md "Fractals", RMD).
   for (double hurst : {0.6, 0.75, 0.9}) {
     double squares = 0.0;
     constexpr int kGraphs = 20;

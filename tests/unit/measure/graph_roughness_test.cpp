@@ -47,7 +47,8 @@ TEST(ExactFbm, HasTheVariancesAndCovariancesOfFractionalBrownianMotion) {
   }
 }
 
-// D, and what physics.md B8 measured: mean and scatter of the variogram.  Bound: its own bias there
+// D, and what SOURCES.md "Fractals" measured: mean and scatter of the variogram.  Bound: its own
+// bias there
 // (+0.007) doubled, and three standard errors of a mean of 60.
 TEST(GraphRoughness, FindsTheDimensionOfExactFractionalBrownianMotion) {
   struct Case {

@@ -1,4 +1,5 @@
-// The finished echo of the coast off Bergen, judged as recordings.md judges real pictures.
+// The finished echo of the coast off Bergen, judged by the measures of real pictures (SOURCES.md
+// "Pictures").
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -88,7 +88,7 @@ TEST(PictureOutline, OfADiscIsALineAndOfASnowflakeIsKochs) {
               k.above);
   EXPECT_NEAR(d.below, 1.0, 0.04);
   EXPECT_NEAR(d.above, 1.0, 0.06);
-  // Box counts of a Koch curve: 1.242 +- 0.007 (physics.md B8).
+  // Box counts of a Koch curve: 1.242 +- 0.007 (SOURCES.md "Fractals").
   EXPECT_NEAR(k.below, 1.242, 0.06);
   EXPECT_NEAR(k.above, 1.242, 0.06);
 }

@@ -21,7 +21,7 @@ struct NavicoSpoke {
 enum class NavicoKind { halo, br24 };
 
 // All spokes of a gzipped capture (libpcap, Ethernet, IPv4 with fragments), in order.  Layout:
-// recordings.md.  Error: std::runtime_error naming the file and what was wrong.
+// SOURCES.md "Pictures".  Error: std::runtime_error naming the file and what was wrong.
 std::vector<NavicoSpoke> read_navico(const std::string& file, NavicoKind kind);
 
 // A whole turn on one range scale: kNavicoSpokes spokes of kNavicoCells.  A spoke the radar skipped

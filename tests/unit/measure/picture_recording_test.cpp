@@ -1,4 +1,4 @@
-// The picture's estimators against real recordings: what recordings.md says they measure.
+// The picture's estimators against real recordings: what SOURCES.md "Pictures" says they measure.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -42,7 +42,7 @@ std::vector<NavicoTurn> lake_turns(double range_m) {
 }
 constexpr double kHaloBeam = 4.9, kLakeBeam = 5.2;
 const PictureWindow kHaloShore{.from_deg = 208.0, .to_deg = 352.0, .from_m = 100.0};
-// The far shore of the lake; recordings.md does not say which sector it took.
+// The far shore of the lake; SOURCES.md "Pictures" does not say which sector it took.
 const PictureWindow kLakeShore{.from_deg = 60.0, .to_deg = 190.0, .from_m = 100.0};
 const PictureWindow kLakeShoreFarther{.from_deg = 90.0, .to_deg = 190.0, .from_m = 300.0};
 
@@ -76,7 +76,8 @@ std::string expected(const std::string& file, std::size_t from_end) {
 class PictureOfARecording : public testing::Test {
  protected:
   void SetUp() override {
-    if (recordings_folder().empty()) GTEST_SKIP() << "no recordings in ../shared/data/radar";
+    if (recordings_folder().empty())
+      GTEST_SKIP() << "no captures of real radars beside the repository";
   }
 };
 
@@ -188,8 +189,8 @@ TEST_F(PictureOfARecording, HasTheEdgeAndThicknessPublished) {
 }
 
 TEST_F(PictureOfARecording, HasTheCorrelationPublished) {
-  // The 3G's were taken of single turns all around (reference_stats.json; recordings.md (f) has
-  // others for it, close to those of two turns' mean).
+  // The 3G's were taken of single turns all around (reference_stats.json; SOURCES.md "Pictures (f)"
+  // has others for it, close to those of two turns' mean).
   const auto lake = lake_turns(1633.4);
   const auto one =
       echo::picture_correlation(picture_of(lake[0], kLakeBeam), PictureWindow{.from_m = 20.0});

@@ -27,7 +27,7 @@ struct Written {
   bool halo;
 };
 
-// As displays.md 3 has them; spaces left out.
+// As navico/README.md has them; spaces left out.
 const std::vector<Written>& written() {
   using K = CommandKind;
   static const std::vector<Written> all = {
@@ -211,7 +211,7 @@ TEST(NavicoLocator, ThatLiesAboutItsServicesIsRefused) {
   EXPECT_EQ(decode_locator(encode_locator_question()).error().kind, WireErrorKind::unknown_kind);
 }
 
-// What a display computes from a header (displays.md 3), written out once more.
+// What a display computes from a header (navico/README.md), written out once more.
 double display_reach_m(Model model, const SpokeRange& range) {
   Bytes header(kSpokeHeader);
   std::copy(range.at_4.begin(), range.at_4.end(), header.begin() + 4);

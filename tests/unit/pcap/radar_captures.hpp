@@ -1,4 +1,4 @@
-// The recordings of real radars beside the project (../shared/data/radar), and what an independent
+// The captures of real radars that may stand beside the repository, and what an independent
 // decoder makes of them.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace skerry {
 
 // Whether the recordings are there; tests that need them GTEST_SKIP otherwise.
 bool have_radar_captures();
-inline constexpr const char* kNoRadarCaptures = "no recordings of radars in ../shared/data/radar";
+inline constexpr const char* kNoRadarCaptures = "no captures of real radars beside the repository";
 
 // The bytes of a .pcap.gz, unpacked.  Error: std::runtime_error.
 std::vector<std::uint8_t> unpack_radar_capture(const std::string& file);

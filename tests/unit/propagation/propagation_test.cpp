@@ -50,7 +50,7 @@ TEST(Propagation, FallsWithoutAStepFromTheLastLobeToFarBeyondTheHorizon) {
 
 TEST(Propagation, BeyondTheHorizonIsTheSmoothEarths) {
   const PathConditions c = path_conditions(set_of(Band::x, 15.0), {}, 0.0);
-  // physics.md B2: 16 and 20 NM, 15 and 10 m: -16.58 and -30.07 dB one way, gas apart.
+  // SOURCES.md "Propagation": 16 and 20 NM, 15 and 10 m: -16.58 and -30.07 dB one way, gas apart.
   const double gas = 2.0 * 0.0136 * 1.852;
   EXPECT_NEAR(db(point_reference(c, 16.0 * kMile, 10.0)) + 16.0 * gas, -2.0 * 16.58, 0.011);
   EXPECT_NEAR(db(point_reference(c, 20.0 * kMile, 10.0)) + 20.0 * gas, -2.0 * 30.07, 0.011);
@@ -98,7 +98,7 @@ TEST(Propagation, MoreBendingSeesFarther) {
   }
 }
 
-// physics.md B2 at 12 NM: 0.60 dB two-way.
+// SOURCES.md "Propagation" at 12 NM: 0.60 dB two-way.
 TEST(Propagation, GasTakesItsDecibels) {
   const Propagation x(set_of(Band::x, 15.0), {}, 0.0, 60e3),
       s(set_of(Band::s, 15.0), {}, 0.0, 60e3);
@@ -140,7 +140,8 @@ TEST(Propagation, OneWayIsTheRootOfTwoWays) {
     EXPECT_NEAR(p.one_way(r, 6.0) * p.one_way(r, 6.0) / p.point(r, 6.0), 1.0, 1e-6);
 }
 
-// physics.md B2: the mean of 16 sin^4 is 6, +7.78 dB; a rough sea leaves the direct ray alone.
+// SOURCES.md "Propagation": the mean of 16 sin^4 is 6, +7.78 dB; a rough sea leaves the direct ray
+// alone.
 TEST(Propagation, ATallBodyNearbyHasTheMeanOfTheLobes) {
   const Propagation calm(set_of(Band::x, 20.0), {}, 0.0, 60e3);
   EXPECT_NEAR(db(calm.body(2000.0, 40.0) / calm.gas(2000.0)), 7.78, 0.15);

@@ -1,4 +1,4 @@
-// Vectors of physics.md B0 and B2.
+// Numbers of SOURCES.md "Vectors" and "Propagation".
 #include "echo/propagation/rain_attenuation.hpp"
 
 #include <gtest/gtest.h>

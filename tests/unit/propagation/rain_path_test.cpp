@@ -114,7 +114,7 @@ TEST(RainPath, AUniformCloudIsThePowerLaw) {
   path.lay(scene, model, aim_at(77.0));
   ASSERT_TRUE(path.any());
   EXPECT_EQ(path.rate_mm_h()[500], 16.0f);
-  // physics.md B2: 1.230 dB two-way per mile.
+  // SOURCES.md "Propagation": 1.230 dB two-way per mile.
   EXPECT_NEAR(-10.0 * std::log10(path.transmission_at(1852.0)), 1.230, 0.002);
   EXPECT_NEAR(-10.0 * std::log10(path.transmission_at(3704.0)), 2.460, 0.003);
 }

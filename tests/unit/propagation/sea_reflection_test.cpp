@@ -15,14 +15,15 @@ constexpr double kPi = std::numbers::pi;
 
 double two_way_db(double power) { return 20.0 * std::log10(power); }
 
-// physics.md B0: F^4 of 15 and 3.5 m at 4.9 NM, flat Earth, perfect mirror.
+// SOURCES.md "Vectors": F^4 of 15 and 3.5 m at 4.9 NM, flat Earth, perfect mirror.
 TEST(SeaReflection, TwoRayFactorOfTheVectors) {
   const ReflectionPath path = reflection_path(4.9 * kMile, 15.0, 3.5, kFlat);
   EXPECT_NEAR(two_way_db(two_ray_power(1.0, path.difference_m, kX)), 10.38, 0.005);
   EXPECT_NEAR(two_way_db(two_ray_power(1.0, path.difference_m, kS)), -5.64, 0.005);
 }
 
-// physics.md B0: the lowest lobe falls off beyond 4 h1 h2 / lambda, where the phase is half a turn.
+// SOURCES.md "Vectors": the lowest lobe falls off beyond 4 h1 h2 / lambda, where the phase is half
+// a turn.
 TEST(SeaReflection, LastLobeEndsAtTheTransitionRange) {
   EXPECT_NEAR(4.0 * 15.0 * 3.5 / kX / kMile, 3.559, 0.0005);
   EXPECT_NEAR(4.0 * 15.0 * 3.5 / kS / kMile, 1.154, 0.0005);
@@ -39,7 +40,7 @@ TEST(SeaReflection, FarBeyondTheTransitionPointsFallAsTheEighthPower) {
   EXPECT_NEAR(std::log2(echo(r) / echo(2.0 * r)), 8.0, 0.02);
 }
 
-// physics.md B2, X band, deviation 0.3 m.
+// SOURCES.md "Propagation", X band, deviation 0.3 m.
 TEST(SeaReflection, RoughnessOfTheVectors) {
   const double degrees[] = {0.1, 0.5, 1.0};
   const double ament[] = {0.979, 0.587, 0.119}, miller_brown[] = {0.979, 0.629, 0.297};

@@ -109,7 +109,7 @@ TEST(AntennaPattern, StaysBelowALevelBeyondItsReach) {
   EXPECT_NEAR(reach, 1.2 * 0.36, 0.02);
 }
 
-// Two-way Gaussian beams have 0.7527 beam widths (physics.md B1); the taper comes within 2 %.
+// Two-way Gaussian beams have 0.7527 beam widths (SOURCES.md "Sets"); the taper comes within 2 %.
 TEST(AntennaPattern, GathersClutterLikeThreeQuartersOfItsWidth) {
   for (double width : kWidths) {
     const double made = AntennaPattern(with_beam(width)).clutter_width();

@@ -74,8 +74,8 @@ TEST(Beam, LeavesOutLessThanItsBound) {
   }
 }
 
-// Two-way Gaussian beams have an effective clutter width of 0.7527 beam widths (physics.md B1); the
-// cosine taper's main lobe comes within 2 % of it.
+// Two-way Gaussian beams have an effective clutter width of 0.7527 beam widths (SOURCES.md "Sets");
+// the cosine taper's main lobe comes within 2 % of it.
 TEST(Beam, EffectiveWidthIsThatOfTheLiterature) {
   double sum = 0.0;
   for (float w : beam_weights(1.2, 8192, 0.0, 40)) sum += static_cast<double>(w) * 360.0 / 8192;

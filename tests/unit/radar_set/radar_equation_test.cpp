@@ -1,4 +1,4 @@
-// Vectors of physics.md B0.
+// Numbers of SOURCES.md "Vectors".
 #include "echo/radar/radar_equation.hpp"
 
 #include <gtest/gtest.h>

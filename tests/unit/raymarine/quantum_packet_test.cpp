@@ -55,7 +55,7 @@ TEST(QuantumCommand, EveryControlComesBack) {
       -123);
 }
 
-// Source of the bytes: displays.md 5.
+// Source of the bytes: raymarine/README.md.
 TEST(QuantumCommand, BytesAreThoseOfADisplay) {
   EXPECT_EQ(encode_quantum_command(QuantumControl::transmit, 1),
             (Bytes{0x10, 0x00, 0x28, 0x00, 0x01, 0x00, 0x00, 0x00}));

@@ -37,7 +37,7 @@ TEST(Controls, EachOutsideItsRangeIsNamed) {
   }
 }
 
-// physics.md B7: loss (f - f0)^2.
+// SOURCES.md "Receiver": loss (f - f0)^2.
 TEST(Controls, TuningLosesWithTheSquareOfWhatItIsOff) {
   EXPECT_EQ(tune_loss_db({.tune_auto = true, .tune = 3.0}), 0.0);
   const auto by_hand = [](double tune) { return tune_loss_db({.tune_auto = false, .tune = tune}); };

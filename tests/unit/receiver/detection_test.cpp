@@ -13,7 +13,7 @@
 namespace skerry::echo {
 namespace {
 
-// physics.md B0.
+// SOURCES.md "Vectors".
 TEST(Detection, HasTheTestVectors) {
   EXPECT_NEAR(cfar_multiplier(16, 1e-4), 12.4525, 5e-5);
   EXPECT_NEAR(cfar_multiplier(32, 1e-6), 17.2776, 5e-5);

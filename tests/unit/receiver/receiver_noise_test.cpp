@@ -57,7 +57,7 @@ TEST(ReceiverNoise, NeighbouringCellsAreCorrelatedAsBehindAFilter) {
   }
 }
 
-// recordings.md h, Quantum 2 at gain 95: .23 at lag 1, .04 at lag 2.
+// SOURCES.md "Pictures (h)", Quantum 2 at gain 95: .23 at lag 1, .04 at lag 2.
 TEST(ReceiverNoise, LooksLikeTheRecordedOne) {
   const ReceiverNoise noise(0.62, Decimation::peak);
   EXPECT_NEAR(correlation(noise, 1), 0.23, 0.02);
@@ -77,7 +77,7 @@ TEST(ReceiverNoise, SpokesAndTurnsAreUnrelated) {
   }
 }
 
-// Mean and deviation of the decibels of unit exponential noise: physics.md B0.
+// Mean and deviation of the decibels of unit exponential noise: SOURCES.md "Vectors".
 TEST(ReceiverNoise, HasTheMeanAndSpreadOfItsLaw) {
   for (double samples : {0.3, 0.62, 1.0}) {
     const ReceiverNoise noise(samples, Decimation::peak);

@@ -62,8 +62,9 @@ double sum_passes(int k, double t) {
   return sum;
 }
 
-// physics.md B0: ten pulses of a steady target need 3.353 dB each where one needs 10.984, by
-// Albersheim; B7: non-coherent gain n^0.7 .. n^0.8.  The exact Pd at 3.353 dB is a Poisson sum.
+// SOURCES.md "Vectors": ten pulses of a steady target need 3.353 dB each where one needs 10.984, by
+// Albersheim; SOURCES.md "Receiver": non-coherent gain n^0.7 .. n^0.8.  The exact Pd at 3.353 dB is
+// a Poisson sum.
 TEST(Integration, OverTenSpokesGainsWhatTheoryGives) {
   double low = 0.0, high = 10.0;
   while (high - low > 1e-9) {
@@ -164,7 +165,8 @@ TEST(RainControl, KeepsFrontsAndTakesDepth) {
   EXPECT_GT(share_on(plain, 400, 800), 0.95);
 }
 
-// physics.md B7: log-FTC is CFAR for Rayleigh clutter: what is left does not depend on its level.
+// SOURCES.md "Receiver": log-FTC is CFAR for Rayleigh clutter: what is left does not depend on its
+// level.
 TEST(RainControl, KeepsTheFalseAlarmRateWhateverTheClutter) {
   const RadarModel model = model_of(6.0);
   ViewControls controls = controls_of(6.0);

@@ -32,7 +32,8 @@ double busy(std::uint64_t spoke, std::uint32_t cell) {
   return clutter + (ship ? 3e6 : 0.0) + (strobe ? 1e4 : 0.0);
 }
 
-// recordings.md h: 49 % at gain 95.  At gain 50 a cell shows one step above 10 dB: exp(-10.41).
+// SOURCES.md "Pictures (h)": 49 % at gain 95.  At gain 50 a cell shows one step above 10 dB:
+// exp(-10.41).
 TEST(ViewReceiver, NoiseSparklesAsOnARealSet) {
   const RadarModel model = model_of(6.0);
   const double high = share_on(video_of(model, controls_of(6.0, 95.0), silence, 400), 20);
@@ -42,8 +43,8 @@ TEST(ViewReceiver, NoiseSparklesAsOnARealSet) {
   EXPECT_NEAR(normal, 3.0e-5, 0.9e-5);
 }
 
-// physics.md B7: raising gain by x dB lifts noise by x dB; here its upper decile, which no setting
-// of the two clips.
+// SOURCES.md "Receiver": raising gain by x dB lifts noise by x dB; here its upper decile, which no
+// setting of the two clips.
 TEST(ViewReceiver, GainLiftsNoiseByItsDecibels) {
   const RadarModel model = model_of(6.0);
   const auto decile = [&](double gain) {
@@ -80,7 +81,7 @@ TEST(ViewReceiver, StcKeepsASurfaceEchoLevelAcrossRange) {
   EXPECT_NEAR(video[300], video[1000], 3);
 }
 
-// physics.md B7: c/2 (tau + recovery) = 22.5 m for 0.05 us and 0.1 us.
+// SOURCES.md "Receiver": c/2 (tau + recovery) = 22.5 m for 0.05 us and 0.1 us.
 TEST(ViewReceiver, IsBlindBeforeTheMinimumRange) {
   RadarSet set;
   set.pulses = {{0.05e-6, 20e6, 3000.0, 96.0}};

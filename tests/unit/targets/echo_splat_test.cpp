@@ -84,7 +84,7 @@ TEST(EchoSplat, StrongPointsAreWiderThanWeakOnes) {
     return above * 360.0 / 4096 / model.set.beam_width_deg;
   };
   // Beams wide: 3 dB over the threshold, 13 dB, 40 dB.  Recorded: a quarter to a half when
-  // weak, 1.0 to 1.5 when saturated (recordings.md e).
+  // weak, 1.0 to 1.5 when saturated (SOURCES.md "Pictures (e)").
   EXPECT_NEAR(extent(40.0f), 0.72, 0.1);
   EXPECT_NEAR(extent(400.0f), 1.4, 0.1);
   EXPECT_GT(extent(2e5f), 1.9);

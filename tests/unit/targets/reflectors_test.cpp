@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kX = kLightSpeed / 9.41e9, kS = kLightSpeed / 3.05e9;
 
-// Digits of physics.md B0 and B6.
+// Digits of SOURCES.md "Vectors" and "Targets".
 TEST(Reflectors, TriangularTrihedralsAreThoseOfTheSheet) {
   EXPECT_NEAR(trihedral_cross_section(0.3, kX), 33.428, 0.0005);
   EXPECT_NEAR(trihedral_cross_section(0.3, kS), 3.5118, 0.00005);

@@ -59,7 +59,7 @@ std::vector<double> cell_powers(std::uint64_t identity, double heading, int turn
 }
 
 TEST(ShipEcho, CrossSectionIsSkolniksOfTenThousandTonnes) {
-  // 52 sqrt(9410) 10^1.5 = 1.59514e5 m2 (physics.md B0); beam chosen for 10 kt.
+  // 52 sqrt(9410) 10^1.5 = 1.59514e5 m2 (SOURCES.md "Vectors"); beam chosen for 10 kt.
   const double beam = std::sqrt(10000.0 / (1.025 * 0.7 * 0.4 * 150.0));
   EXPECT_NEAR(ship_cross_section(150.0, beam, 9.41e9) / 1.59514e5, 1.0, 1e-5);
 }
@@ -107,7 +107,8 @@ TEST(ShipEcho, ABroadsideStandsTenToTwentyDecibelsHigher) {
 }
 
 TEST(ShipEcho, CrossSectionsOfTheSheetAtBothBands) {
-  // 10 kt: 1.59514e5 m2 at 9410 MHz, 9.0814e4 at 3050 (physics.md B0), medians; means are 1/ln 2.
+  // 10 kt: 1.59514e5 m2 at 9410 MHz, 9.0814e4 at 3050 (SOURCES.md "Vectors"), medians; means are
+  // 1/ln 2.
   const double beam = std::sqrt(10000.0 / (1.025 * 0.7 * 0.4 * 150.0));
   Hull hull = ship_at({0, 3000}, 0.0, 150.0, beam);
   EXPECT_NEAR(ship_mean_cross_section(hull, 9.41e9, 0.0) * std::numbers::ln2 / 1.59514e5, 1.0,

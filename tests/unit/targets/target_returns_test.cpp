@@ -17,7 +17,8 @@ TEST(TargetReturns, APointFallsWithTheFourthPowerOfRange) {
   const RadarModel model = model_at(12.0);
   TargetReturns returns(model);
   Scene scene = calm_scene();
-  // At 1 NM: -57.638 dBm for 1 m2 without losses (physics.md B0), 3 dB losses, noise of the pulse.
+  // At 1 NM: -57.638 dBm for 1 m2 without losses (SOURCES.md "Vectors"), 3 dB losses, noise of the
+  // pulse.
   scene.points = {buoy_at(place_at(1852.0, 30.0))};
   const double noise_dbm = decibels(noise_watts(model.set, model.pulse) * 1e3);
   const std::vector<PointEcho> one = echoes_about(returns, model, scene, 30.0);
