@@ -15,7 +15,7 @@ namespace skerry::system_test {
 
 using server::DisplaySocket;
 
-// Little-endian numbers of a datagram, as displays.md gives them.  Error: std::out_of_range.
+// Little-endian numbers of a datagram, as the protocol pages give them.  Error: std::out_of_range.
 std::uint32_t u16(const Bytes& bytes, std::size_t at);
 std::uint32_t u32(const Bytes& bytes, std::size_t at);
 Bytes hex(const std::string& text);  // "03C1 16120000"

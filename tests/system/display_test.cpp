@@ -1,5 +1,5 @@
 // Displays that were never told of this server find its emulated radars, see its picture and
-// command it, as displays.md has them do it: every byte is read and written here anew.
+// command it, as the protocol pages have them do it: every byte is read and written here anew.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
