@@ -11,8 +11,8 @@
 #include "clients/board/board_reading.hpp"
 #include "clients/board/board_session.hpp"
 #include "clients/board/call.hpp"
-#include "clients/common/printable_text.hpp"
 #include "protocol/board/digdar_page.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "clients/board/board_reading.hpp"
 #include "clients/board/shared_ring.hpp"
 #include "clients/common/message_stream.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 

@@ -8,7 +8,7 @@
 
 #include "clients/board/board_reading.hpp"
 #include "clients/board/call.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client::capi {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

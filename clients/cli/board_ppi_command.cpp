@@ -13,8 +13,8 @@
 #include "clients/cli/board_turn.hpp"
 #include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
-#include "clients/common/picture_file.hpp"
-#include "clients/common/ppi_picture.hpp"
+#include "protocol/picture/picture_file.hpp"
+#include "protocol/picture/ppi_picture.hpp"
 
 namespace skerry::client {
 namespace {

@@ -13,8 +13,8 @@
 #include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/cli/number_within.hpp"
-#include "clients/common/printable_text.hpp"
 #include "protocol/board/digdar_page.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clients/cli/board_words.hpp"
-#include "clients/common/label_text.hpp"
+#include "protocol/picture/label_text.hpp"
 
 namespace skerry::client {
 namespace {

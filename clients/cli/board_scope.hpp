@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "clients/common/rgba_image.hpp"
 #include "protocol/board/sweep_record.hpp"
+#include "protocol/picture/canvas.hpp"
 
 namespace skerry::client {
 

@@ -14,7 +14,7 @@
 #include "clients/cli/board_words.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/cli/number_within.hpp"
-#include "clients/common/picture_file.hpp"
+#include "protocol/picture/picture_file.hpp"
 #include "protocol/quantity/length.hpp"
 
 namespace skerry::client {

@@ -7,7 +7,7 @@
 
 #include "clients/cli/board_scope.hpp"
 #include "clients/cli/board_words.hpp"
-#include "clients/common/canvas.hpp"
+#include "protocol/picture/canvas.hpp"
 #include "protocol/quantity/length.hpp"
 
 namespace skerry::client {

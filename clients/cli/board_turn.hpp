@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "clients/common/scan.hpp"
 #include "protocol/board/spoke_former.hpp"
 #include "protocol/board/sweep_record.hpp"
+#include "protocol/video/scan.hpp"
 
 namespace skerry::client {
 

@@ -17,7 +17,7 @@
 #include "clients/cli/number_within.hpp"
 #include "clients/cli/play_words.hpp"
 #include "clients/cli/server_child.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "clients/common/printable_text.hpp"
 #include "protocol/recording/position.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

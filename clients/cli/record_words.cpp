@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "clients/common/printable_text.hpp"
 #include "clients/recording/position.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 

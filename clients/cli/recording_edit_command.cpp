@@ -6,9 +6,9 @@
 
 #include "clients/cli/number_within.hpp"
 #include "clients/cli/recording_command.hpp"
-#include "clients/common/printable_text.hpp"
 #include "clients/recording/position.hpp"
 #include "clients/recording/recording_edit.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

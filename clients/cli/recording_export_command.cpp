@@ -7,11 +7,11 @@
 
 #include "clients/cli/recording_command.hpp"
 #include "clients/cli/spoke_line.hpp"
-#include "clients/common/picture_file.hpp"
-#include "clients/common/printable_text.hpp"
 #include "clients/recording/recorded_turns.hpp"
 #include "clients/signals/output_file.hpp"
 #include "protocol/captures/exporter.hpp"
+#include "protocol/picture/picture_file.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "clients/cli/recording_command.hpp"
-#include "clients/common/printable_text.hpp"
 #include "protocol/captures/importer.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "clients/cli/recording_command.hpp"
-#include "clients/common/printable_text.hpp"
 #include "protocol/recording/repair.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -9,7 +9,7 @@
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/cli/set_request.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

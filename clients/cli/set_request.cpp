@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
-#include "clients/common/picture_file.hpp"
-#include "clients/common/ppi_picture.hpp"
-#include "clients/common/scan.hpp"
+#include "protocol/picture/picture_file.hpp"
+#include "protocol/picture/ppi_picture.hpp"
+#include "protocol/video/scan.hpp"
 
 namespace skerry::client {
 namespace {

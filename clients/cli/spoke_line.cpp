@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "clients/common/label_text.hpp"
+#include "protocol/picture/label_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -8,8 +8,8 @@
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/cli/record_words.hpp"
-#include "clients/common/label_text.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

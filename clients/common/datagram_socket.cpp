@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "clients/common/asio.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

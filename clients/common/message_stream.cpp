@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clients/common/message_stream.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 #include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::client {

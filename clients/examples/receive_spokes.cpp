@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <variant>
 
-#include "clients/common/scan.hpp"
 #include "clients/common/spoke_client.hpp"
+#include "protocol/video/scan.hpp"
 
 int main(int argc, char** argv) {
   using namespace skerry;
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     return std::fprintf(stderr, "%s\n", subscribed.error().text.c_str()), 1;
   }
 
-  client::ScanAssembler assembler;
+  ScanAssembler assembler;
   for (int turn = 0; turn < turns;) {
     auto event = radar->receive(5s);
     if (!event) return std::fprintf(stderr, "%s\n", event.error().text.c_str()), 1;

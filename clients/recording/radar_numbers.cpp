@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "clients/common/printable_text.hpp"
 #include "protocol/recording/recording.pb.h"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "clients/common/ppi_picture.hpp"
-#include "clients/common/scan.hpp"
+#include "protocol/picture/ppi_picture.hpp"
 #include "protocol/recording/reader.hpp"
+#include "protocol/video/scan.hpp"
 
 namespace skerry::client {
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "clients/common/label_text.hpp"
-#include "clients/common/printable_text.hpp"
 #include "clients/recording/position.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

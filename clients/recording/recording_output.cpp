@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clients/common/printable_text.hpp"
 #include "protocol/recording/put_in_place.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

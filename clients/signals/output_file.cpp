@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 

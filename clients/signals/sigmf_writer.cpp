@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "clients/common/printable_text.hpp"
 #include "clients/signals/output_file.hpp"
 #include "clients/signals/sha512.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

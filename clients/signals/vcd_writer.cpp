@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "clients/common/printable_text.hpp"
 #include "clients/signals/output_file.hpp"
 #include "clients/signals/pulse_train.hpp"
 #include "clients/signals/video_track.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

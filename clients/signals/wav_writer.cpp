@@ -10,8 +10,8 @@
 #include <memory>
 #include <vector>
 
-#include "clients/common/printable_text.hpp"
 #include "clients/signals/output_file.hpp"
+#include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {

@@ -49,7 +49,7 @@ CoastPicturePtr FigureCoast::corrected(const CoastStyle& style) const {
   return prepared_figure(chart_, place_, scale_, style);
 }
 
-client::Scan FigureCoast::scan_of(CoastPicturePtr picture) const {
+Scan FigureCoast::scan_of(CoastPicturePtr picture) const {
   Scene scene;
   scene.seed = kSeed;
   scene.coast = std::move(picture);
@@ -59,7 +59,7 @@ client::Scan FigureCoast::scan_of(CoastPicturePtr picture) const {
   scene.index = std::make_shared<const PolarIndex>(*scene.coast, scene.own_ship, 1.0);
   scene.ashore = is_ashore(*scene.coast, *scene.index, scene.own_ship);
 
-  client::Scan scan;
+  Scan scan;
   const std::uint32_t spokes = scan.geometry.spokes_per_turn;
   SpokeRenderer renderer({}, scan.geometry, {24.0, spokes}, 0);
   renderer.set_controls({.range_scale = scale_});

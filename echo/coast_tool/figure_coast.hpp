@@ -1,11 +1,11 @@
 // FigureCoast: one piece of charted coast by every method, as line and as radar echo.
 #pragma once
 
-#include "clients/common/scan.hpp"
 #include "echo/chart/coast_chart.hpp"
 #include "echo/fractal/as_printed/printed_coast.hpp"
 #include "echo/scene/coast_picture.hpp"
 #include "protocol/video/range_scale.hpp"
+#include "protocol/video/scan.hpp"
 
 namespace skerry::echo {
 
@@ -31,7 +31,7 @@ class FigureCoast {
   CoastPicturePtr corrected(const CoastStyle& style) const;
 
   // What the radar shows of it: one turn, gain and sea control as they come, no traffic.
-  client::Scan scan_of(CoastPicturePtr picture) const;
+  Scan scan_of(CoastPicturePtr picture) const;
 
  private:
   CoastChart chart_;

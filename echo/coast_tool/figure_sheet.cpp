@@ -6,16 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "clients/common/label_text.hpp"
-#include "clients/common/ppi_picture.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "protocol/picture/ppi_picture.hpp"
 
 namespace skerry::echo {
 namespace {
-
-using client::Canvas;
-using client::Pixels;
-using client::Rgba;
-using client::RgbaImage;
 
 constexpr Rgba kPaper{9, 14, 17};
 constexpr Rgba kWater{14, 24, 32};
@@ -52,7 +47,7 @@ FigureSheet::FigureSheet(const FigureCoast& coast, const std::string& title)
   const auto write = [&](int line, const std::string& text) {
     canvas.text(text, kMargin, kMargin + 30 + 20 * line, 2, kRemark);
   };
-  write(0, fmt::format("{}, own ship at {}", coast.source(), client::position_text(coast.place())));
+  write(0, fmt::format("{}, own ship at {}", coast.source(), position_text(coast.place())));
   write(1,
         fmt::format("Range {} NM, ring at {:.0f} m, display of {:.0f} pixels. Grey: the chart's {} "
                     "edges. Shaded: land as the echo chain reads the coast.",
@@ -152,9 +147,9 @@ void FigureSheet::add_coast(const CoastPicture& picture, const std::string& capt
 
 void FigureSheet::add_echo(const CoastPicturePtr& picture, const std::string& caption) {
   const Place place = next_panel();
-  const client::Scan scan = coast_.scan_of(picture);
-  const client::PpiRaster raster = client::rasterise(scan, {.size = kPanel, .radius = kRadius});
-  const auto colours = client::colours_of(client::Palette::amber);
+  const Scan scan = coast_.scan_of(picture);
+  const PpiRaster raster = rasterise(scan, {.size = kPanel, .radius = kRadius});
+  const auto colours = colours_of(Palette::amber);
   RgbaImage panel = blank(kPanel, kPanel, colours[0]);
   for (std::size_t i = 0; i < panel.pixels.size(); ++i) {
     panel.pixels[i] = colours[raster.level[i]];

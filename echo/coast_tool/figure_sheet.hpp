@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include "clients/common/canvas.hpp"
-#include "clients/common/rgba_image.hpp"
 #include "echo/coast_tool/figure_coast.hpp"
+#include "protocol/picture/canvas.hpp"
 
 namespace skerry::echo {
 
@@ -26,7 +25,7 @@ class FigureSheet {
   void add_echo(const CoastPicturePtr& picture, const std::string& caption);
 
   // The sheet, cut below the last row.
-  client::RgbaImage take();
+  RgbaImage take();
 
  private:
   struct Place {
@@ -34,13 +33,12 @@ class FigureSheet {
   };
   Place next_panel();
   void caption_under(Place panel, const std::string& first, const std::string& second);
-  void draw_line(client::RgbaImage& panel, const CoastPicture& picture, double width,
-                 client::Rgba colour) const;
-  void put_round(const client::RgbaImage& panel, Place place);
+  void draw_line(RgbaImage& panel, const CoastPicture& picture, double width, Rgba colour) const;
+  void put_round(const RgbaImage& panel, Place place);
   void grow_to(int height);
 
   const FigureCoast& coast_;
-  client::RgbaImage image_;
+  RgbaImage image_;
   int row_top_ = 0;
   int column_ = kColumns;
 };

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "clients/common/picture_file.hpp"
 #include "echo/chart/gdal/open_chart.hpp"
 #include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/figure_coast.hpp"
 #include "echo/coast_tool/figure_sheet.hpp"
+#include "protocol/picture/picture_file.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -53,7 +53,7 @@ void add_iterations(FigureSheet& sheet, const FigureCoast& coast, Parameters par
   }
 }
 
-client::RgbaImage draw_figures(const FigureCoast& coast) {
+RgbaImage draw_figures(const FigureCoast& coast) {
   FigureSheet sheet(coast, "Figures 4, 5, 6, 9 and 10 of Ji et al. 2016 on a real coast");
   sheet.begin_row("Figure 4: random Koch curve as printed", "each edge of the chart whole");
   add_iterations(sheet, coast, parameters_of(CoastMethod::random_koch, 1));
@@ -131,8 +131,8 @@ int run(const FiguresOptions& options) {
                   "They are 0.125 0.25 0.5 0.75 1.5 3 6 12 24 48 72 96.");
   }
   const FigureCoast coast(chart_for(options, place, *scale), place, *scale);
-  const client::RgbaImage image = draw_figures(coast);
-  client::write_file(options.file, client::encode_png(image, {{"Source", coast.source()}}));
+  const RgbaImage image = draw_figures(coast);
+  skerry::write_file(options.file, encode_png(image, {{"Source", coast.source()}}));
   write_out(fmt::format("{}: {} x {} pixels\n", options.file, image.width, image.height));
   return kExitOk;
 }

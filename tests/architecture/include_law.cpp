@@ -26,6 +26,8 @@ const std::vector<Room>& table() {
       {"protocol/video", {"protocol/quantity/"}},
       // Bytes <-> values.
       {"protocol/wire", {"protocol/quantity/", "protocol/video/"}},
+      // Scans as pictures.
+      {"protocol/picture", {"protocol/quantity/", "protocol/video/", "protocol/wire/"}},
       {"protocol/asterix",
        {"protocol/quantity/", "protocol/video/", "protocol/wire/wire_error.hpp",
         "protocol/wire/byte_order.hpp"}},
@@ -93,7 +95,7 @@ const std::vector<Room>& table() {
       {"echo", {"protocol/quantity/", "protocol/video/", "echo/"}},
       // The echo for other programs: a C library, and the tool that fits and judges coasts.
       {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},
-      {"echo/coast_tool", {"protocol/quantity/", "protocol/video/", "echo/", "clients/common/"}},
+      {"echo/coast_tool", {"protocol/quantity/", "protocol/video/", "protocol/picture/", "echo/"}},
       // The server: radar and net do not know each other, app joins them.
       {"server/core", {"protocol/"}},
       {"server/config", {"protocol/"}},
@@ -170,7 +172,7 @@ const std::vector<Owned>& owned_headers() {
       {"CLI/",
        {"server/app/", "clients/cli/", "echo/coast_tool/"},
        "pass the options in as values"},
-      {"png.h", {"clients/common/"}, "use clients/common/picture_file.hpp"},
+      {"png.h", {"protocol/picture/"}, "use protocol/picture/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},
       {"zlib.h",
        {"protocol/asterix/", "protocol/pcap/"},

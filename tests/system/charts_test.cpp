@@ -56,13 +56,13 @@ constexpr const char* kIsland = R"({"type": "FeatureCollection", "features": [
    "coordinates": [[[-45.005, 30.010], [-44.995, 30.010], [-44.995, 30.019], [-45.005, 30.019],
                     [-45.005, 30.010]]]}}]})";
 
-client::Scan scan_of(const std::vector<std::string>& arguments) {
+Scan scan_of(const std::vector<std::string>& arguments) {
   RunningServer server(arguments);
   client::SpokeClient client = subscribed(server, 0);
   return next_scan(client);
 }
 
-std::size_t echoes(const client::Scan& scan) {
+std::size_t echoes(const Scan& scan) {
   std::size_t count = 0;
   for (const auto& spoke : scan.spokes) {
     if (!spoke) continue;
@@ -73,7 +73,7 @@ std::size_t echoes(const client::Scan& scan) {
 }
 
 // Cell of the first echo of a spoke, or -1.
-int leading_edge(const client::Scan& scan, std::size_t spoke) {
+int leading_edge(const Scan& scan, std::size_t spoke) {
   const auto& video = scan.spokes.at(spoke)->cells;
   const auto at = std::find_if(video.begin(), video.end(), [](auto cell) { return cell > 0; });
   return at == video.end() ? -1 : static_cast<int>(at - video.begin());
@@ -84,7 +84,7 @@ TEST(Charts, AnIslandOfAGeoJsonFileEchoesWhereItIs) {
   const std::string scenario = folder.write("s.yaml", anchored(kLat, kLon, 1.5));
   const std::string island = folder.write("island.geojson", kIsland);
   EXPECT_EQ(echoes(scan_of({"--scenario", scenario})), 0u);
-  const client::Scan scan = scan_of({"--scenario", scenario, "--chart", island});
+  const Scan scan = scan_of({"--scenario", scenario, "--chart", island});
   // 0.010 deg of latitude at 30 N is 1108.5 m; a cell of 1.5 NM in 512 is 5.43 m.  The fractal
   // coast may stand out by its share of the 1 km edge's height.
   EXPECT_NEAR(leading_edge(scan, 0), 1108.5 / (1.5 * 1852.0 / 512.0), 45.0);
@@ -98,7 +98,7 @@ TEST(Charts, TheScenarioSaysHowTheCoastIsRefined) {
   const auto edges = [&](const std::string& method) {
     const std::string scenario = folder.write(
         "s.yaml", anchored(kLat, kLon, 1.5, "coast: {rocky: {method: " + method + "}}\n"));
-    const client::Scan scan = scan_of({"--scenario", scenario, "--chart", island});
+    const Scan scan = scan_of({"--scenario", scenario, "--chart", island});
     std::vector<int> cells;
     for (const std::size_t spoke : {504u, 506u, 508u, 510u, 0u, 2u, 4u, 6u, 8u}) {
       cells.push_back(leading_edge(scan, spoke));
@@ -125,9 +125,8 @@ TEST(Charts, AnEncCellShowsThePiersThatTheWorldsShorelineHasNot) {
   const Folder folder;
   // Commencement Bay, Tacoma.
   const std::string scenario = folder.write("s.yaml", anchored(47.290, -122.440, 1.5));
-  const client::Scan world = scan_of({"--scenario", scenario});
-  const client::Scan cell =
-      scan_of({"--scenario", scenario, "--chart", enc("US5WA22M.000").string()});
+  const Scan world = scan_of({"--scenario", scenario});
+  const Scan cell = scan_of({"--scenario", scenario, "--chart", enc("US5WA22M.000").string()});
   EXPECT_GT(echoes(cell), 1000u);
   std::size_t moved = 0, seen = 0;
   for (std::size_t spoke = 0; spoke < cell.spokes.size(); ++spoke) {

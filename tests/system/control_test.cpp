@@ -112,7 +112,7 @@ TEST_F(Control, WhatIsOutOfRangeIsRefusedWithTheRangeAndChangesNothing) {
   }
 }
 
-double mean_level(const client::Scan& scan) {
+double mean_level(const Scan& scan) {
   double sum = 0.0;
   for (const auto& spoke : scan.spokes) {
     sum += std::accumulate(spoke->cells.begin(), spoke->cells.end(), 0.0);
@@ -137,7 +137,7 @@ TEST_F(Control, MoreGainMakesABrighterPicture) {
 // Of the cells of `near` that show a strong echo, how many show one in `far` at the cell that
 // `cell_in_far` gives.
 template <typename CellInFar>
-double agreement(const client::Scan& near, const client::Scan& far, CellInFar cell_in_far) {
+double agreement(const Scan& near, const Scan& far, CellInFar cell_in_far) {
   constexpr std::uint8_t kStrong = 128;
   double strong = 0.0, shared = 0.0;
   for (std::size_t i = 0; i < kSmallSpokes; ++i) {
@@ -163,7 +163,7 @@ TEST_F(Control, AnotherRangeScaleShowsTheSameLandAtTheSameMetres) {
     next_scan(console);
     return next_scan(console);
   };
-  const client::Scan near = scan_at("3"), far = scan_at("6");
+  const Scan near = scan_at("3"), far = scan_at("6");
   EXPECT_DOUBLE_EQ(far.spokes[0]->header.cell_size().in_metres(),
                    2.0 * near.spokes[0]->header.cell_size().in_metres());
   const double by_metres = agreement(near, far, [](std::size_t n) { return n / 2; });

@@ -37,7 +37,7 @@ Bytes await_datagram(DisplaySocket& socket, std::uint32_t from, const std::strin
   throw std::runtime_error("a display waited in vain for " + what);
 }
 
-Likeness compare(const std::vector<SeenSpoke>& seen, const client::Scan& own) {
+Likeness compare(const std::vector<SeenSpoke>& seen, const Scan& own) {
   Likeness result;
   std::size_t confirmed = 0;
   const auto& first = own.spokes.front()->header;

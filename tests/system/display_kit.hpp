@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/common/scan.hpp"
+#include "protocol/video/scan.hpp"
 #include "tests/unit/net/display_socket.hpp"
 
 namespace skerry::system_test {
@@ -39,6 +39,6 @@ struct Likeness {
   std::size_t strong = 0;
   double confirmed = 0.0;
 };
-Likeness compare(const std::vector<SeenSpoke>& seen, const client::Scan& own);
+Likeness compare(const std::vector<SeenSpoke>& seen, const Scan& own);
 
 }  // namespace skerry::system_test

@@ -37,8 +37,8 @@ Spoke next_spoke(client::SpokeClient& client) {
   return await<Spoke>(client, [](const Spoke&) { return true; });
 }
 
-client::Scan next_scan(client::SpokeClient& client) {
-  client::ScanAssembler assembler;
+Scan next_scan(client::SpokeClient& client) {
+  ScanAssembler assembler;
   bool begun = false;
   for (;;) {
     Spoke spoke = next_spoke(client);

@@ -12,8 +12,8 @@
 #include <utility>
 #include <variant>
 
-#include "clients/common/scan.hpp"
 #include "clients/common/spoke_client.hpp"
+#include "protocol/video/scan.hpp"
 #include "tests/system/running_server.hpp"
 
 namespace skerry::system_test {
@@ -27,7 +27,7 @@ client::ClientEvent next_event(client::SpokeClient& client);
 Spoke next_spoke(client::SpokeClient& client);
 
 // The next whole turn that begins with spoke 0 from now on and is of one range scale.
-client::Scan next_scan(client::SpokeClient& client);
+Scan next_scan(client::SpokeClient& client);
 
 // Reads on until an event of that type meets the condition.
 template <typename Event>

@@ -108,7 +108,7 @@ TEST(TwoOwnShips, MakeTheSameCoastOfTheChart) {
 // A turn of one radar beside the coast.
 class TurnOnCoast {
  public:
-  TurnOnCoast(const client::Scan& scan, const CoastOnEarth& coast) : scan_(scan) {
+  TurnOnCoast(const Scan& scan, const CoastOnEarth& coast) : scan_(scan) {
     const CoastSeenFrom seen(coast, header(0).own_ship, 200.0);
     shores_.resize(scan.spokes.size());
     for (std::size_t i = 0; i < scan.spokes.size(); ++i) {
@@ -185,7 +185,7 @@ class TurnOnCoast {
            *farthest - *nearest <= cell_m();
   }
 
-  const client::Scan& scan_;
+  const Scan& scan_;
   std::vector<std::vector<double>> shores_;  // by spoke and step, metres
 };
 
@@ -194,7 +194,7 @@ TEST(TwoOwnShips, HaveTwoPicturesOfOneCoast) {
   const std::string text = slow_default_scenario();
   const scenario::Scenario scenario = server::parse_scenario(text, "bergen.yaml");
   const RunningServer server({"--scenario", folder.write("bergen.yaml", text)});
-  std::vector<client::Scan> scans;
+  std::vector<Scan> scans;
   for (int radar = 0; radar < 2; ++radar) {
     client::SpokeClient console = subscribed(server, static_cast<std::uint32_t>(radar));
     scans.push_back(next_scan(console));
@@ -213,7 +213,7 @@ TEST(TwoOwnShips, HaveTwoPicturesOfOneCoast) {
   // All that either radar can see, finer than it can tell.
   const CoastOnEarth coast =
       on_earth(*picture_at(far.own_ship, scenario.seed(), reach, 10.0, 0.05));
-  for (const client::Scan& scan : scans) {
+  for (const Scan& scan : scans) {
     const TurnOnCoast turn(scan, coast);
     std::vector<double> errors = turn.range_errors();
     for (double& error : errors) error = std::fabs(error);

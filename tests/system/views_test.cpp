@@ -30,7 +30,7 @@ class Views : public testing::Test {
     if (!view) throw std::runtime_error(view.error().text);
     return *view;
   }
-  static double mean_level(const client::Scan& scan) {
+  static double mean_level(const Scan& scan) {
     double sum = 0.0;
     for (const auto& spoke : scan.spokes) {
       sum += std::accumulate(spoke->cells.begin(), spoke->cells.end(), 0.0);
@@ -108,7 +108,7 @@ TEST_F(Views, InStandbyNoSpokesComeAndTheShipSailsOn) {
   EXPECT_EQ(spokes_of(), spokes);
   set({"--transmit", "on"});
   await<wire::Settings>(console, [](const wire::Settings& s) { return !s.standby(); });
-  const client::Scan scan = next_scan(console);
+  const Scan scan = next_scan(console);
   EXPECT_GT(mean_level(scan), 1.0);
   EXPECT_GT(scan.spokes.front()->header.sequence, before);
   EXPECT_EQ(console.losses().lost(), 0u) << "standby is no loss";

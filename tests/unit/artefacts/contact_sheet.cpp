@@ -5,26 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clients/common/canvas.hpp"
-#include "clients/common/label_text.hpp"
-#include "clients/common/ppi_picture.hpp"
-#include "clients/common/ppi_raster.hpp"
+#include "protocol/picture/canvas.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "protocol/picture/ppi_picture.hpp"
+#include "protocol/picture/ppi_raster.hpp"
 
 namespace skerry {
 namespace {
-
-using client::Canvas;
-using client::Rgba;
-using client::RgbaImage;
 
 constexpr Rgba kPaper{9, 14, 17}, kRim{70, 170, 120}, kShip{205, 235, 215}, kHeading{230, 240, 235},
     kName{150, 205, 175}, kRemark{120, 150, 140};
 constexpr int kMargin = 16, kGap = 14, kTitle = 44, kText = 40;
 constexpr double kRadius = 0.5 * kPicture - 2.0;
 
-void put_round(RgbaImage& sheet, const client::Scan& scan, int left, int top) {
-  const client::PpiRaster raster = client::rasterise(scan, {.size = kPicture, .radius = kRadius});
-  const auto colours = client::colours_of(client::Palette::amber);
+void put_round(RgbaImage& sheet, const Scan& scan, int left, int top) {
+  const PpiRaster raster = rasterise(scan, {.size = kPicture, .radius = kRadius});
+  const auto colours = colours_of(Palette::amber);
   Canvas canvas(sheet);
   const double middle = 0.5 * kPicture;
   for (int y = 0; y < kPicture; ++y) {
@@ -46,9 +42,9 @@ void put_round(RgbaImage& sheet, const client::Scan& scan, int left, int top) {
 
 }  // namespace
 
-client::Scan last_turn(const std::vector<std::uint8_t>& video, const ScanGeometry& geometry,
-                       RangeScale scale) {
-  client::Scan scan;
+Scan last_turn(const std::vector<std::uint8_t>& video, const ScanGeometry& geometry,
+               RangeScale scale) {
+  Scan scan;
   scan.geometry = geometry;
   const std::size_t turn = std::size_t{geometry.spokes_per_turn} * geometry.cells;
   const auto last = video.end() - static_cast<std::ptrdiff_t>(turn);
@@ -81,8 +77,8 @@ RgbaImage contact_sheet(const std::string& title, const std::vector<Thumbnail>& 
     const auto centred = [&](const std::string& text, int scale) {
       return left + (kPicture - Canvas::text_width(text, scale)) / 2;
     };
-    const std::string name = fmt::format(
-        "{}, {} NM", picture.name, client::range_text(picture.scan.newest()->header.range_scale));
+    const std::string name = fmt::format("{}, {} NM", picture.name,
+                                         range_text(picture.scan.newest()->header.range_scale));
     const int scale = Canvas::text_width(name, 2) <= kPicture ? 2 : 1;
     canvas.text(name, centred(name, scale), top + kPicture + 5, scale, kName);
     canvas.text(picture.caption, centred(picture.caption, 1), top + kPicture + 26, 1, kRemark);

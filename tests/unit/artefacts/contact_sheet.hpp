@@ -5,22 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "clients/common/rgba_image.hpp"
-#include "clients/common/scan.hpp"
+#include "protocol/picture/canvas.hpp"
+#include "protocol/video/scan.hpp"
 
 namespace skerry {
 
 struct Thumbnail {
   std::string name, caption;
-  client::Scan scan;
+  Scan scan;
 };
 
 // The last turn of `video` (one byte per cell, spoke after spoke) as a receiver has it, north up.
-client::Scan last_turn(const std::vector<std::uint8_t>& video, const ScanGeometry& geometry,
-                       RangeScale scale);
+Scan last_turn(const std::vector<std::uint8_t>& video, const ScanGeometry& geometry,
+               RangeScale scale);
 
 // Rows of kColumns round pictures, the range scale at their edge and a ring at half of it.
-client::RgbaImage contact_sheet(const std::string& title, const std::vector<Thumbnail>& pictures);
+RgbaImage contact_sheet(const std::string& title, const std::vector<Thumbnail>& pictures);
 
 inline constexpr int kColumns = 6;
 inline constexpr int kPicture = 300;  // pixels across

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "clients/common/picture_file.hpp"
+#include "protocol/picture/picture_file.hpp"
 #include "tests/unit/artefacts/shown_scene.hpp"
 
 // Every number here is read off the video that the contact sheet shows.
@@ -350,11 +350,11 @@ TEST(ContactSheet, ShowsEveryScene) {
     pictures.push_back(
         {scene.name, scene.caption, last_turn(video.with(), video.geometry(), video.scale())});
   }
-  const client::RgbaImage sheet =
+  const RgbaImage sheet =
       contact_sheet("Artefacts and what else echoes in a way of its own", pictures);
   EXPECT_EQ(sheet.width, 2 * 16 + kColumns * kPicture + (kColumns - 1) * 14);
   const std::string path = SKERRY_PICTURE_DIR "/artefacts.png";
-  client::write_file(path, client::encode_png(sheet, {{"Title", "Skerry artefacts"}}));
+  write_file(path, encode_png(sheet, {{"Title", "Skerry artefacts"}}));
   std::printf("contact sheet of %zu scenes: %s\n", pictures.size(), path.c_str());
 }
 

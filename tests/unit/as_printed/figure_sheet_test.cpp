@@ -45,7 +45,7 @@ TEST(FigureCoast, RefusesAPlaceWithoutACoast) {
 TEST(FigureCoast, EchoBeginsWhereLandDoes) {
   const FigureCoast coast = made_up_coast();
   const LandByRay land(coast.straight());
-  const client::Scan scan = coast.scan_of(coast.printed({.method = CoastMethod::straight}));
+  const Scan scan = coast.scan_of(coast.printed({.method = CoastMethod::straight}));
   ASSERT_TRUE(scan.is_complete());
   const double cell_m = scan.geometry.cell_size(kScale).in_metres();
   int with_land = 0, with_echo = 0;
@@ -71,7 +71,7 @@ TEST(FigureSheet, GrowsByRowsAndDrawsInEveryPanel) {
   }
   sheet.begin_row("Echo", "");
   sheet.add_echo(coast.corrected({}), "corrected");
-  const client::RgbaImage image = sheet.take();
+  const RgbaImage image = sheet.take();
   EXPECT_GT(image.height, 3 * FigureSheet::kPanel);
   EXPECT_LT(image.height, 3 * (FigureSheet::kPanel + 120) + 120);
   EXPECT_EQ(image.pixels.size(), static_cast<std::size_t>(image.width) * image.height);
@@ -80,7 +80,7 @@ TEST(FigureSheet, GrowsByRowsAndDrawsInEveryPanel) {
     std::set<std::tuple<int, int, int>> colours;
     for (int y = top; y < top + 200; ++y) {
       for (int x = left; x < left + 200; ++x) {
-        const client::Rgba p = image.at(x, y);
+        const Rgba p = image.at(x, y);
         colours.insert({p.red, p.green, p.blue});
       }
     }

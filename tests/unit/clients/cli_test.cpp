@@ -9,7 +9,7 @@
 #include "protocol/asterix/cat240.hpp"
 #include "tests/unit/clients/fake_server.hpp"
 #include "tests/unit/clients/program.hpp"
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
 namespace skerry::client {
 namespace {

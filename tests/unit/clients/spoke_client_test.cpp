@@ -7,7 +7,7 @@
 
 #include "tests/unit/clients/fake_server.hpp"
 #include "tests/unit/clients/long_wait.hpp"
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
 namespace skerry::client {
 namespace {

@@ -10,7 +10,7 @@
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/spoke_message.hpp"
 #include "tests/unit/clients/long_wait.hpp"
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
 namespace skerry::client {
 namespace {

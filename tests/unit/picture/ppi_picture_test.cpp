@@ -1,4 +1,4 @@
-#include "clients/common/ppi_picture.hpp"
+#include "protocol/picture/ppi_picture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "clients/common/label_text.hpp"
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 PpiOptions bare(int size) {
@@ -173,4 +173,4 @@ TEST(LabelText, WritesPositionsAndTimesWithoutRoundingErrors) {
 }
 
 }  // namespace
-}  // namespace skerry::client
+}  // namespace skerry

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace skerry::client {
+namespace skerry {
 
 // At most `longest` characters of `text`; whatever is not printable ASCII becomes '?', so that a
 // server cannot send escape sequences to somebody's terminal.
@@ -16,4 +16,4 @@ inline std::string printable(std::string_view text, std::size_t longest = 512) {
   return out;
 }
 
-}  // namespace skerry::client
+}  // namespace skerry

@@ -1,4 +1,4 @@
-#include "clients/common/picture_file.hpp"
+#include "protocol/picture/picture_file.hpp"
 
 #include <fmt/format.h>
 #include <png.h>
@@ -11,10 +11,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "clients/common/label_text.hpp"
-#include "clients/common/printable_text.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 void append_bytes(png_structp png, png_bytep data, png_size_t size) {
@@ -130,4 +130,4 @@ void write_file(const std::string& path, const Bytes& bytes) {
   if (!whole || !closed) fail();
 }
 
-}  // namespace skerry::client
+}  // namespace skerry

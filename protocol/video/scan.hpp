@@ -8,7 +8,7 @@
 
 #include "protocol/video/spoke.hpp"
 
-namespace skerry::client {
+namespace skerry {
 
 // The spokes of one turn, some of which may be missing.  Spokes may differ in range scale (somebody
 // changed it during the turn) and in heading (the ship turned).
@@ -51,4 +51,4 @@ class ScanAssembler {
   std::uint64_t dropped_ = 0;
 };
 
-}  // namespace skerry::client
+}  // namespace skerry

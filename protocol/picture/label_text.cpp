@@ -1,4 +1,4 @@
-#include "clients/common/label_text.hpp"
+#include "protocol/picture/label_text.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "clients/common/printable_text.hpp"
+#include "protocol/wire/printable_text.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 // Degrees and minutes to a thousandth, so that 59.9996 minutes become the next degree.
@@ -92,4 +92,4 @@ LabelText label_text(const Scan& scan, Orientation orientation, const PpiLabels&
   return text;
 }
 
-}  // namespace skerry::client
+}  // namespace skerry

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "clients/common/ppi_picture.hpp"
+#include "protocol/picture/ppi_picture.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
 
-namespace skerry::client {
+namespace skerry {
 
 struct LabelLine {
   std::string text;
@@ -29,4 +29,4 @@ std::string position_text(GeoPoint point);  // 60^24.300'N 005^18.120'E
 std::string utc_text(UtcTime time);         // 2024-05-01T12:00:00.250Z
 std::string range_text(RangeScale scale);   // 0.125, 12
 
-}  // namespace skerry::client
+}  // namespace skerry

@@ -1,4 +1,4 @@
-#include "clients/common/picture_file.hpp"
+#include "protocol/picture/picture_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 RgbaImage gradient(int width, int height) {
@@ -108,4 +108,4 @@ TEST(PictureFile, WritesAllBytes) {
 }
 
 }  // namespace
-}  // namespace skerry::client
+}  // namespace skerry

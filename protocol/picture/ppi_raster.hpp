@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "clients/common/scan.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/video/scan.hpp"
 
-namespace skerry::client {
+namespace skerry {
 
 enum class Orientation : std::uint8_t {
   north_up,  // every spoke at its own true bearing, north at the top
@@ -45,4 +45,4 @@ struct PpiRaster {
 // Requires a scan as ScanAssembler gives it.  Pure.  Thread: any.
 PpiRaster rasterise(const Scan& scan, const PpiFrame& frame);
 
-}  // namespace skerry::client
+}  // namespace skerry

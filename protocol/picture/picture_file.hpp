@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "clients/common/rgba_image.hpp"
-#include "clients/common/scan.hpp"
+#include "protocol/picture/canvas.hpp"
+#include "protocol/video/scan.hpp"
 #include "protocol/wire/wire_error.hpp"
 
-namespace skerry::client {
+namespace skerry {
 
 // Keyword (1 .. 79 printable ASCII characters) and text of PNG tEXt chunks; the text is made
 // printable.
@@ -28,4 +28,4 @@ Bytes encode_pgm(const Scan& scan);
 // Error: std::runtime_error that names the file and what the system said.
 void write_file(const std::string& path, const Bytes& bytes);
 
-}  // namespace skerry::client
+}  // namespace skerry

@@ -1,4 +1,4 @@
-#include "clients/common/ppi_raster.hpp"
+#include "protocol/picture/ppi_raster.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -281,4 +281,4 @@ TEST(PpiRaster, ShowsAScanWithoutSpokesAsMissing) {
 }
 
 }  // namespace
-}  // namespace skerry::client
+}  // namespace skerry

@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "clients/common/ppi_raster.hpp"
-#include "clients/common/rgba_image.hpp"
+#include "protocol/picture/canvas.hpp"
+#include "protocol/picture/ppi_raster.hpp"
 #include "protocol/wire/radar.pb.h"
 
-namespace skerry::client {
+namespace skerry {
 
 enum class Palette : std::uint8_t { amber, green };
 
@@ -47,4 +47,4 @@ std::array<Rgba, 256> colours_of(DopplerClass motion, Palette palette);
 // Requires kMinPictureSize <= options.size <= kMaxPictureSize.  Pure.  Thread: any.
 RgbaImage draw_ppi(const Scan& scan, const PpiOptions& options, const PpiLabels& labels);
 
-}  // namespace skerry::client
+}  // namespace skerry

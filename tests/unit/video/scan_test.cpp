@@ -1,10 +1,10 @@
-#include "clients/common/scan.hpp"
+#include "protocol/video/scan.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/clients/synthetic_scan.hpp"
+#include "tests/unit/picture/synthetic_scan.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 constexpr std::uint32_t kSpokes = kSmall.spokes_per_turn;
@@ -103,4 +103,4 @@ TEST(Scan, KnowsWhetherTheRangeScaleChanged) {
 }
 
 }  // namespace
-}  // namespace skerry::client
+}  // namespace skerry

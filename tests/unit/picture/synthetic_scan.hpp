@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "clients/common/scan.hpp"
+#include "protocol/video/scan.hpp"
 #include "protocol/video/spoke.hpp"
 
-namespace skerry::client {
+namespace skerry {
 
 inline constexpr ScanGeometry kSmall{.spokes_per_turn = 256, .cells = 256, .bits = 8};
 
@@ -51,4 +51,4 @@ inline void remove_spoke(Scan& scan, std::uint32_t index) {
   scan.spokes[index].reset();
 }
 
-}  // namespace skerry::client
+}  // namespace skerry

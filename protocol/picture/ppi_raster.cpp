@@ -1,10 +1,10 @@
-#include "clients/common/ppi_raster.hpp"
+#include "protocol/picture/ppi_raster.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 constexpr std::uint32_t kAzimuths = 65536;
@@ -194,4 +194,4 @@ PpiRaster rasterise(const Scan& scan, const PpiFrame& frame) {
   return Rasteriser(scan, frame).run();
 }
 
-}  // namespace skerry::client
+}  // namespace skerry

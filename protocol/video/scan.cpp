@@ -1,8 +1,8 @@
-#include "clients/common/scan.hpp"
+#include "protocol/video/scan.hpp"
 
 #include <utility>
 
-namespace skerry::client {
+namespace skerry {
 
 bool Scan::has_one_range_scale() const {
   const Spoke* last = newest();
@@ -66,4 +66,4 @@ std::optional<Scan> ScanAssembler::feed(Spoke spoke) {
   return finished;
 }
 
-}  // namespace skerry::client
+}  // namespace skerry

@@ -1,14 +1,14 @@
-#include "clients/common/ppi_picture.hpp"
+#include "protocol/picture/ppi_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
 
-#include "clients/common/canvas.hpp"
-#include "clients/common/label_text.hpp"
+#include "protocol/picture/canvas.hpp"
+#include "protocol/picture/label_text.hpp"
 
-namespace skerry::client {
+namespace skerry {
 namespace {
 
 constexpr Rgba kOutside{9, 14, 17};
@@ -211,4 +211,4 @@ RgbaImage draw_ppi(const Scan& scan, const PpiOptions& options, const PpiLabels&
   return Painter(scan, options, labels).run();
 }
 
-}  // namespace skerry::client
+}  // namespace skerry
