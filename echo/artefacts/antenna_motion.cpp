@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/row_losses.hpp"
 #include "echo/radar/radar_equation.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -21,11 +21,11 @@ constexpr double kShortestPeriod = 0.1;
 double swing(double amplitude_deg, double period_s, double seconds, double phase) {
   if (amplitude_deg == 0.0) return 0.0;
   const double turns = seconds / std::max(period_s, kShortestPeriod) + phase;
-  return amplitude_deg * (std::numbers::pi / 180.0) *
+  return amplitude_deg * kRadiansPerDegree *
          sin_cos_degrees(360.0 * (turns - std::floor(turns))).sin;
 }
 
-SinCos sin_cos(double radians) { return sin_cos_degrees(radians * (180.0 / std::numbers::pi)); }
+SinCos sin_cos(double radians) { return sin_cos_degrees(radians * kDegreesPerRadian); }
 
 // Octaves of the two-way floor.
 double floor_octaves() { return 2.0 * exact_log2(ratio_from_decibels(kElevationFloorDb)); }
@@ -34,7 +34,7 @@ double floor_octaves() { return 2.0 * exact_log2(ratio_from_decibels(kElevationF
 
 AntennaMotionModel::AntennaMotionModel(const RadarModel& model)
     : height_m_(model.set.antenna_height_m) {
-  const double width = model.set.vertical_beam_deg * (std::numbers::pi / 180.0);
+  const double width = model.set.vertical_beam_deg * kRadiansPerDegree;
   fall_ = 8.0 / (width * width);
   depression_.resize(model.geometry.cells);
   for (std::size_t i = 0; i < depression_.size(); ++i) {

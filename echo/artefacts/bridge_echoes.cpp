@@ -1,12 +1,12 @@
 #include "echo/artefacts/bridge_echoes.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "echo/artefacts/false_echoes.hpp"
 #include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/scene/structures.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -39,7 +39,7 @@ void add_bridge_echoes(const RadarModel& model, const Scene& scene, const SpokeA
   if (near.empty()) return;
   near.resize(std::min(near.size(), kMostBridges));
 
-  const double beam = model.set.beam_width_deg * (std::numbers::pi / 180.0);
+  const double beam = model.set.beam_width_deg * kRadiansPerDegree;
   const auto step = static_cast<std::uint32_t>(0.5 * beam * kUnitsPerRadian);
   const double step_radians = step / kUnitsPerRadian;
   const double reach = model.cell_m * model.geometry.cells;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/artefacts/false_echoes.hpp"
 #include "echo/artefacts/shadow_sectors.hpp"
 #include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/targets/sector_view.hpp"
+#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
@@ -28,8 +28,8 @@ double mast_radius(const Obstruction& o) { return std::min(0.5 * o.width_m, 0.9 
 
 Detour detour_by(const Obstruction& obstruction, double target_range_m, double off_bow_rad) {
   // From the antenna: along the line to the mast, and to the right of it.
-  const double off = off_bow_rad - obstruction.bearing_deg * (std::numbers::pi / 180.0);
-  const SinCos at = sin_cos_degrees(off * (180.0 / std::numbers::pi));
+  const double off = off_bow_rad - obstruction.bearing_deg * kRadiansPerDegree;
+  const SinCos at = sin_cos_degrees(off * kDegreesPerRadian);
   const double along = target_range_m * at.cos, across = target_range_m * at.sin;
   const double radius = mast_radius(obstruction);
 
@@ -72,8 +72,7 @@ void add_indirect_echoes(const Scene& scene, std::uint32_t bow_units, const Bear
         mast.reflectivity * mast.reflectivity * front / (mast.distance_m - radius + front);
     for (const PointEcho& p : strong) {
       if (double{p.power} * most * most < double{FalseEchoes::kLeastPower}) continue;
-      const double off_bow =
-          (p.bearing_units - bow_units) * kDegreesPerUnit * (std::numbers::pi / 180.0);
+      const double off_bow = (p.bearing_units - bow_units) * kDegreesPerUnit * kRadiansPerDegree;
       const Detour detour = detour_by(mast, p.range_m, off_bow);
       const double power = double{p.power} * detour.ratio * detour.ratio;
       const std::uint32_t bearing = middle + units_of_radians(detour.off_rad);

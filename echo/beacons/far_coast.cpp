@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/beacons/second_trace.hpp"
 #include "echo/kernel/bearing_units.hpp"
@@ -10,6 +9,7 @@
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/targets/sector_view.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -69,7 +69,7 @@ void far_coast_points(const RadarModel& model, const Propagation& propagation,
       nearest.lay(coast.vertices[v] - own_ship, coast.vertices[v + 1] - own_ship);
   }
   const double gamma = ratio_from_decibels(far.gamma_db);
-  const double arc = 2.0 * std::numbers::pi / nearest.bins();
+  const double arc = kRadiansPerTurn / nearest.bins();
   for (std::uint32_t bin = 0; bin < nearest.bins(); ++bin) {
     const double range = nearest.range(bin);
     if (range == kNoShore) continue;

@@ -10,6 +10,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -117,7 +118,7 @@ void Interference::fix_stations(const Listening& at) {
     const double range = std::max(station.place.range_m, OneWayLink::kNearest);
     station.range_rate = dot(speed, offset) / range;
     station.units_rate = (speed.east_m * offset.north_m - speed.north_m * offset.east_m) /
-                         (range * range) * (kUnitsPerTurn / (2.0 * std::numbers::pi));
+                         (range * range) * (kUnitsPerTurn / kRadiansPerTurn);
     station.power = station.power_1m / (range * range) *
                     static_cast<double>(at.propagation.one_way(range, emitter.height_m));
     if (station.power >= kLeastHeard && at.behind_land(station.place, emitter.height_m))

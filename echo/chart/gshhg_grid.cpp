@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180.0;
 
 // The least radius of curvature of WGS-84, of the meridian at the equator: a sphere of this radius
 // under the same latitudes and longitudes has no distance longer than the ellipsoid's.
@@ -64,18 +63,19 @@ double GshhgGrid::nearest_metres(GeoPoint from, int bin) const {
   const double from_east = wrapped_longitude(from_west - minutes_ / 60.0);
   double angle;
   if (from_west >= 0.0 && from_west <= minutes_ / 60.0) {
-    angle = std::max({0.0, from.latitude_deg - north, south - from.latitude_deg}) * kRadians;
+    angle =
+        std::max({0.0, from.latitude_deg - north, south - from.latitude_deg}) * kRadiansPerDegree;
   } else {
     const double apart = std::min(std::abs(from_west), std::abs(from_east));
-    angle = angle_to_meridian(from.latitude_deg * kRadians, apart * kRadians, south * kRadians,
-                              north * kRadians);
+    angle = angle_to_meridian(from.latitude_deg * kRadiansPerDegree, apart * kRadiansPerDegree,
+                              south * kRadiansPerDegree, north * kRadiansPerDegree);
   }
   return angle * kLeastRadius;
 }
 
 std::vector<BinRun> GshhgGrid::bins_within(GeoPoint centre, double radius_m) const {
   std::vector<BinRun> runs;
-  const double reach = radius_m / kLeastRadius / kRadians;
+  const double reach = radius_m / kLeastRadius / kRadiansPerDegree;
   for (int row = 0; row < rows(); ++row) {
     const int first = row * columns();
     if (south_of(first) > centre.latitude_deg + reach ||

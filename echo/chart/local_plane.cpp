@@ -2,10 +2,10 @@
 
 #include <GeographicLib/Geodesic.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "echo/chart/wgs84.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -51,7 +51,7 @@ PlanePoint LocalPlane::to_plane(GeoPoint point) const {
 }
 
 GeoPoint LocalPlane::to_geo(PlanePoint point) const {
-  const double bearing = std::atan2(point.east_m, point.north_m) * (180.0 / std::numbers::pi);
+  const double bearing = std::atan2(point.east_m, point.north_m) * kDegreesPerRadian;
   GeoPoint out;
   GeographicLib::Geodesic::WGS84().Direct(anchor_.latitude_deg, anchor_.longitude_deg, bearing,
                                           std::hypot(point.east_m, point.north_m), out.latitude_deg,
@@ -67,7 +67,7 @@ double LocalPlane::true_north_degrees(GeoPoint point) const {
   south.latitude_deg = point.latitude_deg - kStep < -90.0 ? -90.0 : point.latitude_deg - kStep;
   north.latitude_deg = point.latitude_deg + kStep > 90.0 ? 90.0 : point.latitude_deg + kStep;
   const PlanePoint d = to_plane(north) - to_plane(south);
-  return exact_atan2(d.east_m, d.north_m) * (180.0 / std::numbers::pi);
+  return exact_atan2(d.east_m, d.north_m) * kDegreesPerRadian;
 }
 
 }  // namespace skerry::echo

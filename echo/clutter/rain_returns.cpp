@@ -7,6 +7,7 @@
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/rain_row.hpp"
 #include "echo/radar/antenna_pattern.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -27,8 +28,8 @@ double rain_reflectivity(double frequency_hz, double rate_mm_h) {
 
 double rain_level(const RadarModel& model, double clutter_width, double range_m) {
   const double range = std::max(range_m, kNearestRain);
-  const double height = std::min(
-      kVerticalWidth * model.set.vertical_beam_deg * (std::numbers::pi / 180.0) * range, kRainTop);
+  const double height =
+      std::min(kVerticalWidth * model.set.vertical_beam_deg * kRadiansPerDegree * range, kRainTop);
   const double volume = range * clutter_width * height * 0.5 * kLightSpeed * model.pulse.length_s;
   return model.unit_snr * rain_reflectivity(model.set.frequency_hz, 1.0) * volume /
          (range * range * range * range);

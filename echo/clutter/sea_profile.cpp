@@ -10,16 +10,16 @@
 #include "echo/clutter/texture_joins.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/propagation/path_terms.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kLeastCosine = 0.05;
 
 // Both ways, of a Gaussian vertical beam along the horizon; -40 dB at least.
 double vertical_loss(double grazing_rad, double beam_deg) {
-  const double share = grazing_rad * kDegrees / beam_deg;
+  const double share = grazing_rad * kDegreesPerRadian / beam_deg;
   return exact_exp2(std::max(-8.0 * share * share, -13.3));
 }
 
@@ -46,7 +46,7 @@ SeaProfile::SeaProfile(const RadarModel& model, const Atmosphere& atmosphere, co
     w.area_m2 = range_m * sampling.clutter_width * pulse_m / cosine;
     w.spread = wind_spread(path.wavelength_m, w.grazing_rad);
     const double sigma = w.area_m2 * sea_reflectivity(model.set.frequency_hz, polarisation_,
-                                                      w.grazing_rad * kDegrees, sea.state);
+                                                      w.grazing_rad * kDegreesPerRadian, sea.state);
     const double gas = ratio_from_decibels(-2e-3 * path.gas_db_km * range_m);
     w.mean = model.unit_snr * sigma / (range_m * range_m * range_m * range_m) * gas *
              vertical_loss(w.grazing_rad, model.set.vertical_beam_deg) / bessel_i0(w.spread);
@@ -61,7 +61,7 @@ SeaProfile::SeaProfile(const RadarModel& model, const Atmosphere& atmosphere, co
     const Water& w = water.back();
     if (w.mean * exact_exp2(std::numbers::log2e * w.spread) >= kLeastSeaClutter) reach = i + 1;
     // Past the vertical beam's blind cone clutter only falls.
-    if (w.mean > 0.0 && reach + 1 < i && w.grazing_rad * kDegrees < 3.0) break;
+    if (w.mean > 0.0 && reach + 1 < i && w.grazing_rad * kDegreesPerRadian < 3.0) break;
   }
   if (reach == 0) return;
   water.resize(reach);
@@ -109,7 +109,7 @@ SeaProfile::SeaProfile(const RadarModel& model, const Atmosphere& atmosphere, co
 
 double SeaProfile::shape(std::size_t block, double bearing_deg) const {
   const Block& b = blocks_[block];
-  const double grazing_deg = b.grazing_rad * kDegrees;
+  const double grazing_deg = b.grazing_rad * kDegreesPerRadian;
   return swell_.any() ? k_shape_in_swell(grazing_deg, b.area_m2, polarisation_,
                                          bearing_deg - swell_from_deg_)
                       : k_shape(grazing_deg, b.area_m2, polarisation_);

@@ -10,6 +10,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/radar/antenna_pattern.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -67,7 +68,7 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
     sampling.clutter_width = clutter_width_;
     sampling.shortest_length_m = field_->shortest_length_m();
     sampling.longest_length_m = field_->longest_length_m();
-    sampling.node_radians = 2.0 * std::numbers::pi / nodes_per_turn_;
+    sampling.node_radians = kRadiansPerTurn / nodes_per_turn_;
     sampling.row_spokes = texture_spokes_;
     sampling.row_share = std::min(
         1.0, double{1} * texture_spokes_ * nodes_per_turn_ / model_.geometry.spokes_per_turn);

@@ -6,6 +6,7 @@
 
 #include "echo/clutter/nrl_sea.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -13,14 +14,13 @@ namespace {
 constexpr double kTilt = 12.0;          // of the power, per unit of steepness
 constexpr double kMostTilt = 2.0;       // octaves
 constexpr double kDeepestShadow = 4.0;  // octaves
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 }  // namespace
 
 SwellWave::SwellWave(const Swell& swell) {
   if (!(swell.height_m > 0.0)) return;
   period_s_ = std::max(swell.period_s, 1.0);
-  length_m_ = kGravity * period_s_ * period_s_ / kTwoPi;
+  length_m_ = kGravity * period_s_ * period_s_ / kRadiansPerTurn;
   steepness_ = std::numbers::pi * swell.height_m / length_m_;
   const SinCos from = sin_cos_degrees(swell.from_deg);
   east_ = -from.sin;
@@ -33,7 +33,7 @@ SwellWave::Modulation SwellWave::modulation(double grazing_rad, double towards) 
   const double shadow = 0.5 * kDeepestShadow * hidden * std::fabs(towards);
   Modulation m;
   m.height = std::sqrt(tilt * tilt + shadow * shadow);
-  m.lead = exact_atan2(tilt, shadow) / kTwoPi;
+  m.lead = exact_atan2(tilt, shadow) / kRadiansPerTurn;
   const double natural = std::numbers::ln2 * m.height;
   const double mean = bessel_i0(natural);
   m.mean = exact_log2(mean);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/kernel/fast_exp2.hpp"
 #include "echo/kernel/isa.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -281,9 +281,9 @@ void add_wave_reference(std::span<const WaveBlock> blocks, double phase, double 
                         std::span<double> octaves) {
   for (std::size_t s = 0; s < octaves.size(); ++s) {
     const WaveBlock& b = blocks[s / kSamplesPerLaw];
-    octaves[s] += b.height * std::cos(2.0 * std::numbers::pi *
-                                      (phase + b.lead + static_cast<double>(s) * step)) -
-                  b.mean;
+    octaves[s] +=
+        b.height * std::cos(kRadiansPerTurn * (phase + b.lead + static_cast<double>(s) * step)) -
+        b.mean;
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/quantity/angle.hpp"
+
 namespace skerry::echo {
 namespace {
 
@@ -46,8 +48,6 @@ SinCos rotated(std::int64_t quarter, SinCos v) {
       return {-v.cos, v.sin};
   }
 }
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 // atan on |x| <= tan(pi/8) = 0.4142; the first term left out is below 1e-18.
 double atan_series(double x) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -110,7 +111,7 @@ std::vector<SpectrumOctave> power_spectrum(std::span<const double> heights) {
   std::vector<double> h(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double t = static_cast<double>(i) / steps;
-    const double hann = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * t);
+    const double hann = 0.5 - 0.5 * std::cos(kRadiansPerTurn * t);
     h[i] = (heights[i] - heights[0] - (heights[n - 1] - heights[0]) * t) * hann;
   }
   std::vector<SpectrumOctave> out;
@@ -120,7 +121,7 @@ std::vector<SpectrumOctave> power_spectrum(std::span<const double> heights) {
     for (double k = 0.0; k < frequencies; ++k) {
       // Whole cycles in the graph, so that the window's neighbours are those of a plain DFT.
       const double cycles = std::floor(low * std::exp2((k + 0.5) / frequencies) + 0.5);
-      const double turn = 2.0 * std::numbers::pi * cycles / static_cast<double>(n);
+      const double turn = kRadiansPerTurn * cycles / static_cast<double>(n);
       const double c = std::cos(turn), s = std::sin(turn);
       double re = 1.0, im = 0.0, sum_re = 0.0, sum_im = 0.0;
       for (double v : h) {

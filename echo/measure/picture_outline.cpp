@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "echo/measure/line_fit.hpp"
 #include "echo/measure/picture_edge.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kLargestElements = 2200.0;
 
 // A square picture of what echoes, with an empty border.

@@ -9,6 +9,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/radar/beam.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -22,7 +23,7 @@ constexpr double kShareAtLevel = 0.05;
 // The taper's first null, mu = 3 pi / 2.
 double null_degrees(double beam_width_deg) {
   const double sine = 1.5 * beam_width_deg / 68.8;
-  return exact_atan2(sine, std::sqrt(1.0 - sine * sine)) * (180.0 / std::numbers::pi);
+  return exact_atan2(sine, std::sqrt(1.0 - sine * sine)) * kDegreesPerRadian;
 }
 
 // A run of side lobes from one null to another, in voltage.

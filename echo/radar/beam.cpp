@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 
@@ -12,7 +13,7 @@ double cosine_taper_voltage(double angle_deg, double beam_width_deg) {
   const double x = 2.0 * mu / std::numbers::pi;
   // Both numerator and denominator vanish at x = 1; the limit is pi/4.
   if (std::fabs(1.0 - x * x) < 1e-9) return std::numbers::pi / 4.0;
-  return sin_cos_degrees(mu * (180.0 / std::numbers::pi)).cos / (1.0 - x * x);
+  return sin_cos_degrees(mu * kDegreesPerRadian).cos / (1.0 - x * x);
 }
 
 std::vector<float> beam_weights(double beam_width_deg, std::uint32_t rays, double part,

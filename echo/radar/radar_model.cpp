@@ -1,10 +1,10 @@
 #include "echo/radar/radar_model.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "echo/radar/radar_equation.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 
@@ -17,7 +17,7 @@ RadarModel radar_model(const RadarSet& set, const ScanGeometry& geometry, RangeS
   model.scale = scale;
   model.clock = clock;
   model.radar = radar;
-  model.spoke_radians = 2.0 * std::numbers::pi / geometry.spokes_per_turn;
+  model.spoke_radians = kRadiansPerTurn / geometry.spokes_per_turn;
   model.unit_snr = unit_signal_to_noise(set, model.pulse);
   return with_cells_of(std::move(model), geometry.cell_size(scale).in_metres());
 }

@@ -1,10 +1,10 @@
 #include "echo/returns/ground_track.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "echo/chart/wgs84.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 GroundTrack::GroundTrack(GeoPoint own_ship, PlanePoint sailed, std::uint32_t true_bearing_units)
@@ -37,9 +37,8 @@ GeoPoint GroundTrack::at(double range_m) const {
   const double y = east * shrink;
   const double z = z0_ + sin_lat_ * up + cos_lat_ * north * shrink;
   // On the ellipsoid itself tan(latitude) = z / (p (1 - e^2)).
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  return {exact_atan2(z, std::sqrt(x * x + y * y) * (1.0 - wgs84::kE2)) * kDegrees,
-          own_ship_.longitude_deg + exact_atan2(y, x) * kDegrees};
+  return {exact_atan2(z, std::sqrt(x * x + y * y) * (1.0 - wgs84::kE2)) * kDegreesPerRadian,
+          own_ship_.longitude_deg + exact_atan2(y, x) * kDegreesPerRadian};
 }
 
 }  // namespace skerry::echo

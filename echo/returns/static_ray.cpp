@@ -1,10 +1,10 @@
 #include "echo/returns/static_ray.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 #include "echo/returns/land_returns.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -48,8 +48,7 @@ bool add_static_ray(const StaticView& view, const StaticRayModel& model, std::ui
   }
   if (!scratch.land.empty()) {
     const LandModel land{model.cell_m, model.antenna_height_m,
-                         2.0 * std::numbers::pi / model.rays_per_turn, model.unit_snr,
-                         view.water.seed};
+                         kRadiansPerTurn / model.rays_per_turn, model.unit_snr, view.water.seed};
     const LatticePath path =
         lattice_path(view.geo, view.sailed, plane_units - view.north_units, model.cell_m);
     profile = profile || structures;

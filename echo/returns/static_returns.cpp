@@ -11,6 +11,7 @@
 #include "echo/returns/shore_stretch.hpp"
 #include "echo/returns/static_frame.hpp"
 #include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
@@ -23,7 +24,7 @@ constexpr std::uint32_t kBatch = 8;
 // How far off its bearing a spoke may look as the antenna sways: a little, and with roll and pitch
 // of phi and psi at most (phi + psi)^2, four times what either alone would make it.
 double sway_radians(const AntennaMotion& motion) {
-  constexpr double kLeast = 0.03, kRadiansPerDegree = 0.017453292519943295;
+  constexpr double kLeast = 0.03;
   const double tilt = (motion.roll_deg + motion.pitch_deg) * kRadiansPerDegree;
   return std::min(3.0, kLeast + tilt * tilt);
 }

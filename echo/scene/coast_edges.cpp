@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/shore_guess.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -45,12 +45,12 @@ void require_whole(const CoastChart& chart, std::size_t r) {
 
 // At least the length of an edge on the Earth, metres.
 double at_most_long(GeoPoint a, GeoPoint b) {
-  constexpr double kRadian = std::numbers::pi / 180.0, kEarth = 6.4e6;
+  constexpr double kEarth = 6.4e6;
   // The parallel nearer the equator is the longer one: cos(lat) <= 90 deg - lat, in radians.
   const double from_pole = 90.0 - std::min(std::fabs(a.latitude_deg), std::fabs(b.latitude_deg));
-  const double shrink = std::min(1.0, from_pole * kRadian);
+  const double shrink = std::min(1.0, from_pole * kRadiansPerDegree);
   const double east = std::fabs(wrapped_longitude(a.longitude_deg - b.longitude_deg)) * shrink;
-  return kEarth * kRadian * (std::fabs(a.latitude_deg - b.latitude_deg) + east);
+  return kEarth * kRadiansPerDegree * (std::fabs(a.latitude_deg - b.latitude_deg) + east);
 }
 
 // The scenario's places, each with a plane of its own, so that none depends on the picture's.

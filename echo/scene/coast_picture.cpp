@@ -1,7 +1,6 @@
 #include "echo/scene/coast_picture.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "echo/chart/land_mask.hpp"
@@ -13,6 +12,7 @@
 #include "echo/scene/picture_memory.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/style_refiners.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 
@@ -78,7 +78,7 @@ CoastPicturePtr CoastPreparer::prepare(GeoPoint own_ship, const RadarResolution&
                    .structures = laid_->objects.within(centre, reach),
                    .elevation = chart_.elevation});
   const DetailLimit limit{centre, slack, resolution.range_m, resolution.cell_m,
-                          resolution.spoke_degrees * (std::numbers::pi / 180.0)};
+                          resolution.spoke_degrees * kRadiansPerDegree};
   const std::vector<ShoreEdge>& edges = laid_->coast.edges;
   std::vector<PlanePoint>& vertices = picture->vertices;
   // Room never written to costs nothing; moving what has been made does.

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
 
 StructureIndex::StructureIndex(std::shared_ptr<const Structures> structures, PlanePoint own_ship,
                                double slack_m)
     : structures_(std::move(structures)), own_ship_(own_ship), slack_m_(slack_m) {
-  constexpr double kBucketsPerRadian = kBuckets / (2.0 * std::numbers::pi);
+  constexpr double kBucketsPerRadian = kBuckets / kRadiansPerTurn;
   std::vector<Span> spans;
   const auto place = [&](Buckets& into, std::uint32_t item, PlanePoint a, PlanePoint b) {
     const double distance = distance_to_segment({}, a, b);
@@ -22,8 +22,7 @@ StructureIndex::StructureIndex(std::shared_ptr<const Structures> structures, Pla
     // asin(x) <= 1.0472 x for x <= 1/2; one part in 1e9 covers the rounding of atan2.
     const double margin = 1.0472 * slack_m / distance + 1e-9;
     const double bearing = std::atan2(a.east_m, a.north_m);
-    const double turn =
-        std::remainder(std::atan2(b.east_m, b.north_m) - bearing, 2.0 * std::numbers::pi);
+    const double turn = std::remainder(std::atan2(b.east_m, b.north_m) - bearing, kRadiansPerTurn);
     const double low = bearing + std::min(turn, 0.0) - margin;
     const double high = bearing + std::max(turn, 0.0) + margin;
     spans.push_back({static_cast<std::int32_t>(std::floor(low * kBucketsPerRadian)),

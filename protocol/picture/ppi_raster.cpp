@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry {
 namespace {
@@ -126,7 +127,7 @@ class Rasteriser {
     const double right = x + 0.5 - frame_.centre(), up = frame_.centre() - (y + 0.5);
     const double radius = std::hypot(right, up);
     if (radius > frame_.radius) return;
-    const double turns = std::atan2(right, up) / (2.0 * std::numbers::pi);
+    const double turns = std::atan2(right, up) / kRadiansPerTurn;
     const auto azimuth =
         static_cast<std::uint32_t>(std::floor((turns + 1.0) * kAzimuths)) % kAzimuths;
     const std::size_t pixel = static_cast<std::size_t>(y) * frame_.size + x;

@@ -6,13 +6,20 @@
 
 namespace skerry {
 
+// Between degrees, radians and turns where angles are plain doubles.  A factor and its inverse
+// round differently: `x * kRadiansPerDegree` and `x / kDegreesPerRadian` may differ in the last
+// bit.
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+inline constexpr double kRadiansPerTurn = 2.0 * std::numbers::pi;
+
 // A signed, unbounded amount of turn, clockwise positive, held in degrees as a double: charted and
 // counted angles are exact in degrees.
 class Angle {
  public:
   constexpr Angle() = default;
   constexpr double in_degrees() const { return degrees_; }
-  constexpr double in_radians() const { return degrees_ * (std::numbers::pi / 180.0); }
+  constexpr double in_radians() const { return degrees_ * kRadiansPerDegree; }
 
   friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.degrees_ + b.degrees_); }
   friend constexpr Angle operator-(Angle a, Angle b) { return Angle(a.degrees_ - b.degrees_); }
@@ -30,6 +37,6 @@ class Angle {
 };
 
 constexpr Angle degrees(double value) { return Angle(value); }
-constexpr Angle radians(double value) { return degrees(value * (180.0 / std::numbers::pi)); }
+constexpr Angle radians(double value) { return degrees(value * kDegreesPerRadian); }
 
 }  // namespace skerry

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
-#include "protocol/signalk/units.hpp"
 
 namespace skerry::signalk {
 namespace {
@@ -28,7 +28,7 @@ struct Unit {
 constexpr Unit kUnits[] = {{"m", "km", 1000.0},
                            {"m", "nm", Length::kMetresPerNauticalMile},
                            {"m/s", "kn", kKnot},
-                           {"rad", "deg", kRadian},
+                           {"rad", "deg", kRadiansPerDegree},
                            {"rad/s", "rpm", std::numbers::pi / 30.0}};
 
 // A choice is meant that is off by at most so much of itself: 3 NM may come as 5556 or 5560 m.

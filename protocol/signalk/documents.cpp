@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "protocol/quantity/angle.hpp"
 #include "protocol/signalk/radar_message.hpp"
 #include "protocol/signalk/target.hpp"
-#include "protocol/signalk/units.hpp"
 #include "protocol/video/range_scale.hpp"
 
 namespace skerry::signalk {
@@ -125,10 +125,10 @@ std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship) {
   const auto add = [&](const char* path, std::optional<double> value, double unit) {
     if (value) values.emplace_back(path, *value * unit);
   };
-  add("navigation.headingTrue", ship.heading_deg, kRadian);
-  add("navigation.courseOverGroundTrue", ship.course_over_ground_deg, kRadian);
+  add("navigation.headingTrue", ship.heading_deg, kRadiansPerDegree);
+  add("navigation.courseOverGroundTrue", ship.course_over_ground_deg, kRadiansPerDegree);
   add("navigation.speedOverGround", ship.speed_over_ground_mps, 1.0);
-  add("navigation.rateOfTurn", ship.rate_of_turn_deg_min, kRadian / 60.0);
+  add("navigation.rateOfTurn", ship.rate_of_turn_deg_min, kRadiansPerDegree / 60.0);
   return values;
 }
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "protocol/signalk/units.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::signalk {
 namespace {
@@ -22,7 +22,7 @@ struct Curvature {
 };
 Curvature curvature_at(double latitude_deg) {
   constexpr double kAxis = 6378137.0, kEccentricity2 = 6.69437999014e-3;
-  const double sine = std::sin(latitude_deg * kRadian);
+  const double sine = std::sin(latitude_deg * kRadiansPerDegree);
   const double w2 = 1.0 - kEccentricity2 * sine * sine;
   return {kAxis * (1.0 - kEccentricity2) / (w2 * std::sqrt(w2)), kAxis / std::sqrt(w2)};
 }
@@ -30,8 +30,8 @@ Curvature curvature_at(double latitude_deg) {
 }  // namespace
 
 RangeAndBearing range_and_bearing(GeoPoint from, GeoPoint to) {
-  const double a = from.latitude_deg * kRadian, b = to.latitude_deg * kRadian;
-  const double east = wrapped_longitude(to.longitude_deg - from.longitude_deg) * kRadian;
+  const double a = from.latitude_deg * kRadiansPerDegree, b = to.latitude_deg * kRadiansPerDegree;
+  const double east = wrapped_longitude(to.longitude_deg - from.longitude_deg) * kRadiansPerDegree;
   const double half_north = std::sin((b - a) / 2), half_east = std::sin(east / 2);
   const double h = half_north * half_north + std::cos(a) * std::cos(b) * half_east * half_east;
   const double bearing =
@@ -41,16 +41,16 @@ RangeAndBearing range_and_bearing(GeoPoint from, GeoPoint to) {
   const Curvature curve = curvature_at((from.latitude_deg + to.latitude_deg) / 2);
   const double along = curve.meridian * std::cos(bearing), side = curve.across * std::sin(bearing);
   return {2.0 * std::hypot(along, side) * std::asin(std::min(1.0, std::sqrt(h))),
-          turned(std::atan2(side, along) / kRadian)};
+          turned(std::atan2(side, along) / kRadiansPerDegree)};
 }
 
 std::optional<ClosestApproach> closest_approach(const Movement& own, const Movement& other) {
   const auto [range, bearing] = range_and_bearing(own.position, other.position);
   const auto east_of = [](double length, double degrees) {
-    return length * std::sin(degrees * kRadian);
+    return length * std::sin(degrees * kRadiansPerDegree);
   };
   const auto north_of = [](double length, double degrees) {
-    return length * std::cos(degrees * kRadian);
+    return length * std::cos(degrees * kRadiansPerDegree);
   };
   const double x = east_of(range, bearing), y = north_of(range, bearing);
   const double u =
@@ -70,12 +70,12 @@ Json target_document(const Target& target, const Movement& own) {
   Json document{{"id", target.number},
                 {"status", "tracking"},
                 {"position",
-                 {{"bearing", bearing * kRadian},
+                 {{"bearing", bearing * kRadiansPerDegree},
                   {"distance", range},
                   {"latitude", target.movement.position.latitude_deg},
                   {"longitude", target.movement.position.longitude_deg}}},
                 {"motion",
-                 {{"course", turned(target.movement.course_deg) * kRadian},
+                 {{"course", turned(target.movement.course_deg) * kRadiansPerDegree},
                   {"speed", target.movement.speed_mps}}}};
   if (const auto nearest = closest_approach(own, target.movement)) {
     document["danger"] = {{"cpa", nearest->distance_m}, {"tcpa", nearest->seconds}};

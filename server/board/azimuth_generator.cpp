@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::server {
 namespace {
@@ -74,15 +74,14 @@ void AzimuthGenerator::set(const RotationSettings& settings, Tick now, Tick new_
 }
 
 double AzimuthGenerator::displacement(std::uint64_t turn, double fraction) const {
-  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   double ticks = 0.0;
   if (wow_ > 0.0) {
     const double waves = static_cast<double>(settings_.wow_per_turn);
-    ticks -= wow_ / (kTwoPi * waves) * echo::sin_cos_degrees(360.0 * waves * fraction).sin;
+    ticks -= wow_ / (kRadiansPerTurn * waves) * echo::sin_cos_degrees(360.0 * waves * fraction).sin;
   }
   if (gust_ > 0.0) {
     const double strength = gust_ * gust_strength(settings_.seed, turn);
-    ticks += strength / kTwoPi * (echo::sin_cos_degrees(360.0 * fraction).cos - 1.0);
+    ticks += strength / kRadiansPerTurn * (echo::sin_cos_degrees(360.0 * fraction).cos - 1.0);
   }
   return ticks * turn_ticks_;
 }

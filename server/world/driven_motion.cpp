@@ -3,15 +3,14 @@
 #include <GeographicLib/Rhumb.hpp>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/rhumb_step.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kAtRest_mps = 0.005;
 // Of what is worked out: a new value's share where it is a second after the last.
 constexpr double kMemory_s = 1.0;
@@ -21,7 +20,7 @@ constexpr double kShortest_s = 0.02;
 struct Way {
   double east = 0.0, north = 0.0;
   double length() const { return std::hypot(east, north); }
-  double course_deg() const { return wrapped_course(std::atan2(east, north) * kDegrees); }
+  double course_deg() const { return wrapped_course(std::atan2(east, north) * kDegreesPerRadian); }
 };
 
 Way way_between(GeoPoint from, GeoPoint to) {
@@ -29,11 +28,12 @@ Way way_between(GeoPoint from, GeoPoint to) {
   GeographicLib::Rhumb::WGS84().Inverse(from.latitude_deg, from.longitude_deg, to.latitude_deg,
                                         to.longitude_deg, length, course);
   if (!std::isfinite(course)) course = 0.0;  // at a pole, or no way at all
-  return {length * std::sin(course / kDegrees), length * std::cos(course / kDegrees)};
+  return {length * std::sin(course / kDegreesPerRadian),
+          length * std::cos(course / kDegreesPerRadian)};
 }
 
 Way velocity_of(const ShipState& ship) {
-  const double course = ship.course_over_ground_deg / kDegrees;
+  const double course = ship.course_over_ground_deg / kDegreesPerRadian;
   return {ship.speed_mps * std::sin(course), ship.speed_mps * std::cos(course)};
 }
 

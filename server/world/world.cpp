@@ -4,11 +4,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <ratio>
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/ship_units.hpp"
 
@@ -73,7 +73,7 @@ WorldState World::state() const {
   }
   const scenario::Sea& sea = scenario_->sea();
   const double hours = std::chrono::duration<double, std::ratio<3600>>(since_start).count();
-  const double phase = 2.0 * std::numbers::pi * (hours - sea.high_water_h()) / kTideHours;
+  const double phase = kRadiansPerTurn * (hours - sea.high_water_h()) / kTideHours;
   state.water_level_m = -0.5 * sea.tide_range_m() * (1.0 - std::cos(phase));
   state.environment = environment_;
   for (const RainCloud& cloud : environment_->rain) {

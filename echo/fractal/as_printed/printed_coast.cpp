@@ -8,6 +8,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo::as_printed {
 namespace {
@@ -207,13 +208,13 @@ Series::Series(const Parameters& p) : sines_(p.phases == SeriesPhases::alternati
   const double octaves = exact_log2(p.gamma);
   for (int n = -p.terms_below; n <= p.terms_above; ++n) {
     const double weight = exact_exp2(-(2.0 - p.dimension) * n * octaves);
-    terms_.push_back({exact_exp2(n * octaves) / (2.0 * std::numbers::pi),
-                      sines_ && n % 2 != 0 ? -weight : weight});
+    terms_.push_back(
+        {exact_exp2(n * octaves) / kRadiansPerTurn, sines_ && n % 2 != 0 ? -weight : weight});
   }
 }
 
 double Series::at(double t) const {
-  constexpr double kMostTurns = 0x1p53 / (2.0 * std::numbers::pi);
+  constexpr double kMostTurns = 0x1p53 / kRadiansPerTurn;
   double sum = 0.0;
   for (const Term& term : terms_) {
     const double turns = term.turns * t;

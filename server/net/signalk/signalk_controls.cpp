@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "protocol/quantity/angle.hpp"
 #include "protocol/signalk/radar_message.hpp"
-#include "protocol/signalk/units.hpp"
 #include "protocol/video/range_scale.hpp"
 
 namespace skerry::server {
@@ -91,9 +91,9 @@ constexpr Other kOthers[] = {
        set.set_rotation_rpm(std::clamp(v / kRadianPerSecond, 10.0, 60.0));
      }},
     {"bearingAlignment", "bearing_alignment_deg",
-     [](const Settings& s) { return s.bearing_alignment_deg() * signalk::kRadian; },
+     [](const Settings& s) { return s.bearing_alignment_deg() * kRadiansPerDegree; },
      [](double v, Set& set) {
-       set.set_bearing_alignment_deg(std::clamp(v / signalk::kRadian, -180.0, 180.0));
+       set.set_bearing_alignment_deg(std::clamp(v / kRadiansPerDegree, -180.0, 180.0));
      }},
 };
 constexpr std::string_view kSector = "noTransmitSector";
@@ -110,9 +110,9 @@ bool is_locked(const Settings& settings, std::string_view field) {
                                settings.locked().end();
 }
 
-double half_turn_radians(double deg) { return std::remainder(deg, 360.0) * signalk::kRadian; }
+double half_turn_radians(double deg) { return std::remainder(deg, 360.0) * kRadiansPerDegree; }
 double turn_degrees(double radians) {
-  const double deg = std::fmod(radians / signalk::kRadian, 360.0);
+  const double deg = std::fmod(radians / kRadiansPerDegree, 360.0);
   return deg < 0.0 ? deg + 360.0 : deg;
 }
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
-#include "protocol/signalk/units.hpp"
 #include "protocol/wire/own_ship_place.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/signalk/signalk_encoder.hpp"
@@ -167,7 +167,7 @@ SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body) {
   const std::optional<signalk::Movement> own = movement();
   if (!own) return {409, "own ship's position or motion is not known"};
   const auto number =
-      radar.targets.acquire(others(), *own, bearing / signalk::kRadian, distance, utc_now());
+      radar.targets.acquire(others(), *own, bearing / kRadiansPerDegree, distance, utc_now());
   if (!number) return {404, "no target there"};
   return {201, "OK", number};
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/signalk/units.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::server {
 namespace {
@@ -66,7 +66,7 @@ std::optional<std::uint32_t> SignalkTargets::acquire(std::span<const TrafficItem
                                                      UtcTime now) {
   const auto off_by = [&](const TrafficItem& item) {
     const auto at = signalk::range_and_bearing(own.position, item.position);
-    const double angle = (at.bearing_deg - bearing_deg) * signalk::kRadian;
+    const double angle = (at.bearing_deg - bearing_deg) * kRadiansPerDegree;
     return std::sqrt(std::max(0.0, at.range_m * at.range_m + distance_m * distance_m -
                                        2.0 * at.range_m * distance_m * std::cos(angle)));
   };
