@@ -4,7 +4,7 @@
 // detection), and within what range the clutter hides it.  One pulse, one cell, antenna 15 m.  The
 // threshold is passed by noise and clutter of that range with probability 1e-4, as the best of all
 // operators would set it; it is found anew for each range from the cells beside the target.
-// Printed as the README's table.
+// Prints the table of README.md beside this file.
 #include <fmt/format.h>
 
 #include <algorithm>
