@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 #include "protocol/board/registers.hpp"
 
@@ -49,9 +49,10 @@ struct Contradiction {
   double duty = 0.0;
 };
 
-// The first one, in the order above but for the channels, which come one after the other.  Channels
-// that are off are not looked at.
-std::optional<Contradiction> contradiction_in(const JudgedSettings& settings);
+// All of them, in the order above but for the channels, which come one after the other.  Channels
+// that are off are not looked at.  A pulse that the set does not have comes alone: without it there
+// is no length to judge the others by.
+std::vector<Contradiction> contradictions_in(const JudgedSettings& settings);
 
 // The shortest time between two triggers, ticks: each may come by jitter and stagger too late, and
 // the next by as much too early.

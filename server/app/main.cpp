@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "server/app/charts.hpp"
@@ -166,7 +167,10 @@ int main(int argc, char** argv) {
     spdlog::set_level(spdlog::level::from_str(options->log_level));
     return run(*options, *tap);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "skerryd: %s\n", error.what());
+    std::istringstream lines(error.what());  // a ConfigError has one for each error of a file
+    for (std::string line; std::getline(lines, line);) {
+      std::fprintf(stderr, "skerryd: %s\n", line.c_str());
+    }
     return 2;
   }
 }

@@ -120,8 +120,8 @@ BoardSettings settings_of(const std::function<std::uint32_t(std::uint32_t)>& val
 }
 
 std::string contradiction_in(const BoardSettings& settings, const echo::RadarSet& set) {
-  const auto found = board::contradiction_in(judged(settings, set));
-  return found ? reason_of(*found, settings) : std::string();
+  const auto found = board::contradictions_in(judged(settings, set));
+  return found.empty() ? std::string() : reason_of(found.front(), settings);
 }
 
 }  // namespace skerry::server

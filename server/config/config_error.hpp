@@ -1,10 +1,14 @@
-// ConfigError: what is wrong with a configuration file, and where.
+// What is wrong with a configuration file, and where: all errors of a file in one list.
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace skerry::server {
 
@@ -12,16 +16,73 @@ namespace skerry::server {
 struct TextPlace {
   int line = 1;
   int column = 1;
+  auto operator<=>(const TextPlace&) const = default;
 };
 
-// what() is "FILE:LINE:COLUMN: KEY PATH: what was wrong, what is allowed", e.g.
+// what() has one line for each error, in the order of the text:
+//   FILE:LINE:COLUMN: KEY PATH: what is wrong, what is allowed
+// for example
 //   bergen.yaml:12:10: own_ships[0].radars[1].rpm: 75 is out of range; allowed: 12 to 60 turns/min
-// in printable text of one line; the key path is left out where there is none.
+// in printable text; the key path is left out where there is none.  If there are several, a last
+// line gives their number.
 class ConfigError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
   ConfigError(const std::string& file, TextPlace place, const std::string& path,
               const std::string& text);
+};
+
+// YamlSource: where in a file each key stands, and every error found in the file so far.  The
+// reader of the text and all later checks add to it; require_sound() ends with the whole list.
+// Paths are as in messages: "own_ships[0].radars[1].rpm"; "" is the file itself.
+class YamlSource {
+ public:
+  // The first errors in the order of the text that a message shows; the others are counted.
+  static constexpr std::size_t kMostShown = 100;
+
+  explicit YamlSource(std::string file_name) : file_name_(std::move(file_name)) {}
+
+  void add(const std::string& path, TextPlace place) { places_[path] = place; }
+
+  // Whether the file gives a value for the path (and not a default).
+  bool has(const std::string& path) const { return places_.count(path) != 0; }
+
+  // Of the value at `path`, or of the innermost list or map around it that the file holds.
+  TextPlace place_of(std::string path) const;
+
+  // Adds an error of the value at `path`, which is not sound from now on.
+  void refuse(const std::string& path, const std::string& text);
+  // The same where the error has another place, as that of a key.
+  void refuse(const std::string& path, const std::string& text, TextPlace place);
+  // Adds an error of the text, which leaves all values as they are.
+  void complain(const std::string& text, TextPlace place);
+
+  // Whether no value was refused at `path`, in it or around it.  A check looks at sound values
+  // only, so that one mistake is reported once.
+  bool is_sound(const std::string& path) const;
+
+  // Error: ConfigError with all errors, if there are any.
+  void require_sound() const;
+
+  // Adds an error behind which nothing can be read.  Error: ConfigError with all errors.
+  [[noreturn]] void fail(const std::string& text, TextPlace place);
+
+  const std::string& file_name() const { return file_name_; }
+
+ private:
+  struct Shown {
+    TextPlace place;
+    std::string message;
+  };
+
+  void add_error(const std::string& path, const std::string& text, TextPlace place);
+  ConfigError all_errors() const;
+
+  std::string file_name_;
+  std::map<std::string, TextPlace> places_;
+  std::set<std::string> refused_;  // paths
+  std::vector<Shown> shown_;       // by place, then as they came
+  std::size_t errors_ = 0;
 };
 
 // `text` as it may stand in a message: control characters and what is not UTF-8 as \xNN, and cut

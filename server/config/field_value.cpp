@@ -23,15 +23,13 @@ using google::protobuf::Message;
       fmt::format("{}: a {} cannot be read from YAML", field.full_name(), field.type_name()));
 }
 
-// The value at hand and where it stands.
+// The value at hand and what it is for.
 struct Given {
   const YamlNode& node;
   const FieldDescriptor& field;
-  const std::string& path;
-  const YamlSource& source;
 
   std::string shown() const { return printable(node.text); }
-  [[noreturn]] void refuse(const std::string& text) const { throw source.error(path, text); }
+  [[noreturn]] void refuse(const std::string& text) const { throw ValueError(text); }
   [[noreturn]] void refuse_kind() const {
     refuse(fmt::format("expected {}, given {}{}", expected_by(field), given_by(node), allowance()));
   }
@@ -257,13 +255,14 @@ std::string given_by(const YamlNode& node) {
       return "a list";
     case YamlNode::Kind::map:
       return "keys and values";
+    case YamlNode::Kind::alias:
+      return "an alias (aliases are not supported; write the value out)";
   }
   return "nothing";
 }
 
-void set_value(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
-               const YamlSource& source, Message& out) {
-  const Given given{node, field, path, source};
+void set_value(const YamlNode& node, const FieldDescriptor& field, Message& out) {
+  const Given given{node, field};
   const google::protobuf::Reflection& reflection = *out.GetReflection();
   // A single field is set, a repeated one grows.
   const auto put = [&](auto set, auto add, auto value) {

@@ -4,10 +4,10 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "server/config/field_rules.pb.h"
-#include "server/config/yaml_source.hpp"
 #include "server/config/yaml_tree.hpp"
 
 namespace skerry::server {
@@ -29,13 +29,20 @@ std::string expected_by(const google::protobuf::FieldDescriptor& field);
 // "75", "the text "fast"", "a list", "keys and values", "nothing".
 std::string given_by(const YamlNode& node);
 
+// What is wrong with a value; its reader knows the place.
+class ValueError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 // Sets `field` of `out` (adds to it if it is repeated) to the value of `node`.  Numbers are decimal
 // and finite, whole ones without a point, or hexadecimal after 0x; true, false and enums are
 // spelled as in the schema; text is at most kMaxTextValueBytes without control characters, and a
 // rule's bounds are on its characters.  Requires a readable field that is no message.
-// Error: ConfigError if the value is not of the field's type or the field's rule forbids it.
+// Error: ValueError if the value is not of the field's type or the field's rule forbids it; then
+// `out` is as before.
 void set_value(const YamlNode& node, const google::protobuf::FieldDescriptor& field,
-               const std::string& path, const YamlSource& source, google::protobuf::Message& out);
+               google::protobuf::Message& out);
 
 // Sets `field` to its rule's default, if it has one.  Requires a single number, bool or enum.
 void set_default(const google::protobuf::FieldDescriptor& field, google::protobuf::Message& out);

@@ -56,28 +56,33 @@ void fill_absent(const FieldDescriptor& field, Message& out) {
   }
 }
 
+// Reads all that can be read; what cannot is an error in the source.
 class MessageReader {
  public:
-  MessageReader(const std::string& file_name, YamlSource& source)
-      : file_name_(file_name), source_(source) {}
+  explicit MessageReader(YamlSource& source) : source_(source) {}
 
   void read(const YamlNode& node, const std::string& path, Message& out) {
     source_.add(path, node.place);
     if (node.kind != YamlNode::Kind::map) {
-      throw source_.error(path, "expected keys and values, given " + given_by(node));
+      source_.refuse(path, "expected keys and values, given " + given_by(node));
+      return;
     }
+    const Descriptor& schema = *out.GetDescriptor();
     std::map<const FieldDescriptor*, TextPlace> seen;
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
       const YamlNode& key = node.keys[i];
-      const FieldDescriptor& field = field_of(key, path, *out.GetDescriptor());
-      const auto [earlier, first] = seen.emplace(&field, key.place);
-      if (!first) {
-        fail(key, joined(path, field.name()),
-             fmt::format("given twice; first in line {}", earlier->second.line));
+      const FieldDescriptor* const field = field_of(key, path, schema);
+      if (field == nullptr) continue;
+      const std::string field_path = joined(path, field->name());
+      const auto [earlier, first] = seen.emplace(field, key.place);
+      if (first) {
+        read_field(node.items[i], *field, field_path, out);
+      } else {
+        source_.refuse(field_path,
+                       fmt::format("given twice; first in line {}", earlier->second.line),
+                       key.place);
       }
-      read_field(node.items[i], field, joined(path, field.name()), out);
     }
-    const Descriptor& schema = *out.GetDescriptor();
     for (int i = 0; i < schema.field_count(); ++i) {
       const FieldDescriptor& field = *schema.field(i);
       if (seen.count(&field) != 0) continue;
@@ -87,34 +92,34 @@ class MessageReader {
   }
 
  private:
-  [[noreturn]] void fail(const YamlNode& node, const std::string& path,
-                         const std::string& text) const {
-    throw ConfigError(file_name_, node.place, path, text);
-  }
-
-  [[noreturn]] void refuse_missing(const YamlNode& node, const FieldDescriptor& field,
-                                   const std::string& path) const {
+  void refuse_missing(const YamlNode& node, const FieldDescriptor& field, const std::string& path) {
     const std::string allowed = allowed_by(rule_of(field));
-    fail(
-        node, joined(path, field.name()),
+    source_.refuse(
+        joined(path, field.name()),
         fmt::format("missing; expected {}{}{}", field.is_repeated() ? "a list" : expected_by(field),
-                    allowed.empty() ? "" : ", ", allowed));
+                    allowed.empty() ? "" : ", ", allowed),
+        node.place);
   }
 
-  const FieldDescriptor& field_of(const YamlNode& key, const std::string& path,
-                                  const Descriptor& schema) const {
+  // nullptr: there is no such field.
+  const FieldDescriptor* field_of(const YamlNode& key, const std::string& path,
+                                  const Descriptor& schema) {
     if (key.kind != YamlNode::Kind::plain && key.kind != YamlNode::Kind::quoted) {
-      fail(key, path, fmt::format("expected a key, given {}", given_by(key)));
+      source_.refuse(path, fmt::format("expected a key, given {}", given_by(key)), key.place);
+      return nullptr;
     }
-    const FieldDescriptor* field = schema.FindFieldByName(key.text);
-    if (field != nullptr) return *field;
+    const FieldDescriptor* const field = schema.FindFieldByName(key.text);
+    if (field != nullptr) return field;
     std::vector<std::string> known;
     for (int i = 0; i < schema.field_count(); ++i) known.push_back(schema.field(i)->name());
     const std::string nearest = nearest_key(key.text, known);
-    fail(key, joined(path, printable(key.text)),
-         fmt::format("unknown key{}; known keys: {}",
-                     nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest),
-                     fmt::join(known, ", ")));
+    source_.refuse(
+        joined(path, printable(key.text)),
+        fmt::format("unknown key{}; known keys: {}",
+                    nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest),
+                    fmt::join(known, ", ")),
+        key.place);
+    return nullptr;
   }
 
   void read_field(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
@@ -126,10 +131,11 @@ class MessageReader {
       return;
     }
     if (node.kind != YamlNode::Kind::list) {
-      throw source_.error(path, "expected a list, given " + given_by(node));
+      source_.refuse(path, "expected a list, given " + given_by(node));
+      return;
     }
     if (node.items.empty() && rule_of(field).required()) {
-      throw source_.error(path, "is empty; expected at least one entry");
+      source_.refuse(path, "is empty; expected at least one entry");
     }
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const std::string entry = fmt::format("{}[{}]", path, i);
@@ -141,7 +147,7 @@ class MessageReader {
   void read_value(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
                   Message& out) {
     if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
-      set_value(node, field, path, source_, out);
+      read_plain(node, field, path, out);
     } else if (field.is_repeated()) {
       read(node, path, *out.GetReflection()->AddMessage(&out, &field));
     } else {
@@ -149,17 +155,32 @@ class MessageReader {
     }
   }
 
-  const std::string& file_name_;
+  void read_plain(const YamlNode& node, const FieldDescriptor& field, const std::string& path,
+                  Message& out) {
+    try {
+      set_value(node, field, out);
+    } catch (const ValueError& wrong) {
+      source_.refuse(path, wrong.what());
+      if (!field.is_repeated()) set_default(field, out);
+    }
+  }
+
   YamlSource& source_;
 };
 
 }  // namespace
 
+void read_yaml(const std::string& text, YamlSource& source, Message& out) {
+  const YamlNode root = parse_yaml(text, source);
+  out.Clear();
+  MessageReader(source).read(root, "", out);
+}
+
 YamlSource load_yaml(const std::string& text, const std::string& file_name, Message& out) {
-  const YamlNode root = parse_yaml(text, file_name);
   YamlSource source(file_name);
   const std::unique_ptr<Message> fresh(out.New());
-  MessageReader(file_name, source).read(root, "", *fresh);
+  read_yaml(text, source, *fresh);
+  source.require_sound();
   out.GetReflection()->Swap(&out, fresh.get());
   return source;
 }

@@ -6,21 +6,25 @@
 #include <string>
 
 #include "server/config/config_error.hpp"
-#include "server/config/yaml_source.hpp"
 
 namespace skerry::server {
 
-// Every key must be a field of the message, given once, with a value of its type that its rule
-// (field_rules.proto) permits; a required key must be there and a required list hold something.
-// Absent keys get their rule's default.  An absent section (an inner message) is filled with its
-// defaults, unless it is declared `optional`, holds itself, or has required keys, itself or further
-// in: then it stays absent.  Lists become repeated fields, inner maps messages.  `out` is replaced;
-// after an error it is as before.  Returns where everything stood, for checks that the rules cannot
-// express.
-// Error: ConfigError, for the first thing wrong in the order of the text, missing keys last in each
-// map; std::logic_error for a schema with bytes or maps.  Cost is bounded by the limits in
+// Reads a text into `out`, which is replaced.  Every key must be a field of the message, given
+// once, with a value of its type that its rule (field_rules.proto) permits; a required key must be
+// there and a required list hold something.  Absent keys get their rule's default.  An absent
+// section (an inner message) is filled with its defaults, unless it is declared `optional`, holds
+// itself, or has required keys, itself or further in: then it stays absent.  Lists become repeated
+// fields, inner maps messages.
+// `source` learns where everything stands and all that is wrong.  A wrong value stays at its
+// default; a wrong entry in a list of plain values is left out.  Cost is bounded by the limits in
 // yaml_tree.hpp.
+// Error: ConfigError as parse_yaml(): then nothing else was checked and `out` is as before;
+// std::logic_error for a schema with bytes or maps.
 // Thread: any.
+void read_yaml(const std::string& text, YamlSource& source, google::protobuf::Message& out);
+
+// The same where nothing remains to be checked.  Returns where everything stands.
+// Error: ConfigError with all that is wrong; then `out` is as before.
 YamlSource load_yaml(const std::string& text, const std::string& file_name,
                      google::protobuf::Message& out);
 
@@ -28,7 +32,7 @@ YamlSource load_yaml(const std::string& text, const std::string& file_name,
 // long.
 std::string read_yaml_file(const std::string& path);
 
-// The same from a file, which messages name by `path`.
+// load_yaml() of a file, which messages name by `path`.
 // Error: also ConfigError if the file cannot be read.
 YamlSource load_yaml_file(const std::string& path, google::protobuf::Message& out);
 

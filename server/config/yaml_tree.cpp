@@ -62,8 +62,7 @@ class Places {
 // Builds the tree from yaml-cpp's events, so that a bound ends the parsing where it is passed.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& file_name, const Places& places)
-      : file_name_(file_name), places_(places) {}
+  TreeBuilder(YamlSource& source, const Places& places) : source_(source), places_(places) {}
 
   YamlNode take() { return std::move(root_); }
 
@@ -83,11 +82,13 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnDocumentEnd() override {}
   void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
-    fail(mark, fmt::format("anchor &{}: anchors and aliases are not supported; write the value out",
-                           printable(name)));
+    source_.complain(
+        fmt::format("anchor &{}: anchors and aliases are not supported; write the value out",
+                    printable(name)),
+        places_.of(mark));
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    fail(mark, "anchors and aliases are not supported; write the value out");
+    add(node(mark, YamlNode::Kind::alias));
   }
   void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
     YamlNode null = node(mark, YamlNode::Kind::null);
@@ -97,7 +98,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
                 const std::string& value) override {
-    refuse_tag(mark, tag);
+    complain_of_tag(mark, tag);
     YamlNode scalar = node(mark, tag == "!" ? YamlNode::Kind::quoted : YamlNode::Kind::plain);
     scalar.text = value;
     add(std::move(scalar));
@@ -119,13 +120,14 @@ class TreeBuilder : public YAML::EventHandler {
     std::optional<YamlNode> key;  // of a map: read, its value not yet
   };
 
-  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& text) const {
-    throw ConfigError(file_name_, places_.of(mark), "", text);
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& text) {
+    source_.fail(text, places_.of(mark));
   }
 
-  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+  void complain_of_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.empty() || tag == "?" || tag == "!") return;
-    fail(mark, fmt::format("tag {}: tags are not supported", printable(tag)));
+    source_.complain(fmt::format("tag {}: tags are not supported", printable(tag)),
+                     places_.of(mark));
   }
 
   YamlNode node(const YAML::Mark& mark, YamlNode::Kind kind) {
@@ -139,7 +141,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
-    refuse_tag(mark, tag);
+    complain_of_tag(mark, tag);
     if (open_.size() == kMaxYamlDepth) {
       fail(mark,
            fmt::format("too deep: more than {} lists and maps within each other", kMaxYamlDepth));
@@ -170,7 +172,7 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
-  const std::string& file_name_;
+  YamlSource& source_;
   const Places& places_;
   std::vector<Open> open_;
   YamlNode root_;
@@ -178,17 +180,17 @@ class TreeBuilder : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-void require_text(std::string_view text, const std::string& file_name, const Places& places) {
+void require_text(std::string_view text, YamlSource& source, const Places& places) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = utf8_length(text, at);
     const auto byte = static_cast<unsigned char>(text[at]);
     if (length == 0) {
-      throw ConfigError(file_name, places.of_byte(at), "",
-                        fmt::format("byte 0x{:02x} is not UTF-8; save the file as UTF-8", byte));
+      source.fail(fmt::format("byte 0x{:02x} is not UTF-8; save the file as UTF-8", byte),
+                  places.of_byte(at));
     }
     if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F) {
-      throw ConfigError(file_name, places.of_byte(at), "",
-                        fmt::format("control character 0x{:02x}; allowed: text", byte));
+      source.fail(fmt::format("control character 0x{:02x}; allowed: text", byte),
+                  places.of_byte(at));
     }
     at += length;
   }
@@ -196,11 +198,10 @@ void require_text(std::string_view text, const std::string& file_name, const Pla
 
 }  // namespace
 
-YamlNode parse_yaml(const std::string& text, const std::string& file_name) {
+YamlNode parse_yaml(const std::string& text, YamlSource& source) {
   if (text.size() > kMaxYamlBytes) {
-    throw ConfigError(
-        file_name, {}, "",
-        fmt::format("too long: {} bytes; allowed: at most {}", text.size(), kMaxYamlBytes));
+    source.fail(fmt::format("too long: {} bytes; allowed: at most {}", text.size(), kMaxYamlBytes),
+                {});
   }
   std::string_view body = text;
   if (body.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
@@ -209,8 +210,8 @@ YamlNode parse_yaml(const std::string& text, const std::string& file_name) {
   // yaml-cpp takes the end of the text for the end of a quoted value if a line ends before it.
   body = body.substr(0, body.find_last_not_of(" \t\r\n") + 1);
   const Places places(body);
-  require_text(body, file_name, places);
-  TreeBuilder builder(file_name, places);
+  require_text(body, source, places);
+  TreeBuilder builder(source, places);
   try {
     std::istringstream in{std::string(body)};
     YAML::Parser parser(in);
@@ -218,9 +219,9 @@ YamlNode parse_yaml(const std::string& text, const std::string& file_name) {
     }
   } catch (const YAML::Exception& error) {
     const bool no_end = error.msg.rfind("end of ", 0) == 0;
-    throw ConfigError(
-        file_name, places.of(error.mark), "",
-        "not YAML: " + printable(error.msg, 200) + (no_end ? builder.where_open_began() : ""));
+    source.fail(fmt::format("not YAML: {}{}; nothing else was checked", printable(error.msg, 200),
+                            no_end ? builder.where_open_began() : ""),
+                places.of(error.mark));
   }
   return builder.take();
 }

@@ -9,7 +9,7 @@
 namespace skerry::server {
 
 struct YamlNode {
-  enum class Kind { null, plain, quoted, list, map };
+  enum class Kind { null, plain, quoted, list, map, alias };
 
   Kind kind = Kind::null;
   TextPlace place;
@@ -26,10 +26,13 @@ inline constexpr std::size_t kMaxYamlBytes = 1 << 20;
 inline constexpr std::size_t kMaxYamlNodes = 150'000;  // values and keys
 inline constexpr std::size_t kMaxYamlDepth = 32;       // lists and maps within each other
 
-// The one document of `text`; an empty text is a null node.  Reads the part of YAML that a
+// The one document of the text; an empty text is a null node.  Reads the part of YAML that a
 // configuration needs: no anchors and aliases, which can make a small text a huge one; no tags; no
-// second document.  A map may hold a key twice here.
-// Error: ConfigError, also for text that is not UTF-8 or holds control characters.
-YamlNode parse_yaml(const std::string& text, const std::string& file_name);
+// second document.  A map may hold a key twice here.  Anchors and tags are complained of in
+// `source` and the rest is read; an alias becomes a node of that kind.
+// Error: ConfigError with the first place from which the text cannot be read further, and what was
+// complained of before it: no YAML, not UTF-8, a control character, a limit passed, a second
+// document.
+YamlNode parse_yaml(const std::string& text, YamlSource& source);
 
 }  // namespace skerry::server

@@ -198,24 +198,26 @@ RegisterValues board_registers(const scenario::Radar& radar,
   return Registers(index_of).of(radar);
 }
 
-std::optional<SetComplaint> complaint_of_board(const scenario::Radar& radar) {
+std::vector<SetComplaint> complaints_of_board(const scenario::Radar& radar) {
   const scenario::Board& board = radar.board();
-  if (board.blanked_sectors_size() > kMaxBoardSectors) {
-    return SetComplaint{"board.blanked_sectors",
-                        fmt::format("{} entries; allowed: at most {}", board.blanked_sectors_size(),
-                                    kMaxBoardSectors)};
-  }
+  std::vector<SetComplaint> complaints;
   for (std::size_t channel = 0; channel < 2; ++channel) {
     const auto& said = channel == 0 ? board.channel_a() : board.channel_b();
-    if (said.samples() % 2 != 0) {
-      return SetComplaint{channel_key(channel) + "samples",
-                          fmt::format("{} is odd; allowed: even numbers", said.samples())};
-    }
+    if (said.samples() % 2 == 0) continue;
+    complaints.push_back({channel_key(channel) + "samples",
+                          fmt::format("{} is odd; allowed: even numbers", said.samples())});
+  }
+  if (board.blanked_sectors_size() > kMaxBoardSectors) {
+    complaints.push_back(
+        {"board.blanked_sectors", fmt::format("{} entries; allowed: at most {}",
+                                              board.blanked_sectors_size(), kMaxBoardSectors)});
+    return complaints;  // there are no registers for them to judge
   }
   const board::JudgedSettings settings = judged(radar, pulse_of(radar));
-  const auto found = board::contradiction_in(settings);
-  if (!found) return std::nullopt;
-  return complaint_of_contradiction(*found, settings, board);
+  for (const board::Contradiction& found : board::contradictions_in(settings)) {
+    complaints.push_back(complaint_of_contradiction(found, settings, board));
+  }
+  return complaints;
 }
 
 }  // namespace skerry::server

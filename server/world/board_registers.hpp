@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,13 +20,13 @@ using RegisterValues = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 RegisterValues board_registers(const scenario::Radar& radar,
                                const std::function<std::uint32_t(const std::string&)>& index_of);
 
-// The first contradiction in `radar.board`, at a key of scenario::Radar that is given or would be:
+// All contradictions in `radar.board`, each at a key of scenario::Radar that is given or would be:
 // two channels that cannot be, sweeps longer than triggers are apart, a FIFO below one sweep, sums
 // wider than 16 bits, a pulse the set does not have or that would be on for too long.  The pulse is
 // the one on the air at the start.  Sources are not looked at.  The rules are those by which the
 // board itself judges (protocol/board/contradiction.hpp).
 // Requires a set without complaint, known by name.
-std::optional<SetComplaint> complaint_of_board(const scenario::Radar& radar);
+std::vector<SetComplaint> complaints_of_board(const scenario::Radar& radar);
 
 inline constexpr int kMaxBoardSectors = 2;
 

@@ -86,11 +86,13 @@ echo::RadarSet radar_set(const scenario::Radar& radar) {
   return set;
 }
 
-std::optional<SetComplaint> complaint_of(const scenario::Radar& radar) {
-  const std::vector<std::string> faults = echo::faults_of(radar_set(radar));
-  if (faults.empty()) return std::nullopt;
-  const std::size_t colon = faults.front().find(": ");
-  return SetComplaint{key_of(faults.front().substr(0, colon)), faults.front().substr(colon + 2)};
+std::vector<SetComplaint> complaints_of(const scenario::Radar& radar) {
+  std::vector<SetComplaint> complaints;
+  for (const std::string& fault : echo::faults_of(radar_set(radar))) {
+    const std::size_t colon = fault.find(": ");
+    complaints.push_back({key_of(fault.substr(0, colon)), fault.substr(colon + 2)});
+  }
+  return complaints;
 }
 
 }  // namespace skerry::server

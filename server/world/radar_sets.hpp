@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "echo/radar/radar_set.hpp"
 #include "server/world/scenario.pb.h"
@@ -24,7 +25,7 @@ std::string complain_of_name(const std::string& name);
 // shipped_set() knows.
 echo::RadarSet radar_set(const scenario::Radar& radar);
 
-// The first thing that makes the altered set unphysical, if there is one (echo/radar/set_checks).
-std::optional<SetComplaint> complaint_of(const scenario::Radar& radar);
+// All that makes the altered set unphysical (echo/radar/set_checks.hpp).
+std::vector<SetComplaint> complaints_of(const scenario::Radar& radar);
 
 }  // namespace skerry::server

@@ -1,22 +1,344 @@
 #include "server/world/scenario.hpp"
 
+#include <fmt/format.h>
+
+#include <GeographicLib/Geodesic.hpp>
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "protocol/quantity/length.hpp"
 #include "server/config/yaml_message.hpp"
-#include "server/world/scenario_checks.hpp"
+#include "server/world/ais_identities.hpp"
+#include "server/world/board_registers.hpp"
+#include "server/world/radar_sets.hpp"
+#include "server/world/target_kinds.hpp"
 
 namespace skerry::server {
+namespace {
+
+constexpr Length kShortestLeg = metres(1.0);
+// Beyond it two places come near to being antipodes, between which the way is arbitrary.
+constexpr Length kLongestLeg = nautical_miles(5000.0);
+constexpr Length kShortestCable = metres(1.0);
+constexpr Length kLongestCable = metres(20'000.0);
+
+// Names that must differ, and the paths of those who bear them.
+using Names = std::map<std::string, std::string>;
+
+// Adds to the source all that is wrong.  A check is made where all values that it reads are sound,
+// whatever is wrong elsewhere; a list that is too long is not looked into.
+class ScenarioChecker {
+ public:
+  explicit ScenarioChecker(YamlSource& source) : source_(source) {}
+
+  void check(scenario::Scenario& scenario) const {
+    check_count(scenario.own_ships_size(), kMaxOwnShips, "own_ships");
+    check_targets(*scenario.mutable_targets());
+    check_count(scenario.coast().places_size(), kMaxCoastPlaces, "coast.places");
+    check_count(scenario.rain_size(), kMaxRainCells, "rain");
+    check_count(scenario.wind_turbines_size(), kMaxWindTurbines, "wind_turbines");
+    check_count(scenario.cables_size(), kMaxCables, "cables");
+    check_count(scenario.sarts_size(), kMaxSarts, "sarts");
+    check_racons(scenario);
+    check_cables(scenario);
+    check_radar_count(scenario);
+    Names ships, radars;
+    for (int i = 0; i < scenario.own_ships_size(); ++i) {
+      const std::string path = fmt::format("own_ships[{}]", i);
+      check_unique(scenario.own_ships(i).name(), path, ships);
+      check_hull(scenario.own_ships(i), path);
+      check_radars(*scenario.mutable_own_ships(i), path, radars);
+    }
+    check_mmsi(scenario);
+    fill_in_mmsi(scenario);
+  }
+
+ private:
+  void check_count(int count, int most, const std::string& path,
+                   const char* what = "entries") const {
+    if (count <= most) return;
+    source_.refuse(path, fmt::format("{} {}; allowed: at most {}", count, what, most));
+  }
+
+  void check_radar_count(const scenario::Scenario& scenario) const {
+    if (scenario.own_ships_size() > kMaxOwnShips) return;
+    int radars = 0;
+    bool known = scenario.own_ships_size() > 0;
+    for (int i = 0; i < scenario.own_ships_size(); ++i) {
+      radars += scenario.own_ships(i).radars_size();
+      known = known && source_.is_sound(fmt::format("own_ships[{}].radars", i));
+    }
+    if (radars == 0 && known) {
+      source_.refuse("own_ships", "no own ship has a radar; give one \"radars: [{}]\"");
+    }
+    check_count(radars, kMaxRadars, "own_ships", "radars");
+  }
+
+  // A name that the file does not give stands where its bearer does.
+  void check_unique(const std::string& name, const std::string& path, Names& names) const {
+    if (!source_.is_sound(path + ".name")) return;
+    const auto [other, is_new] = names.emplace(name, path);
+    if (is_new) return;
+    source_.refuse(path + ".name",
+                   fmt::format("\"{}\" is the name of {} too (line {}); names must differ", name,
+                               other->second, source_.place_of(other->second + ".name").line));
+  }
+
+  template <typename Ship>
+  void check_hull(const Ship& ship, const std::string& path) const {
+    if (!are_sound(path, {".beam_m", ".length_m"}) || ship.beam_m() <= ship.length_m()) return;
+    const char* const key = source_.has(path + ".beam_m") ? ".beam_m" : ".length_m";
+    source_.refuse(path + key, fmt::format("beam {} m is more than length {} m; allowed: at "
+                                           "most the length",
+                                           ship.beam_m(), ship.length_m()));
+  }
+
+  void check_radars(scenario::OwnShip& ship, const std::string& path, Names& names) const {
+    const bool is_named = source_.is_sound(path + ".name");
+    for (int i = 0; i < ship.radars_size(); ++i) {
+      scenario::Radar& radar = *ship.mutable_radars(i);
+      const std::string radar_path = fmt::format("{}.radars[{}]", path, i);
+      const bool has_name = !radar.name().empty();
+      if (!has_name) radar.set_name(fmt::format("{} {}", ship.name(), i + 1));
+      if (has_name || is_named) check_unique(radar.name(), radar_path, names);
+      check_equipment(radar, radar_path);
+    }
+    for (int i = 0; i < ship.radars_size(); ++i) {
+      check_board(ship, i, fmt::format("{}.radars[{}]", path, i));
+    }
+  }
+
+  void check_board(const scenario::OwnShip& ship, int radar, const std::string& path) const {
+    const scenario::Board& board = ship.radars(radar).board();
+    if (equipment_is_sound(path) && are_sound(path, {".board", ".range_nm", ".pulse"})) {
+      refuse(path, complaints_of_board(ship.radars(radar)));
+    }
+    check_source(ship, board.channel_a(), path + ".board.channel_a");
+    check_source(ship, board.channel_b(), path + ".board.channel_b");
+  }
+
+  void check_source(const scenario::OwnShip& ship, const scenario::BoardChannel& channel,
+                    const std::string& path) const {
+    if (!channel.has_source() || !source_.is_sound(path + ".source")) return;
+    std::string names;
+    for (const scenario::Radar& radar : ship.radars()) {
+      if (radar.name() == channel.source()) return;
+      names += (names.empty() ? "" : ", ") + radar.name();
+    }
+    source_.refuse(path + ".source", fmt::format("\"{}\" is no radar of {}; allowed: {}",
+                                                 printable(channel.source()), ship.name(), names));
+  }
+
+  void check_equipment(const scenario::Radar& radar, const std::string& path) const {
+    if (radar.has_set()) check_set_name(radar.set(), path + ".set");
+    check_count(radar.pulses_size(), kMaxPulses, path + ".pulses");
+    check_count(radar.obstructions_size(), kMaxObstructions, path + ".obstructions");
+    check_count(radar.blanked_sectors_size(), kMaxBlankedSectors, path + ".blanked_sectors");
+    if (equipment_is_sound(path)) refuse(path, complaints_of(radar));
+  }
+
+  // All that radar_set() reads: the pulses and, of the rest, the keys that may be left out.
+  bool equipment_is_sound(const std::string& path) const {
+    const google::protobuf::Descriptor& schema = *scenario::Radar::descriptor();
+    for (int i = 0; i < schema.field_count(); ++i) {
+      const google::protobuf::FieldDescriptor& field = *schema.field(i);
+      if (!field.has_optional_keyword() && field.number() != scenario::Radar::kPulsesFieldNumber) {
+        continue;
+      }
+      if (!source_.is_sound(path + "." + field.name())) return false;
+    }
+    return true;
+  }
+
+  void refuse(const std::string& path, const std::vector<SetComplaint>& complaints) const {
+    for (const SetComplaint& each : complaints) source_.refuse(path + "." + each.key, each.text);
+  }
+
+  bool are_sound(const std::string& path, std::initializer_list<const char*> keys) const {
+    return std::all_of(keys.begin(), keys.end(),
+                       [&](const char* key) { return source_.is_sound(path + key); });
+  }
+
+  void check_set_name(const std::string& name, const std::string& path) const {
+    if (source_.is_sound(path) && !shipped_set(name)) source_.refuse(path, complain_of_name(name));
+  }
+
+  void check_targets(google::protobuf::RepeatedPtrField<scenario::Target>& targets) const {
+    int ships = 0, emitters = 0, sarts = 0;
+    for (const scenario::Target& target : targets) {
+      if (target.kind() == scenario::Target::ship) ++ships;
+      if (target.has_radar()) ++emitters;
+      if (target.sart()) ++sarts;
+    }
+    check_count(ships, kMaxTargets, "targets", "ships");
+    check_count(targets.size() - ships, kMaxSmallTargets, "targets", "entries that are not ships");
+    check_count(emitters, kMaxEmitters, "targets", "ships with a radar");
+    check_count(sarts, kMaxSarts, "targets", "entries with a SART");
+    for (int i = 0; i < targets.size(); ++i) {
+      scenario::Target& target = targets[i];
+      const std::string path = fmt::format("targets[{}]", i);
+      if (source_.is_sound(path + ".kind")) {
+        check_keys_of_kind(target, path);
+        if (target.kind() == scenario::Target::ship) {
+          check_hull(target, path);
+        } else {
+          fill_in_size(target, source_.has(path + ".height_m"));
+        }
+      }
+      if (target.has_radar()) check_set_name(target.radar(), path + ".radar");
+      check_waypoints(target, path);
+    }
+  }
+
+  void refuse_for(const scenario::Target& target, const std::string& path, const char* key,
+                  const char* allowed) const {
+    if (!source_.has(path + "." + key)) return;
+    source_.refuse(path + "." + key,
+                   fmt::format("given for kind {}; allowed: {}", name_of(target.kind()), allowed));
+  }
+
+  void check_keys_of_kind(const scenario::Target& target, const std::string& path) const {
+    const bool ship = target.kind() == scenario::Target::ship;
+    static constexpr std::array kOfShips = {"length_m", "beam_m", "wake", "cross_section_m2",
+                                            "radar"};
+    static constexpr std::array kOfOthers = {"x_band_m2", "s_band_m2", "fluctuation"};
+    if (ship) {
+      for (const char* key : kOfOthers) {
+        refuse_for(target, path, key, "for buoys, craft, markers and reflectors");
+      }
+    } else {
+      for (const char* key : kOfShips) refuse_for(target, path, key, "for ships");
+    }
+    refuse_for(target, path, is_aid(target.kind()) ? "ship_type" : "aid_type",
+               is_aid(target.kind()) ? "for ships and craft" : "for buoys and markers");
+    if (target.kind() == scenario::Target::reflector && target.speed_kn() > 0.0) {
+      source_.refuse(
+          path + ".speed_kn",
+          fmt::format("{} kn for a reflector; allowed: 0, it stands still", target.speed_kn()));
+    }
+  }
+
+  void check_mmsi(const scenario::Scenario& scenario) const {
+    std::map<std::uint32_t, std::string> paths;
+    const auto check = [&](const auto& bearers, const char* list) {
+      for (int i = 0; i < bearers.size(); ++i) {
+        if (!bearers[i].has_mmsi()) continue;
+        const std::string path = fmt::format("{}[{}].mmsi", list, i);
+        if (!source_.is_sound(path)) continue;
+        const auto [other, is_new] = paths.emplace(bearers[i].mmsi(), path);
+        if (is_new) continue;
+        source_.refuse(path, fmt::format("{} is that of {} too (line {}); numbers must differ",
+                                         bearers[i].mmsi(), other->second,
+                                         source_.place_of(other->second).line));
+      }
+    };
+    check(scenario.own_ships(), "own_ships");
+    check(scenario.targets(), "targets");
+    check(scenario.racons(), "racons");
+  }
+
+  void check_racons(const scenario::Scenario& scenario) const {
+    check_count(scenario.racons_size(), kMaxRacons, "racons");
+    for (int i = 0; i < scenario.racons_size(); ++i) {
+      const scenario::Racon& racon = scenario.racons(i);
+      const std::string path = fmt::format("racons[{}]", i);
+      if (source_.is_sound(path + ".code") &&
+          racon.code().find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string::npos) {
+        source_.refuse(path + ".code",
+                       fmt::format("\"{}\" is no Morse code; allowed: 1 to 4 letters A to Z",
+                                   printable(racon.code())));
+      }
+      if (are_sound(path, {".on_s", ".period_s"}) && racon.on_s() > racon.period_s()) {
+        const char* const key = source_.has(path + ".on_s") ? ".on_s" : ".period_s";
+        source_.refuse(path + key,
+                       fmt::format("on for {} s of every {} s; allowed: at most the period",
+                                   racon.on_s(), racon.period_s()));
+      }
+      if (are_sound(path, {".x_band", ".s_band"}) && !racon.x_band() && !racon.s_band()) {
+        source_.refuse(path + ".s_band",
+                       "no band is left; allowed: at least one of x_band "
+                       "and s_band true");
+      }
+    }
+  }
+
+  void check_cables(const scenario::Scenario& scenario) const {
+    for (int i = 0; i < scenario.cables_size(); ++i) {
+      const scenario::OverheadCable& cable = scenario.cables(i);
+      const std::string path = fmt::format("cables[{}]", i);
+      if (!are_sound(path, {".from", ".to"})) continue;
+      const Length length = distance(cable.from(), cable.to());
+      if (length >= kShortestCable && length <= kLongestCable) continue;
+      source_.refuse(path + ".to", fmt::format("the cable is {:.0f} m long; allowed: {} to {} m",
+                                               length.in_metres(), kShortestCable.in_metres(),
+                                               kLongestCable.in_metres()));
+    }
+  }
+
+  void check_waypoints(const scenario::Target& target, const std::string& path) const {
+    if (target.waypoints().empty()) return;
+    check_count(target.waypoints_size(), kMaxWaypoints, path + ".waypoints");
+    if (source_.has(path + ".course_deg") && source_.is_sound(path + ".course_deg")) {
+      source_.refuse(path + ".course_deg",
+                     fmt::format("{} given besides waypoints, which set the course; allowed: "
+                                 "one of the two",
+                                 target.course_deg()));
+    }
+    if (source_.is_sound(path + ".speed_kn") && target.speed_kn() <= 0.0) {
+      source_.refuse(path + ".speed_kn", "0 with waypoints; allowed: more than 0 kn");
+    }
+    std::string from_path = path + ".position";
+    const scenario::Position* from = &target.position();
+    for (int i = 0; i < target.waypoints_size(); ++i) {
+      const scenario::Position& to = target.waypoints(i);
+      const std::string to_path = fmt::format("{}.waypoints[{}]", path, i);
+      if (source_.is_sound(from_path) && source_.is_sound(to_path)) check_leg(*from, to, to_path);
+      from = &to;
+      from_path = to_path;
+    }
+  }
+
+  void check_leg(const scenario::Position& from, const scenario::Position& to,
+                 const std::string& path) const {
+    const Length leg = distance(from, to);
+    if (leg >= kShortestLeg && leg <= kLongestLeg) return;
+    source_.refuse(path, fmt::format("the leg to it is {:.3f} NM long; allowed: {} m to {} NM",
+                                     leg.in_nautical_miles(), kShortestLeg.in_metres(),
+                                     kLongestLeg.in_nautical_miles()));
+  }
+
+  static Length distance(const scenario::Position& from, const scenario::Position& to) {
+    double distance_m = 0.0;
+    GeographicLib::Geodesic::WGS84().Inverse(from.lat(), from.lon(), to.lat(), to.lon(),
+                                             distance_m);
+    return metres(distance_m);
+  }
+
+  YamlSource& source_;
+};
+
+}  // namespace
+
+scenario::Scenario read_scenario(const std::string& text, YamlSource& source) {
+  scenario::Scenario scenario;
+  read_yaml(text, source, scenario);
+  ScenarioChecker(source).check(scenario);
+  return scenario;
+}
 
 scenario::Scenario parse_scenario(const std::string& text, const std::string& file_name) {
-  scenario::Scenario scenario;
-  const YamlSource source = load_yaml(text, file_name, scenario);
-  check_scenario(source, scenario);
+  YamlSource source(file_name);
+  scenario::Scenario scenario = read_scenario(text, source);
+  source.require_sound();
   return scenario;
 }
 
 scenario::Scenario load_scenario(const std::string& path) {
-  scenario::Scenario scenario;
-  const YamlSource source = load_yaml_file(path, scenario);
-  check_scenario(source, scenario);
-  return scenario;
+  return parse_scenario(read_yaml_file(path), path);
 }
 
 scenario::Scenario default_scenario() {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "server/config/config_error.hpp"
 #include "server/world/scenario.pb.h"
 
 namespace skerry::server {
@@ -23,14 +24,13 @@ inline constexpr int kMaxBlankedSectors = 8;
 inline constexpr int kMaxWaypoints = 1000;  // of a target
 inline constexpr int kMaxCoastPlaces = 1000;
 
-// The scenario of a YAML file, defaults filled in.  Beyond the schema it must hold that
+// The scenario of a YAML text, defaults filled in.  Beyond the schema it must hold that
 // - there is no more of anything than the limits above, and at least one radar;
 // - own ships differ in name, and so do all radars; a radar without a name is called after its ship
 //   and its number aboard: "Frida 1";
 // - a radar's set is a shipped one and, as altered, passes its checks (radar_sets.hpp);
 // - a radar's board has no contradiction (board_registers.hpp), and its channels' sources are
-// radars
-//   of the same ship;
+//   radars of the same ship;
 // - no ship is broader than long;
 // - a target has only keys of its kind; a reflector stands still;
 // - no two MMSI are the same; what has none gets one (ais_identities.hpp);
@@ -38,11 +38,16 @@ inline constexpr int kMaxCoastPlaces = 1000;
 // - a cable is 1 m to 20 km long;
 // - a target with waypoints has a speed, no course, and legs of 1 m to 5000 NM.
 // Whether anything lies ashore is not looked at.
-// Error: ConfigError naming file, line, column, key, value and what is allowed.
+// Error: ConfigError with all that is wrong, each with file, line, column, key, value and what is
+// allowed; messages call the text `file_name`.
+scenario::Scenario parse_scenario(const std::string& text, const std::string& file_name);
+
+// parse_scenario() of a file.
 scenario::Scenario load_scenario(const std::string& path);
 
-// The same from a text; messages call it `file_name`.
-scenario::Scenario parse_scenario(const std::string& text, const std::string& file_name);
+// The same for those who check more: all that is wrong goes to `source`, and what could be read is
+// returned.  Error: ConfigError as read_yaml().
+scenario::Scenario read_scenario(const std::string& text, YamlSource& source);
 
 // scenarios/bergen.yaml as built into the program, and what it says.
 const std::string& default_scenario_yaml();

@@ -1,6 +1,9 @@
 // A reader of scenario files: what it refuses names its place, what it accepts can be sailed.
 #include <cmath>
+#include <cstdio>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "server/config/config_error.hpp"
 #include "server/config/yaml_message.hpp"
@@ -13,8 +16,8 @@ namespace {
 using namespace skerry;
 using namespace skerry::server;
 
-// "f:LINE:COLUMN: ..." in one line of printable text, the place within `text` or just behind it.
-void check_refusal(const std::string& what, const std::string& text) {
+// "f:LINE:COLUMN: ..." in printable text, the place within `text` or just behind it.
+TextPlace check_line(const std::string& what, const std::string& text) {
   unsigned long line = 0, column = 0;
   int length = 0;
   const int read = std::sscanf(what.c_str(), "f:%lu:%lu: %n", &line, &column, &length);
@@ -32,6 +35,30 @@ void check_refusal(const std::string& what, const std::string& text) {
   fuzz::require(line >= 1 && lines == line, "the line is one of the text");
   const std::string rest = text.substr(start, text.find('\n', start) - start);
   fuzz::require(column >= 1 && column <= character_count(rest) + 1, "the column one of the line");
+  return {static_cast<int>(line), static_cast<int>(column)};
+}
+
+// One line, or several in the order of their places and how many there are.
+void check_refusal(const std::string& what, const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream all(what);
+  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  if (lines.size() > 1) {
+    std::size_t errors = 0, shown = 0, more = 0;
+    const int read = std::sscanf(lines.back().c_str(), "f: %zu errors: %zu shown and %zu more",
+                                 &errors, &shown, &more);
+    fuzz::require(read == 1 || read == 3, "the last line counts");
+    lines.pop_back();
+    if (read == 1) shown = errors;
+    fuzz::require(lines.size() == shown && errors == shown + more, "rightly");
+    fuzz::require(lines.size() <= YamlSource::kMostShown, "a bounded number of errors");
+  }
+  TextPlace before;
+  for (const std::string& line : lines) {
+    const TextPlace place = check_line(line, text);
+    fuzz::require(before <= place, "errors come in the order of the text");
+    before = place;
+  }
 }
 
 bool on_earth(const ShipState& ship) {

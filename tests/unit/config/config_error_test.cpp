@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
-
-#include "server/config/yaml_source.hpp"
 
 namespace skerry::server {
 namespace {
@@ -78,8 +77,61 @@ TEST(YamlSource, PlacesWhatTheFileLeavesOutInWhatIsAroundIt) {
   EXPECT_EQ(line("targets[0].name"), 1);
   EXPECT_TRUE(source.has("ships[0].name"));
   EXPECT_FALSE(source.has("ships[0].beam_m"));
-  EXPECT_STREQ(source.error("ships[0].beam_m", "missing").what(),
-               "a.yaml:3:5: ships[0].beam_m: missing");
+}
+
+std::string all_errors(const YamlSource& source) {
+  try {
+    source.require_sound();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(YamlSource, ListsAllErrorsInTheOrderOfTheTextWithTheirNumber) {
+  YamlSource source("a.yaml");
+  EXPECT_EQ(all_errors(source), "");
+  source.add("", {1, 1});
+  source.add("ships[0]", {3, 5});
+  source.refuse("ships[0].beam_m", "missing");
+  EXPECT_EQ(all_errors(source), "a.yaml:3:5: ships[0].beam_m: missing");
+  source.complain("no tags", {2, 9});
+  source.refuse("ships[0].x", "unknown", {3, 5});
+  source.refuse("ships[0].y", "unknown", {3, 4});
+  EXPECT_EQ(all_errors(source),
+            "a.yaml:2:9: no tags\na.yaml:3:4: ships[0].y: unknown\n"
+            "a.yaml:3:5: ships[0].beam_m: missing\na.yaml:3:5: ships[0].x: unknown\n"
+            "a.yaml: 4 errors");
+  try {
+    source.fail("not YAML", {1, 2});
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 22), "a.yaml:1:2: not YAML\na");
+  }
+}
+
+TEST(YamlSource, ShowsTheFirstHundredErrorsAndCountsTheOthers) {
+  YamlSource source("a.yaml");
+  for (int line = 123; line > 0; --line) source.complain("wrong", {line, 1});
+  const std::string all = all_errors(source);
+  EXPECT_EQ(all.substr(0, 20), "a.yaml:1:1: wrong\na.");
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 100);
+  const std::string end = "a.yaml:100:1: wrong\na.yaml: 123 errors: 100 shown and 23 more";
+  EXPECT_EQ(all.substr(all.size() - end.size()), end);
+}
+
+TEST(YamlSource, IsNotSoundAtInAndAroundWhatWasRefused) {
+  YamlSource source("a.yaml");
+  source.complain("no tags", {1, 1});
+  EXPECT_TRUE(source.is_sound(""));
+  source.refuse("ships[0].radars[1].rpm", "75");
+  for (const char* path : {"", "ships", "ships[0]", "ships[0].radars", "ships[0].radars[1]",
+                           "ships[0].radars[1].rpm", "ships[0].radars[1].rpm[2].x"}) {
+    EXPECT_FALSE(source.is_sound(path)) << path;
+  }
+  for (const char* path : {"ship", "ships[1]", "ships[0].radars[1].rp", "ships[0].radars[1].rpms",
+                           "ships[0].radar", "ships[0].name"}) {
+    EXPECT_TRUE(source.is_sound(path)) << path;
+  }
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(YamlKeys, ThatAreUnknownAreErrorsWithASuggestion) {
   EXPECT_EQ(refusal("parts:\n- name: a\n- name: b\n  widht_m: 3"),
             "t.yaml:4:3: parts[1].widht_m: unknown key; did you mean \"width_m\"?; known keys: "
             "name, width_m");
-  EXPECT_EQ(refusal("part: {\"a\\nb\": 3}"),
+  EXPECT_EQ(refusal("part: {\"a\\nb\": 3, name: n}"),
             "t.yaml:1:8: part.a\\x0ab: unknown key; known keys: name, width_m");
 }
 
@@ -55,10 +55,39 @@ TEST(YamlKeys, ThatAreRequiredMustBeThere) {
   EXPECT_EQ(refusal<test::Required>("length_m: 5\nparts: [{name: a}]"), "");
 }
 
-TEST(YamlKeys, AreCheckedInTheOrderOfTheText) {
+TEST(YamlKeys, AreAllCheckedAndListedInTheOrderOfTheText) {
   EXPECT_EQ(refusal("bounded: 9\nrainbow: 1").substr(0, 19), "t.yaml:1:10: bounde");
   EXPECT_EQ(refusal("rainbow: 1\nbounded: 9").substr(0, 18), "t.yaml:1:1: rainbo");
-  EXPECT_EQ(refusal<test::Required>("parts: [{name: ''}]").substr(0, 20), "t.yaml:1:16: parts[0");
+  EXPECT_EQ(refusal<test::Required>("parts: [{name: ''}]"),
+            "t.yaml:1:1: length_m: missing; expected a number, 2 to 500 m\n"
+            "t.yaml:1:16: parts[0].name: is empty; allowed: at least one character\n"
+            "t.yaml: 2 errors");
+  EXPECT_EQ(
+      refusal("parts:\n"
+              "  - name: [a]\n"
+              "    name: b\n"
+              "  - 7\n"
+              "  - {widht_m: 3, name: c}\n"
+              "number: !n many\n"
+              "words: &p {a: b}\n"
+              "numbers: [1, x, 11]\n"
+              "part: *p\n"
+              "count: 1\n"),
+      "t.yaml:2:11: parts[0].name: expected text, given a list\n"
+      "t.yaml:3:5: parts[0].name: given twice; first in line 2\n"
+      "t.yaml:4:5: parts[1]: expected keys and values, given 7\n"
+      "t.yaml:5:6: parts[2].widht_m: unknown key; did you mean \"width_m\"?; known keys: "
+      "name, width_m\n"
+      "t.yaml:6:9: tag !n: tags are not supported\n"
+      "t.yaml:6:9: number: expected a number, given many\n"
+      "t.yaml:7:8: anchor &p: anchors and aliases are not supported; write the value out\n"
+      "t.yaml:7:8: words: expected a list, given keys and values\n"
+      "t.yaml:8:14: numbers[1]: expected a number, given x; allowed: at most 10\n"
+      "t.yaml:8:17: numbers[2]: 11 is out of range; allowed: at most 10\n"
+      "t.yaml:9:7: part: expected keys and values, given an alias (aliases are not supported; "
+      "write the value out)\n"
+      "t.yaml:10:8: count: 1 is out of range; allowed: 256 to 8192 per turn\n"
+      "t.yaml: 12 errors");
 }
 
 TEST(YamlKeys, ColumnsCountCharactersAndLinesAnyLineEnd) {

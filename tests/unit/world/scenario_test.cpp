@@ -4,8 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "server/config/config_error.hpp"
+#include "tests/scenes/ten_errors.hpp"
 #include "tests/unit/world/refusal.hpp"
 
 namespace skerry::server {
@@ -39,9 +43,11 @@ TEST(Scenario, RefusesWhatTheSchemaForbids) {
             "name, position, course_deg, speed_kn, length_m, beam_m, height_m, "
             "speed_time_constant_s, turn_time_constant_s, max_rate_of_turn_deg_min, radars, "
             "motion, wake, mmsi, ship_type");
-  EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 91, lon: 5}\n"),
+  EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 91, lon: 5}\n"
+                    "    radars: [{}]\n"),
             "4:21: own_ships[0].position.lat: 91 is out of range; allowed: -90 to 90 deg");
-  EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 60}\n"),
+  EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 60}\n"
+                    "    radars: [{}]\n"),
             "4:15: own_ships[0].position.lon: missing; expected a number, -180 to 180 deg");
   EXPECT_EQ(refusal("name: s\n"), "1:1: own_ships: missing; expected a list");
   EXPECT_EQ(refusal("name: s\nown_ships: []\n"),
@@ -116,9 +122,54 @@ TEST(Scenario, CountsAreBounded) {
   EXPECT_EQ(refusal(places), "8:5: coast.places: 1001 entries; allowed: at most 1000");
   EXPECT_EQ(refusal(kTarget + "    course_deg: 360\n    name: " + std::string(65, 'x') + "\n"),
             "10:5: targets[0].name: given twice; first in line 7");
-  EXPECT_EQ(refusal("name: " + std::string(65, 'x') + "\n"),
-            "1:7: name: \"" + std::string(60, 'x') +
+  EXPECT_EQ(refusal(kTarget.substr(7) + "name: " + std::string(65, 'x') + "\n"),
+            "9:7: name: \"" + std::string(60, 'x') +
                 "...\" has 65 characters; allowed: at most 64 characters");
+}
+
+// Errors of all kinds, of the schema and of the checks beyond it, in one list.
+TEST(Scenario, SaysAllThatIsWrongAtOnce) {
+  const std::string path = testing::TempDir() + "ten_errors.yaml";
+  std::ofstream(path) << scenes::kTenErrors;
+  std::vector<std::string> lines;
+  try {
+    load_scenario(path);
+  } catch (const ConfigError& error) {
+    std::istringstream all(error.what());
+    for (std::string line; std::getline(all, line);) lines.push_back(line);
+  }
+  std::filesystem::remove(path);
+  ASSERT_EQ(lines.size(), scenes::kTenErrorsFound.size() + 1);
+  for (std::size_t i = 0; i < scenes::kTenErrorsFound.size(); ++i) {
+    const std::string expected = path + scenes::kTenErrorsFound[i];
+    EXPECT_EQ(lines[i].substr(0, expected.size()), expected);
+  }
+  EXPECT_EQ(lines.back(), path + ": " + std::to_string(scenes::kTenErrorsFound.size()) + " errors");
+}
+
+// A check is left out where a value that it reads was refused already, and only there.
+TEST(Scenario, OneMistakeIsReportedOnce) {
+  EXPECT_EQ(refusal("name: s\nown_ships:\n"
+                    "  - {position: {lat: 60, lon: 5}, radars: [{}]}\n"
+                    "  - {position: {lat: 60, lon: 5}, radars: [{}]}\n"),
+            "3:5: own_ships[0].name: missing; expected text, at most 64 characters\n"
+            "test.yaml:4:5: own_ships[1].name: missing; expected text, at most 64 characters\n"
+            "test.yaml: 2 errors")
+      << "not that two ships of no name have the same";
+  EXPECT_EQ(refusal(kOwnShip + "    length_m: long\n    beam_m: 80\n"),
+            "6:15: own_ships[0].length_m: expected a number, given long; allowed: 2 to 500 m");
+  EXPECT_EQ(refusal(kTarget + "    waypoints: [{lat: 99, lon: 5}, {lat: 61, lon: 5}]\n"
+                              "    speed_kn: fast\n"),
+            "9:23: targets[0].waypoints[0].lat: 99 is out of range; allowed: -90 to 90 deg\n"
+            "test.yaml:10:15: targets[0].speed_kn: expected a number, given fast; allowed: 0 to 60 "
+            "kn\ntest.yaml: 2 errors");
+  const std::string set = refusal(
+      "name: s\nown_ships:\n  - name: F\n    position: {lat: 60, lon: 5}\n"
+      "    radars: [{set: none, antenna_gain_db: 40, gain: 101}]\n");
+  EXPECT_NE(set.find("\"none\" is no shipped set"), std::string::npos) << set;
+  EXPECT_NE(set.find("gain: 101 is out of range"), std::string::npos) << set;
+  EXPECT_NE(set.find("test.yaml: 2 errors"), std::string::npos)
+      << "not that the gain does not go with the beams of no set";
 }
 
 TEST(Scenario, IsReadFromAFile) {
