@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "server/app/config.pb.h"
+#include "server/app/output_text.hpp"
 #include "server/app/outputs.hpp"
 #include "server/app/recorder_options.hpp"
 #include "server/app/version.hpp"
@@ -34,6 +35,28 @@ constexpr const char* kExamples = R"(Examples:
 
 Every stream goes to loopback until told otherwise.  Then look at http://127.0.0.1:7480/ or run
 `skerry status`, `skerry snapshot`.)";
+
+// "native, cat240, ... or iec61162_450".
+std::string kinds_of_outputs() {
+  const std::vector<OutputKind>& kinds = output_kinds();
+  std::string text;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    text += i == 0 ? "" : i + 1 < kinds.size() ? ", " : " or ";
+    text += kinds[i].name;
+  }
+  return text;
+}
+
+// Broken at spaces into lines of at most 72 characters, as the help prints them.
+std::string in_lines(std::string text) {
+  constexpr std::size_t kWidth = 72;
+  for (std::size_t begin = 0; text.size() - begin > kWidth;) {
+    const std::size_t space = text.rfind(' ', begin + kWidth);
+    text[space] = '\n';
+    begin = space + 1;
+  }
+  return text;
+}
 
 UdpDestination destination_of(const app::Destination& d) {
   UdpDestination out;
@@ -154,9 +177,8 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   cli.add_option("--sweeps", sweeps,
                  "records of a radar's interface board to [RADAR@]ADDRESS:PORT (none)");
   cli.add_option("--output", outputs,
-                 "KIND:key=value,...: native, cat240, navico_br24, navico_3g, navico_4g,\n"
-                 "navico_halo20, navico_halo, garmin_xhd, raymarine_quantum, nmea0183 or\n"
-                 "iec61162_450, with the keys of `outputs` in a configuration file");
+                 in_lines("KIND:key=value,...: " + kinds_of_outputs() +
+                          ", with the keys of `outputs` in a configuration file"));
   cli.add_option("--input", inputs, "KIND:key=value,...: nmea0183, to move own ship from outside");
   cli.add_flag("--no-signalk", no_signalk, "no Signal K on the HTTP port");
   cli.add_flag("--no-udp", no_udp, "no native datagrams");

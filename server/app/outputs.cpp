@@ -6,78 +6,23 @@
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
-#include <utility>
 
-#include "server/app/navigation_options.hpp"
-#include "server/app/output_keys.hpp"
-#include "server/config/yaml_message.hpp"
-#include "server/displays/make_emulation.hpp"
+#include "server/displays/emulated_radars.hpp"
 
 namespace skerry::server {
 namespace {
 
 using app::Output;
+using Keys = std::vector<std::string_view>;
 
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr std::uint16_t kCat240Port = 8600, kNativePort = 7411;
 
-// A value as YAML: text in quotes, anything else as it stands.
-std::string as_yaml(const std::string& value, bool text) {
-  if (!text) return value;
-  std::string quoted = "\"";
-  for (const char c : value) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
-
-// The text as the YAML of a message of that schema.
-void parse_entry(const std::string& text, const char* option, google::protobuf::Message& out) {
-  const auto colon = text.find(':');
-  const std::string name = std::string(option) + " " + text;
-  std::vector<std::pair<std::string, std::vector<std::string>>> keys = {
-      {"kind", {text.substr(0, colon)}}};
-  std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
-  while (!rest.empty()) {
-    const auto comma = std::min(rest.find(','), rest.size());
-    const std::string part = rest.substr(0, comma);
-    rest.erase(0, comma + 1);
-    const auto equals = part.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw std::runtime_error(
-          fmt::format("{}: '{}' is not key=value; expected KIND:key=value,key=value", name, part));
-    }
-    const std::string key = part.substr(0, equals);
-    auto known =
-        std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return k.first == key; });
-    if (known == keys.end()) known = keys.insert(keys.end(), {key, {}});
-    known->second.push_back(part.substr(equals + 1));
-  }
-  std::string yaml;
-  for (const auto& [key, values] : keys) {
-    const auto* field = out.GetDescriptor()->FindFieldByName(key);
-    const bool is_text =
-        field != nullptr && field->type() == google::protobuf::FieldDescriptor::TYPE_STRING;
-    const bool is_list = field != nullptr && field->is_repeated();
-    if (!is_list && values.size() > 1) {
-      throw std::runtime_error(fmt::format("{}: '{}' is given twice", name, key));
-    }
-    yaml += fmt::format("{}: ", as_yaml(key, true));
-    if (is_list) yaml += "[";
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      yaml += (i == 0 ? "" : ", ") + as_yaml(values[i], is_text);
-    }
-    yaml += is_list ? "]\n" : "\n";
-  }
-  load_yaml(yaml, name, out);
-}
-
-bool is_stream(const Output& output) {
-  return output.kind() == Output::native || output.kind() == Output::cat240;
-}
-bool is_navigation(const Output& output) {
-  return output.kind() == Output::nmea0183 || output.kind() == Output::iec61162_450;
+// The output's own TTL, or the usual one: 0 on loopback, 1 on another interface.
+int multicast_ttl(const Output& output) {
+  if (output.has_ttl()) return static_cast<int>(output.ttl());
+  const std::string& interface = output.interface_address();
+  return interface.empty() || interface.starts_with("127.") ? 0 : 1;
 }
 
 UdpDestination udp_destination(const Output& output, const std::string& name) {
@@ -140,10 +85,9 @@ Ipv4Endpoint endpoint_of(const std::string& text, const std::string& name) {
   return out;
 }
 
-DisplayOutputConfig display_of(const Output& output, const std::string& name,
-                               std::uint32_t number) {
+DisplayOutputConfig display_of(const Output& output, const EmulatedRadar& radar,
+                               const std::string& name, std::uint32_t number) {
   EmulationSpec spec;
-  spec.kind = static_cast<EmulationKind>(output.kind() - Output::navico_br24);
   spec.number = number;
   spec.serial = output.serial();
   spec.dual_range = output.dual_range();
@@ -152,14 +96,14 @@ DisplayOutputConfig display_of(const Output& output, const std::string& name,
   for (const std::string& text : output.addresses()) {
     spec.addresses.push_back(endpoint_of(text, name + ": addresses"));
   }
-  if (const auto fault = fault_of(spec)) throw std::runtime_error(name + ": " + *fault);
+  if (const auto fault = radar.fault(spec)) throw std::runtime_error(name + ": " + *fault);
   if (!spec.dual_range && (output.has_radar_b() || output.has_view_b())) {
     throw std::runtime_error(name + ": radar_b and view_b are of range B; add dual_range: true");
   }
   DisplayOutputConfig display;
-  display.name = Output::Kind_Name(output.kind());
-  display.make = [spec] { return make_emulation(spec); };
-  display.identity = identity_of(spec);
+  display.name = radar.name;
+  display.make = [&radar, spec] { return radar.make(spec); };
+  display.identity = radar.identity(spec);
   display.interface_address =
       output.interface_address().empty() ? kLoopback : output.interface_address();
   display.ttl = multicast_ttl(output);
@@ -169,65 +113,188 @@ DisplayOutputConfig display_of(const Output& output, const std::string& name,
                                !output.has_view_b() || output.view_b() == Output::own});
   }
   display.obeys = !output.has_obeys() || output.obeys();
-  display.burst = burst_of(spec.kind);
+  display.burst = radar.burst;
   return display;
 }
 
-// The first radar has what is usual for its kind.  A HALO, whose displays ask it for its addresses,
-// keeps away from what other Navico radars have fixed.
-std::uint32_t number_of(const app::ServerConfig& file, int index) {
-  const auto fixed = [](const Output& output) {
-    return output.kind() >= Output::navico_br24 && output.kind() <= Output::navico_4g;
+const EmulatedRadar* radar_of(const Output& output) {
+  return find_emulated_radar(Output::Kind_Name(output.kind()));
+}
+
+// EmulationSpec::number of entry `index`, a `radar`.  The first radar of a model has 0.  Radars of
+// one maker that announce their addresses are counted together, and leave 0 to those of that maker
+// whose addresses are fixed.
+std::uint32_t number_of(const app::ServerConfig& file, int index, const EmulatedRadar& radar) {
+  std::uint32_t before = 0;
+  bool beside_fixed = false;
+  for (int i = 0; i < file.outputs_size(); ++i) {
+    const EmulatedRadar* const other = radar_of(file.outputs(i));
+    if (other == nullptr || other->maker != radar.maker) continue;
+    beside_fixed = beside_fixed || other->fixed_addresses;
+    const bool counts = radar.fixed_addresses ? other == &radar : !other->fixed_addresses;
+    if (i < index && counts) ++before;
+  }
+  return before + (!radar.fixed_addresses && beside_fixed ? 1 : 0);
+}
+
+// "hdt=0.1".
+void add_sentence(const std::string& text, const std::string& name, NavigationPlan& plan) {
+  const auto fail = [&](const std::string& why) -> std::runtime_error {
+    return std::runtime_error(fmt::format(
+        "{}: sentences: '{}': {}; expected a sentence and its period in seconds, as hdt=0.1, or "
+        "vdm=0 for the periods of AIS itself",
+        name, text, why));
   };
-  const bool beside_fixed = std::any_of(file.outputs().begin(), file.outputs().end(), fixed);
-  const Output::Kind kind = file.outputs(index).kind();
-  const bool halo = kind == Output::navico_halo || kind == Output::navico_halo20;
-  const auto kin = [&](const Output& output) {
-    return halo ? output.kind() == Output::navico_halo || output.kind() == Output::navico_halo20
-                : output.kind() == kind;
+  const auto equals = text.find('=');
+  const auto sentence = find_navigation_sentence(text.substr(0, equals));
+  if (!sentence) throw fail("there is no such sentence");
+  if (equals == std::string::npos) throw fail("no period");
+  double seconds = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data() + equals + 1, end, seconds);
+  // Longer ones than an hour are refused by the plan, naming its range.
+  if (error != std::errc{} || next != end || !(seconds >= 0.0) || seconds > 1e6) {
+    throw fail("the period is no number");
+  }
+  plan.periods[*sentence] = seconds_as_duration(seconds);
+}
+
+NavigationPlan plan_of(const Output& output, const std::string& name) {
+  NavigationPlan plan;
+  if (output.sentences_size() > 0) plan.periods.clear();
+  for (const std::string& text : output.sentences()) add_sentence(text, name, plan);
+  if (output.has_static_period_s()) {
+    plan.static_period = seconds_as_duration(output.static_period_s());
+  }
+  plan.own_mmsi = output.own_mmsi();
+  if (output.has_ais_range_nm()) plan.ais_range_nm = output.ais_range_nm();
+  if (output.has_tracking_range_nm()) plan.tracking_range_nm = output.tracking_range_nm();
+  if (output.has_tracked_targets()) plan.tracked_targets = output.tracked_targets();
+  plan.says_simulated = output.says_simulated();
+  if (const auto fault = fault_in(plan)) throw std::runtime_error(name + ": " + *fault);
+  return plan;
+}
+
+NavigationOutputConfig navigation_output_of(const Output& output, const std::string& name) {
+  NavigationOutputConfig out;
+  out.radar = output.radar();
+  const bool iec450 = output.kind() == Output::iec61162_450;
+  out.transport = iec450                              ? NavigationTransport::iec450
+                  : output.transport() == Output::tcp ? NavigationTransport::tcp
+                                                      : NavigationTransport::udp;
+  if (iec450) out.address.clear();
+  if (output.has_address()) out.address = output.address();
+  if (output.has_port()) out.port = static_cast<std::uint16_t>(output.port());
+  out.broadcast = output.broadcast();
+  if (output.has_interface_address()) out.interface_address = output.interface_address();
+  out.multicast_ttl = multicast_ttl(output);
+  if (output.has_source()) out.source = output.source();
+  out.plan = plan_of(output, name);
+  return out;
+}
+
+NavigationInputConfig navigation_input_of(const app::Input& input) {
+  NavigationInputConfig out;
+  out.radar = input.radar();
+  out.transport =
+      input.transport() == app::Input::tcp ? NavigationTransport::tcp : NavigationTransport::udp;
+  if (input.has_address()) out.address = input.address();
+  out.port = static_cast<std::uint16_t>(input.port());
+  if (input.has_interface_address()) out.interface_address = input.interface_address();
+  for (const std::string& source : input.sources()) out.sources.push_back(source);
+  return out;
+}
+
+using Add = decltype(OutputKind::add);
+
+constexpr Add kAddStream = [](const app::ServerConfig& file, int index, const std::string& name,
+                              NetConfig& net) {
+  net.streams.push_back(stream_of(file.outputs(index), name, net.cat240_source));
+};
+constexpr Add kAddRadar = [](const app::ServerConfig& file, int index, const std::string& name,
+                             NetConfig& net) {
+  const Output& output = file.outputs(index);
+  const EmulatedRadar& radar = *radar_of(output);
+  net.displays.push_back(display_of(output, radar, name, number_of(file, index, radar)));
+};
+constexpr Add kAddSentences = [](const app::ServerConfig& file, int index, const std::string& name,
+                                 NetConfig& net) {
+  net.navigation_outputs.push_back(navigation_output_of(file.outputs(index), name));
+};
+
+std::vector<OutputKind> make_kinds() {
+  const Keys common = {"kind", "radar", "interface_address", "ttl"};
+  const Keys stream = {"view", "address", "port", "max_datagram", "spokes", "cells", "bits"};
+  const Keys cat240 = {"sac",         "sic",       "nanoseconds", "blocks", "compressed",
+                       "time_of_day", "summaries", "start_range", "records"};
+  const Keys sentences = {"address",         "port",
+                          "sentences",       "own_mmsi",
+                          "ais_range_nm",    "tracking_range_nm",
+                          "tracked_targets", "static_period_s",
+                          "says_simulated"};
+  std::vector<OutputKind> kinds;
+  const auto add = [&](std::string_view name, Add how, std::initializer_list<Keys> further) {
+    kinds.push_back({name, common, how});
+    for (const Keys& keys : further) {
+      kinds.back().keys.insert(kinds.back().keys.end(), keys.begin(), keys.end());
+    }
   };
-  const auto before = std::count_if(file.outputs().begin(), file.outputs().begin() + index, kin);
-  return static_cast<std::uint32_t>(before) + (halo && beside_fixed ? 1 : 0);
+  add("native", kAddStream, {stream});
+  add("cat240", kAddStream, {stream, cat240});
+  for (const EmulatedRadar& radar : emulated_radars()) {
+    add(radar.name, kAddRadar, {{"view", "obeys"}, radar.keys});
+  }
+  add("nmea0183", kAddSentences, {sentences, {"transport", "broadcast"}});
+  add("iec61162_450", kAddSentences, {sentences, {"source"}});
+  return kinds;
+}
+
+bool takes(const OutputKind& kind, std::string_view key) {
+  return std::find(kind.keys.begin(), kind.keys.end(), key) != kind.keys.end();
+}
+
+const OutputKind& kind_of(const Output& output) {
+  const std::string& name = Output::Kind_Name(output.kind());
+  for (const OutputKind& kind : output_kinds()) {
+    if (kind.name == name) return kind;
+  }
+  throw std::logic_error("output_kinds() has no row for " + name);
+}
+
+void check_keys(const Output& output, const OutputKind& kind, const std::string& name) {
+  std::vector<const google::protobuf::FieldDescriptor*> given;
+  output.GetReflection()->ListFields(output, &given);
+  for (const auto* field : given) {
+    if (takes(kind, field->name())) continue;
+    Keys takers;
+    for (const OutputKind& other : output_kinds()) {
+      if (takes(other, field->name())) takers.push_back(other.name);
+    }
+    throw std::runtime_error(fmt::format(
+        "{}: '{}' is not a key of this kind; it takes {}. '{}' is a key of {}", name, field->name(),
+        fmt::join(kind.keys, ", "), field->name(), fmt::join(takers, ", ")));
+  }
 }
 
 }  // namespace
 
-int multicast_ttl(const Output& output) {
-  if (output.has_ttl()) return static_cast<int>(output.ttl());
-  const std::string& interface = output.interface_address();
-  return interface.empty() || interface.starts_with("127.") ? 0 : 1;
-}
-
-Output parse_output(const std::string& text) {
-  Output output;
-  parse_entry(text, "--output", output);
-  return output;
-}
-
-app::Input parse_input(const std::string& text) {
-  app::Input input;
-  parse_entry(text, "--input", input);
-  return input;
+const std::vector<OutputKind>& output_kinds() {
+  static const std::vector<OutputKind> kinds = make_kinds();
+  return kinds;
 }
 
 void add_outputs(const app::ServerConfig& file, NetConfig& net) {
   for (int i = 0; i < file.outputs_size(); ++i) {
-    const Output& output = file.outputs(i);
-    const std::string name = name_of(output, i);
-    check_keys(output, name);
-    if (is_stream(output)) {
-      net.streams.push_back(stream_of(output, name, net.cat240_source));
-    } else if (is_navigation(output)) {
-      net.navigation_outputs.push_back(navigation_output_of(output, name));
-    } else {
-      net.displays.push_back(display_of(output, name, number_of(file, i)));
-    }
+    const OutputKind& kind = kind_of(file.outputs(i));
+    const std::string name = fmt::format("outputs[{}] ({})", i, kind.name);
+    check_keys(file.outputs(i), kind, name);
+    kind.add(file, i, name, net);
   }
 }
 
 void add_inputs(const app::ServerConfig& file, NetConfig& net) {
-  for (int i = 0; i < file.inputs_size(); ++i) {
-    net.navigation_inputs.push_back(navigation_input_of(file.inputs(i)));
+  for (const app::Input& input : file.inputs()) {
+    net.navigation_inputs.push_back(navigation_input_of(input));
   }
 }
 

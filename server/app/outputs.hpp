@@ -1,22 +1,28 @@
-// Outputs and inputs: from the configuration file or the command line to the network's own terms.
+// Outputs and inputs: from the configuration to the network's own terms.
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "server/app/config.pb.h"
 #include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
 
-// "KIND" or "KIND:key=value,key=value": the keys of an entry of `outputs` or `inputs` in
-// config.proto, a list's key once for each of its values.
-// Error: ConfigError or std::runtime_error naming the text, what is wrong and what was expected.
-app::Output parse_output(const std::string& text);
-app::Input parse_input(const std::string& text);
+// One kind of output: a row for each value of Output.Kind, in the same order.
+struct OutputKind {
+  std::string_view name;
+  std::vector<std::string_view> keys;  // that an entry of this kind takes
 
-// Adds the outputs of `file` to `net`, streams, emulated radars and sentences each to their own
-// list.  Keys that are not of its kind are refused.
-// Error: std::runtime_error naming the entry, the key, and what was expected.
+  // Adds entry `index` of file.outputs; `name` begins what it says of errors.
+  void (*add)(const app::ServerConfig& file, int index, const std::string& name, NetConfig& net);
+};
+const std::vector<OutputKind>& output_kinds();
+
+// Adds the outputs of `file` to `net`: streams, emulated radars and sentences each to their list.
+// Error: std::runtime_error naming the entry, the key, and what was expected; also for a key that
+// its kind does not take.
 void add_outputs(const app::ServerConfig& file, NetConfig& net);
 void add_inputs(const app::ServerConfig& file, NetConfig& net);
 

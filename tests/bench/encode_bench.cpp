@@ -12,14 +12,11 @@
 #include "protocol/asterix/cat240_stream.hpp"
 #include "protocol/signalk/radar_message.hpp"
 #include "protocol/wire/frame.hpp"
-#include "server/displays/make_emulation.hpp"
+#include "server/displays/emulated_radars.hpp"
 #include "tests/unit/displays/fake_display_port.hpp"
 
 namespace skerry {
 namespace {
-
-using server::EmulationKind;
-using server::EmulationSpec;
 
 constexpr std::uint32_t kCells = 1024, kSectorSpokes = 16;
 
@@ -84,17 +81,15 @@ void add(const std::string& name, const std::vector<Sector>& turn,
                                [turn, make](benchmark::State& state) { run(state, turn, make()); });
 }
 
-void add_emulation(const std::string& name, EmulationKind kind, std::uint32_t turn_spokes) {
+void add_emulation(const server::EmulatedRadar& row, std::uint32_t turn_spokes) {
   // As far as the radar's own spokes reach beyond its range.
-  EmulationSpec spec;
-  spec.kind = kind;
-  const auto emulation = server::make_emulation(spec);
+  const auto emulation = row.make({});
   wire::Settings settings;
   settings.set_range_nm(3.0);
   const double reach =
       emulation->instrumented_range_m(server::RangeChannel::a, settings) / (3.0 * 1852.0);
-  add(name, turn_of(turn_spokes, reach), [spec] {
-    const std::shared_ptr<server::RadarEmulation> radar = server::make_emulation(spec);
+  add(row.identity({}).family, turn_of(turn_spokes, reach), [&row] {
+    const std::shared_ptr<server::RadarEmulation> radar = row.make({});
     server::FakeDisplayPort port;
     port.at(server::RangeChannel::a).set_range_nm(3.0);
     port.at(server::RangeChannel::a).set_standby(false);
@@ -146,11 +141,9 @@ void register_all() {
     Cat240StreamShape compressed;
     compressed.options.compressed = true;
     add_cat240("CAT240 zlib", turn_spokes, compressed);
-    add_emulation("Navico BR24", EmulationKind::navico_br24, turn_spokes);
-    add_emulation("Navico 4G", EmulationKind::navico_4g, turn_spokes);
-    add_emulation("Navico HALO", EmulationKind::navico_halo, turn_spokes);
-    add_emulation("Garmin xHD", EmulationKind::garmin_xhd, turn_spokes);
-    add_emulation("Raymarine Quantum", EmulationKind::raymarine_quantum, turn_spokes);
+    for (const server::EmulatedRadar& row : server::emulated_radars()) {
+      add_emulation(row, turn_spokes);
+    }
     add("Signal K", turn_of(turn_spokes, 1.0), [] {
       return [out = Bytes()](const Sector& sector) mutable {
         out.clear();

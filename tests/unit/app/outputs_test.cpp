@@ -5,30 +5,50 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "server/app/options.hpp"
+#include "server/app/output_text.hpp"
+#include "server/displays/emulated_radars.hpp"
 
 namespace skerry::server {
 namespace {
 
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
-NetConfig config_of(const std::vector<std::string>& outputs) {
+NetConfig config_with(const std::vector<app::Output>& outputs) {
   app::ServerConfig file;
-  for (const std::string& text : outputs) *file.add_outputs() = parse_output(text);
+  for (const app::Output& output : outputs) *file.add_outputs() = output;
   NetConfig net;
   add_outputs(file, net);
   return net;
 }
 
-std::string refusal(const std::string& output) {
+NetConfig config_of(const std::vector<std::string>& texts) {
+  std::vector<app::Output> outputs;
+  for (const std::string& text : texts) outputs.push_back(parse_output(text));
+  return config_with(outputs);
+}
+
+template <class Configure>
+std::string refusal_of(Configure configure) {
   try {
-    config_of({output});
+    configure();
   } catch (const std::exception& error) {
     return error.what();
   }
   return "accepted";
+}
+std::string refusal(const std::string& text) {
+  return refusal_of([&] { config_with({parse_output(text)}); });
 }
 
 TEST(Outputs, AStreamHasItsDestinationAndShape) {
@@ -103,7 +123,6 @@ TEST(Outputs, AddressesOfAHaloMayBeGiven) {
               HasSubstr("addresses are 3 groups"));
   EXPECT_THAT(refusal("navico_halo:addresses=239.255.75:7101"), HasSubstr("as 236.6.7.8:6678"));
   EXPECT_THAT(refusal("navico_halo:addresses=239.255.75.1:71010"), HasSubstr("as 236.6.7.8:6678"));
-  EXPECT_THAT(refusal("navico_4g:addresses=239.255.75.1:7101"), HasSubstr("know its addresses"));
 }
 
 TEST(Outputs, SentencesAreGivenWithTheirPeriods) {
@@ -123,14 +142,111 @@ TEST(Outputs, SentencesAreGivenWithTheirPeriods) {
 TEST(Outputs, KeysOfAnotherKindAreRefusedByName) {
   EXPECT_THAT(
       refusal("native:compressed=true"),
-      HasSubstr("outputs[0] (native): 'compressed' is not a key of this kind; it takes kind"));
-  EXPECT_THAT(refusal("garmin_xhd:serial=12"), HasSubstr("does not tell one"));
-  EXPECT_THAT(refusal("raymarine_quantum:standby_after_s=10"), HasSubstr("Navico radars alone"));
+      HasSubstr("outputs[0] (native): 'compressed' is not a key of this kind; it takes kind, "
+                "radar, interface_address, ttl, view, address, port, max_datagram, spokes, "
+                "cells, bits. 'compressed' is a key of cat240"));
   EXPECT_THAT(refusal("navico_4g:radar_b=1"), HasSubstr("add dual_range: true"));
   EXPECT_THAT(refusal("navico_4g:radar=one"), HasSubstr("radar"));
   EXPECT_THAT(refusal("navico_4g:radar=1,radar=2"), HasSubstr("'radar' is given twice"));
   EXPECT_THAT(refusal("navico_4g:serial=12345678901234567"), HasSubstr("more than 16 characters"));
   EXPECT_EQ(parse_output("navico_4g:serial=\"\\]: #").serial(), "\"\\]: #") << "text is text";
+}
+
+std::vector<std::string> keys_of_the_schema() {
+  std::vector<std::string> keys;
+  for (int i = 0; i < app::Output::descriptor()->field_count(); ++i) {
+    keys.push_back(app::Output::descriptor()->field(i)->name());
+  }
+  return keys;
+}
+
+TEST(OutputKinds, AreThoseOfTheSchemaAndTakeEachOfItsKeys) {
+  const auto& schema = *app::Output::Kind_descriptor();
+  ASSERT_EQ(output_kinds().size(), static_cast<std::size_t>(schema.value_count()));
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < output_kinds().size(); ++i) {
+    const OutputKind& kind = output_kinds()[i];
+    EXPECT_EQ(kind.name, schema.value(static_cast<int>(i))->name());
+    taken.insert(kind.keys.begin(), kind.keys.end());
+  }
+  const auto keys = keys_of_the_schema();
+  EXPECT_EQ(taken, std::set<std::string>(keys.begin(), keys.end()));
+}
+
+// An output of that kind with a value of that key; whether the value is any good does not matter.
+app::Output with_key(const std::string& kind, const google::protobuf::FieldDescriptor& key) {
+  using google::protobuf::FieldDescriptor;
+  app::Output output = parse_output(kind);
+  const auto& reflection = *output.GetReflection();
+  if (key.is_repeated()) {
+    reflection.AddString(&output, &key, "1");
+  } else if (key.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+    reflection.SetString(&output, &key, "1");
+  } else if (key.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) {
+    reflection.SetBool(&output, &key, true);
+  } else if (key.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+    reflection.SetDouble(&output, &key, 60.0);
+  } else if (key.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
+    reflection.SetEnumValue(&output, &key, 1);
+  } else {
+    reflection.SetUInt32(&output, &key, 1);
+  }
+  return output;
+}
+
+// What a page of the documentation says of outputs, all pages together.
+std::string documentation() {
+  namespace fs = std::filesystem;
+  const fs::path root = SKERRY_SOURCE_DIR;
+  std::string text;
+  const auto add = [&](const fs::path& page) {
+    std::ifstream in(page);
+    text.append(std::istreambuf_iterator<char>(in), {});
+  };
+  add(root / "README.md");
+  for (const auto& entry : fs::recursive_directory_iterator(root / "server")) {
+    if (entry.path().extension() == ".md") add(entry.path());
+  }
+  return text;
+}
+
+std::string help() {
+  testing::internal::CaptureStdout();
+  const char* const arguments[] = {"skerryd", "--help"};
+  EXPECT_FALSE(read_options(2, arguments));
+  return testing::internal::GetCapturedStdout();
+}
+
+// A row is enough: configuration, checks, status, help and documentation follow it.
+TEST(EmulatedRadars, EachRowIsAnOutputWithItsKeysNumbersHelpAndDocumentation) {
+  const std::string manual = documentation(), printed = help();
+  const auto& schema = *app::Output::descriptor();
+  const std::vector<std::string> common = {"radar", "view", "interface_address", "ttl", "obeys"};
+  for (const EmulatedRadar& radar : emulated_radars()) {
+    const std::string name(radar.name);
+    SCOPED_TRACE(name);
+    const NetConfig net = config_of({name, name});
+    ASSERT_EQ(net.displays.size(), 2u);
+    for (const DisplayOutputConfig& display : net.displays) {
+      EXPECT_EQ(display.name, name) << "its name in the status";
+      EXPECT_EQ(display.burst, radar.burst);
+      EXPECT_THAT(display.make()->channels(), Not(IsEmpty()));
+      EXPECT_THAT(display.identity.fixed_addresses, Not(IsEmpty()));
+    }
+    EXPECT_EQ(net.displays[0].identity.fixed_addresses == net.displays[1].identity.fixed_addresses,
+              radar.fixed_addresses)
+        << "two on one host are in each other's way if displays know the addresses beforehand";
+    for (int i = 0; i < schema.field_count(); ++i) {
+      const std::string& key = schema.field(i)->name();
+      if (key == "kind" || std::count(common.begin(), common.end(), key) > 0) continue;
+      const std::string outcome =
+          refusal_of([&] { config_with({with_key(name, *schema.field(i))}); });
+      const bool takes = std::count(radar.keys.begin(), radar.keys.end(), key) > 0;
+      EXPECT_EQ(outcome.find("is not a key of this kind") == std::string::npos, takes) << outcome;
+    }
+    EXPECT_THAT(printed, HasSubstr(name));
+    EXPECT_THAT(manual, HasSubstr("`" + name + "`"));
+  }
 }
 
 }  // namespace
