@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -194,20 +193,9 @@ app::Output with_key(const std::string& kind, const google::protobuf::FieldDescr
   return output;
 }
 
-// What a page of the documentation says of outputs, all pages together.
 std::string documentation() {
-  namespace fs = std::filesystem;
-  const fs::path root = SKERRY_SOURCE_DIR;
-  std::string text;
-  const auto add = [&](const fs::path& page) {
-    std::ifstream in(page);
-    text.append(std::istreambuf_iterator<char>(in), {});
-  };
-  add(root / "README.md");
-  for (const auto& entry : fs::recursive_directory_iterator(root / "server")) {
-    if (entry.path().extension() == ".md") add(entry.path());
-  }
-  return text;
+  std::ifstream page(SKERRY_SOURCE_DIR "/server/displays/README.md");
+  return {std::istreambuf_iterator<char>(page), {}};
 }
 
 std::string help() {
@@ -246,6 +234,9 @@ TEST(EmulatedRadars, EachRowIsAnOutputWithItsKeysNumbersHelpAndDocumentation) {
     }
     EXPECT_THAT(printed, HasSubstr(name));
     EXPECT_THAT(manual, HasSubstr("`" + name + "`"));
+    for (const std::string_view key : radar.keys) {
+      EXPECT_THAT(manual, HasSubstr("`" + std::string(key) + "`"));
+    }
   }
 }
 
