@@ -16,7 +16,7 @@ inline constexpr double kBankHeight = 4.0;  // of a rocky shore, metres
 // Height of the land above the water at `inland` metres behind a rocky shore, given the two noises
 // of that place in [-1, 1]: a bank at the edge, a rise over the first half kilometre, and roughness
 // that grows inland.  Synthetic: no chart of GSHHG's kind has heights.  Chosen so that the echo's
-// thickness and patches are like SOURCES.md "Pictures (c)": MODEL.md section 5.  Grows with
+// thickness and patches are like SOURCES.md "Pictures (c)": echo/returns/README.md.  Grows with
 // `broad`, and with `inland` and `fine` where fine >= 0.
 template <typename Real>
 inline __attribute__((always_inline)) Real natural_height(Real inland, Real broad, Real fine) {
