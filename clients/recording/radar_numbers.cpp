@@ -1,27 +1,29 @@
 #include "clients/recording/radar_numbers.hpp"
 
 #include <fmt/format.h>
+#include <google/protobuf/descriptor.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <set>
 
-#include "protocol/recording/recording.pb.h"
+#include "protocol/recording/topics.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {
 
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
 using recording::Item;
-using recording::Kind;
 using recording::RecordingReader;
 
 // Radars that a recording says it has, or has items of.
 std::map<std::uint32_t, wire::RadarInfo> radars_of(const RecordingReader& reader) {
   std::map<std::uint32_t, wire::RadarInfo> radars;
   for (const auto& [topic, count] : reader.summary().items) {
-    if (topic.kind == Kind::spoke || topic.kind == Kind::settings || topic.kind == Kind::own_ship) {
-      radars[topic.radar].set_radar(topic.radar);
-    }
+    if (is_of_a_radar(topic.kind)) radars[topic.radar].set_radar(topic.radar);
   }
   if (const auto hello = reader.hello()) {
     for (const auto& info : hello->radars()) radars[info.radar()] = info;
@@ -34,13 +36,30 @@ bool same_radar(const wire::RadarInfo& a, const wire::RadarInfo& b) {
          a.spokes_per_turn() == b.spokes_per_turn();
 }
 
-// Re-serialises `item` as a Message whose radar is set by `change`; empty if it cannot be read.
-template <typename Message, typename Change>
-std::string changed(const Item& item, const Change& change) {
-  Message message;
-  if (!message.ParseFromArray(item.bytes.data(), static_cast<int>(item.bytes.size()))) return {};
-  change(message);
-  return message.SerializeAsString();
+// Renames the radars that a message names: its field `radar`, and `radars` of it and of its lists.
+// False: it has no such field.
+bool rename_radars(Message& message, const std::function<std::uint32_t(std::uint32_t)>& rename) {
+  const auto& at = *message.GetReflection();
+  const auto& fields = *message.GetDescriptor();
+  bool names_some = false;
+  for (int i = 0; i < fields.field_count(); ++i) {
+    const FieldDescriptor& field = *fields.field(i);
+    const bool is_list = field.is_repeated();
+    const bool names_radar = field.cpp_type() == FieldDescriptor::CPPTYPE_UINT32 &&
+                             field.name() == (is_list ? "radars" : "radar");
+    names_some |= names_radar;
+    if (names_radar && !is_list) {
+      at.SetUInt32(&message, &field, rename(at.GetUInt32(message, &field)));
+    }
+    for (int k = 0; is_list && k < at.FieldSize(message, &field); ++k) {
+      if (names_radar) {
+        at.SetRepeatedUInt32(&message, &field, k, rename(at.GetRepeatedUInt32(message, &field, k)));
+      } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+        names_some |= rename_radars(*at.MutableRepeatedMessage(&message, &field, k), rename);
+      }
+    }
+  }
+  return names_some;
 }
 
 }  // namespace
@@ -90,38 +109,15 @@ Item RadarNumbers::renamed(std::size_t source, const Item& item) {
                   [](const auto& each) { return each.first == each.second; })) {
     return item;
   }
-  const auto rename = [&](auto& message) { message.set_radar(of(source, message.radar())); };
+  const recording::KindRow& row = recording::row_of(item.topic.kind);
+  // Inputs name the radars of the exercise, which joining does not change.
+  if (row.edit == recording::EditRule::cumulated) return item;
   Item out = item;
-  bytes_.clear();
-  switch (item.topic.kind) {
-    case Kind::spoke:
-      bytes_ = changed<wire::Spoke>(item, rename);
-      break;
-    case Kind::settings:
-      bytes_ = changed<wire::Settings>(item, rename);
-      break;
-    case Kind::own_ship:
-      bytes_ = changed<wire::OwnShip>(item, rename);
-      break;
-    case Kind::event:
-      bytes_ = changed<recording::Event>(item, rename);
-      break;
-    case Kind::traffic:
-      bytes_ = changed<recording::Traffic>(item, [&](recording::Traffic& traffic) {
-        for (auto& each : *traffic.mutable_items()) {
-          for (auto& radar : *each.mutable_radars()) radar = of(source, radar);
-        }
-      });
-      break;
-    case Kind::hello:
-    case Kind::world:
-    case Kind::log:
-    case Kind::input:
-      return item;
-  }
-  if (item.topic.kind != Kind::event && item.topic.kind != Kind::traffic) {
-    out.topic.radar = of(source, item.topic.radar);
-  }
+  if (is_of_a_radar(item.topic.kind)) out.topic.radar = of(source, item.topic.radar);
+  const std::unique_ptr<Message> message(row.message().New());
+  if (!message->ParseFromArray(item.bytes.data(), static_cast<int>(item.bytes.size()))) return out;
+  if (!rename_radars(*message, [&](std::uint32_t radar) { return of(source, radar); })) return out;
+  bytes_ = message->SerializeAsString();
   if (!bytes_.empty()) {
     out.bytes = {reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size()};
   }

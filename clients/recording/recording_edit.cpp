@@ -10,10 +10,12 @@
 #include "clients/recording/progress.hpp"
 #include "clients/recording/radar_numbers.hpp"
 #include "protocol/recording/inputs.pb.h"
+#include "protocol/recording/topics.hpp"
 
 namespace skerry::client {
 namespace {
 
+using recording::EditRule;
 using recording::Item;
 using recording::ItemCursor;
 using recording::Kind;
@@ -22,9 +24,7 @@ using recording::RecordingReader;
 using recording::RecordingWriter;
 using recording::Topic;
 
-bool is_state(Kind kind) {
-  return kind == Kind::settings || kind == Kind::own_ship || kind == Kind::world;
-}
+EditRule rule_of(const Topic& topic) { return recording::row_of(topic.kind).edit; }
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -72,16 +72,16 @@ Result<EditReport, RecordingError> cut_recording(const RecordingReader& source, 
   if (const auto hello = source.hello()) add_hello(copier, *hello, from);
   for (const recording::Attachment& each : summary.attachments) writer.attach(each);
   for (const auto& [topic, count] : summary.items) {
-    if (!is_state(topic.kind)) continue;
+    if (rule_of(topic) != EditRule::state) continue;
     const auto bytes = source.last_before(topic, from);
     if (bytes) copier.add(Item{topic, from, *bytes});
   }
-  const Topic inputs{Kind::input, 0, 0};
-  if (summary.items.contains(inputs)) {
-    ItemCursor cursor = source.items({inputs});
+  for (const auto& [topic, count] : summary.items) {
+    if (rule_of(topic) != EditRule::cumulated) continue;
+    ItemCursor cursor = source.items({topic});
     while (const auto item = cursor.next()) {
       if (item->time >= from) break;
-      copier.add(Item{inputs, from, item->bytes});
+      copier.add(Item{topic, from, item->bytes});
     }
   }
   const std::uint64_t before = copier.report().items;
@@ -90,9 +90,8 @@ Result<EditReport, RecordingError> cut_recording(const RecordingReader& source, 
   while (const auto item = cursor.next()) {
     if (item->time >= to) break;
     // The state at `from` itself is written, and the Hello.
-    if (item->topic.kind == Kind::hello || (item->time == from && is_state(item->topic.kind))) {
-      continue;
-    }
+    const EditRule rule = rule_of(item->topic);
+    if (rule == EditRule::once || (rule == EditRule::state && item->time == from)) continue;
     copier.add(*item);
     if (!copier.go_on(item->time)) return Failure{RecordingError{summary.file, 0, "given up"}};
   }
@@ -169,8 +168,9 @@ Result<EditReport, RecordingError> join_recordings(std::span<const RecordingRead
     }
     if (!first) break;
     const Item& item = *first->item;
-    const bool wanted = item.topic.kind == Kind::input ? sieve.take(first->source, item)
-                                                       : item.topic.kind != Kind::hello;
+    const EditRule rule = rule_of(item.topic);
+    const bool wanted =
+        rule == EditRule::cumulated ? sieve.take(first->source, item) : rule != EditRule::once;
     if (wanted) copier.add(numbers.renamed(first->source, item));
     if (!copier.go_on(item.time)) {
       return Failure{RecordingError{sources[first->source].summary().file, 0, "given up"}};

@@ -3,40 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "clients/recording/position.hpp"
 #include "protocol/picture/label_text.hpp"
+#include "protocol/recording/topics.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {
 
-using recording::Kind;
 using recording::RecordingReader;
 using recording::Summary;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kInfoLooksEvery = 4096;  // items
 constexpr std::size_t kMarksListed = 50;
-
-constexpr std::array<std::pair<Kind, const char*>, recording::kKinds> kNames = {
-    {{Kind::hello, "hello"},
-     {Kind::spoke, "spokes"},
-     {Kind::settings, "settings"},
-     {Kind::own_ship, "own ship"},
-     {Kind::world, "world"},
-     {Kind::traffic, "traffic"},
-     {Kind::event, "events"},
-     {Kind::log, "log lines"},
-     {Kind::input, "inputs"}}};
-
-const char* name_of(Kind kind) {
-  const auto found = std::find_if(kNames.begin(), kNames.end(),
-                                  [&](const auto& each) { return each.first == kind; });
-  return found == kNames.end() ? "?" : found->second;
-}
 
 std::string bytes_text(std::uint64_t bytes) {
   const auto value = static_cast<double>(bytes);
@@ -66,13 +48,11 @@ std::string radar_text(const wire::RadarInfo& info) {
 }
 
 std::string topic_text(const recording::Topic& topic, std::uint64_t count) {
+  const recording::KindRow& row = recording::row_of(topic.kind);
   std::string of;
-  if (topic.kind == Kind::spoke || topic.kind == Kind::settings) {
-    of = fmt::format(" of radar {} view {}", topic.radar, topic.view);
-  } else if (topic.kind == Kind::own_ship) {
-    of = fmt::format(" of radar {}", topic.radar);
-  }
-  return fmt::format("  {:>12} {}{}\n", count, name_of(topic.kind), of);
+  if (row.scope != recording::Scope::recording) of += fmt::format(" of radar {}", topic.radar);
+  if (row.scope == recording::Scope::view) of += fmt::format(" view {}", topic.view);
+  return fmt::format("  {:>12} {}{}\n", count, row.title, of);
 }
 
 Json radar_json(const wire::RadarInfo& info) {
@@ -177,7 +157,7 @@ std::string info_json(const RecordingReader& reader, const std::optional<CheckRe
   }
   out["items"] = Json::array();
   for (const auto& [topic, count] : summary.items) {
-    out["items"].push_back({{"kind", name_of(topic.kind)},
+    out["items"].push_back({{"kind", recording::row_of(topic.kind).title},
                             {"radar", topic.radar},
                             {"view", topic.view},
                             {"count", count}});

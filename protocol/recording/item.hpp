@@ -10,24 +10,24 @@
 
 namespace skerry::recording {
 
-// Of an item; in brackets the message its bytes are.
+// topics.hpp has a row for each with its message.
 enum class Kind : std::uint8_t {
-  hello,     // wire::Hello; the first item of a file
-  spoke,     // wire::Spoke; also where the file packs many into one message
-  settings,  // wire::Settings, of a radar and view
-  own_ship,  // wire::OwnShip, of a radar
-  world,     // wire::World
-  traffic,   // recording::Traffic
-  event,     // recording::Event
-  log,       // recording::Log
-  input,     // recording::Input, what an exercise was given; all radars' in one order
+  hello,  // the first item of a file
+  spoke,  // also where the file packs many into one message
+  settings,
+  own_ship,
+  world,
+  traffic,
+  event,
+  log,
+  input,  // what an exercise was given; those of all radars in one order
 };
 inline constexpr std::size_t kKinds = 9;
 
 struct Topic {
   Kind kind = Kind::event;
-  std::uint32_t radar = 0;  // of spoke, settings, own_ship; else 0
-  std::uint32_t view = 0;   // of spoke, settings; else 0
+  std::uint32_t radar = 0;  // 0 where the kind's Scope has none
+  std::uint32_t view = 0;   // the same
   friend constexpr auto operator<=>(const Topic&, const Topic&) = default;
 };
 
@@ -61,7 +61,7 @@ struct RecordingError {
   std::string text;          // what was wrong, what was expected
 
   // "FILE: byte 4711: ..."
-  std::string to_string() const;
+  std::string to_string() const { return file + ": byte " + std::to_string(offset) + ": " + text; }
 };
 
 }  // namespace skerry::recording

@@ -4,7 +4,6 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
 
-#include <array>
 #include <charconv>
 #include <set>
 
@@ -20,31 +19,19 @@ using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::FileDescriptor;
 
-const Descriptor& message_of(const ChannelKind& channel) {
-  switch (channel.topic.kind) {
-    case Kind::hello:
-      return *wire::Hello::descriptor();
-    case Kind::spoke:
-      return channel.packed ? *PackedSpokes::descriptor() : *wire::Spoke::descriptor();
-    case Kind::settings:
-      return *wire::Settings::descriptor();
-    case Kind::own_ship:
-      return *wire::OwnShip::descriptor();
-    case Kind::world:
-      return *wire::World::descriptor();
-    case Kind::traffic:
-      return *Traffic::descriptor();
-    case Kind::event:
-      return *Event::descriptor();
-    case Kind::log:
-      return *Log::descriptor();
-    case Kind::input:
-      break;
-  }
-  return *Input::descriptor();
+constexpr std::string_view kPackedTopic = "packed_spokes";
+
+template <typename M>
+const google::protobuf::Message& empty() {
+  return M::default_instance();
 }
 
-// What a message is made of, of its own file: of top level only, with what is nested in it.
+const Descriptor& message_of(const ChannelKind& channel) {
+  return channel.packed ? *PackedSpokes::descriptor()
+                        : *row_of(channel.topic.kind).message().GetDescriptor();
+}
+
+// The messages and enumerations of top level that a message is made of.
 struct Parts {
   std::set<const Descriptor*> messages;
   std::set<const EnumDescriptor*> enums;
@@ -75,8 +62,8 @@ bool number_of(std::string_view text, std::uint32_t& number) {
          (text.size() == 1 || text.front() != '0');
 }
 
-// What comes before the next '/', or all; `rest` is what comes after.
-std::string_view first_of(std::string_view& rest) {
+// Takes what stands before the next '/', or all, from `rest`.
+std::string_view take_part(std::string_view& rest) {
   const std::size_t slash = rest.find('/');
   const std::string_view first = rest.substr(0, slash);
   rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
@@ -85,54 +72,52 @@ std::string_view first_of(std::string_view& rest) {
 
 }  // namespace
 
+const std::array<KindRow, kKinds>& kind_rows() {
+  using enum EditRule;
+  static constexpr std::array<KindRow, kKinds> kRows = {{
+      {Kind::hello, "hello", "hello", Scope::recording, once, false, empty<wire::Hello>},
+      {Kind::spoke, "spokes", "spokes", Scope::view, copied, true, empty<wire::Spoke>},
+      {Kind::settings, "settings", "settings", Scope::view, state, true, empty<wire::Settings>},
+      {Kind::own_ship, "own_ship", "own ship", Scope::radar, state, true, empty<wire::OwnShip>},
+      {Kind::world, "world", "world", Scope::recording, state, true, empty<wire::World>},
+      {Kind::traffic, "traffic", "traffic", Scope::recording, copied, true, empty<Traffic>},
+      {Kind::event, "events", "events", Scope::recording, copied, false, empty<Event>},
+      {Kind::log, "log", "log lines", Scope::recording, copied, false, empty<Log>},
+      {Kind::input, "inputs", "inputs", Scope::recording, cumulated, false, empty<Input>},
+  }};
+  return kRows;
+}
+
 std::string name_of(const ChannelKind& channel) {
   const Topic& topic = channel.topic;
-  switch (topic.kind) {
-    case Kind::hello:
-      return "hello";
-    case Kind::spoke:
-      return fmt::format("radar/{}/view/{}/{}", topic.radar, topic.view,
-                         channel.packed ? "packed_spokes" : "spokes");
-    case Kind::settings:
-      return fmt::format("radar/{}/view/{}/settings", topic.radar, topic.view);
-    case Kind::own_ship:
-      return fmt::format("radar/{}/own_ship", topic.radar);
-    case Kind::world:
-      return "world";
-    case Kind::traffic:
-      return "traffic";
-    case Kind::event:
-      return "events";
-    case Kind::log:
-      return "log";
-    case Kind::input:
-      break;
-  }
-  return "inputs";
+  const KindRow& row = row_of(topic.kind);
+  std::string name;
+  if (row.scope != Scope::recording) name = fmt::format("radar/{}/", topic.radar);
+  if (row.scope == Scope::view) name += fmt::format("view/{}/", topic.view);
+  return name.append(channel.packed ? kPackedTopic : row.topic);
 }
 
 std::optional<ChannelKind> channel_named(std::string_view name) {
-  if (name == "hello") return ChannelKind{{Kind::hello}};
-  if (name == "world") return ChannelKind{{Kind::world}};
-  if (name == "traffic") return ChannelKind{{Kind::traffic}};
-  if (name == "events") return ChannelKind{{Kind::event}};
-  if (name == "log") return ChannelKind{{Kind::log}};
-  if (name == "inputs") return ChannelKind{{Kind::input}};
   ChannelKind channel;
-  Topic& topic = channel.topic;
-  if (first_of(name) != "radar" || !number_of(first_of(name), topic.radar)) return std::nullopt;
-  std::string_view what = first_of(name);
-  if (name.empty() && what == "own_ship") return ChannelKind{{Kind::own_ship, topic.radar}};
-  if (what != "view" || !number_of(first_of(name), topic.view)) return std::nullopt;
-  if (name == "settings") {
-    topic.kind = Kind::settings;
-  } else if (name == "spokes" || name == "packed_spokes") {
-    topic.kind = Kind::spoke;
-    channel.packed = name == "packed_spokes";
-  } else {
-    return std::nullopt;
+  Scope scope = Scope::recording;
+  if (name.starts_with("radar/")) {
+    take_part(name);
+    if (!number_of(take_part(name), channel.topic.radar)) return std::nullopt;
+    scope = Scope::radar;
+    if (name.starts_with("view/")) {
+      take_part(name);
+      if (!number_of(take_part(name), channel.topic.view)) return std::nullopt;
+      scope = Scope::view;
+    }
   }
-  return channel;
+  channel.packed = name == kPackedTopic;
+  const std::string_view topic = channel.packed ? row_of(Kind::spoke).topic : name;
+  for (const KindRow& row : kind_rows()) {
+    if (row.topic != topic || row.scope != scope) continue;
+    channel.topic.kind = row.kind;
+    return channel;
+  }
+  return std::nullopt;
 }
 
 std::string schema_name(const ChannelKind& channel) { return message_of(channel).full_name(); }

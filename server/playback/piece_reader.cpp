@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/recording/topics.hpp"
 #include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::server {

@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "protocol/recording/topics.hpp"
+
 namespace skerry::server {
 namespace {
 

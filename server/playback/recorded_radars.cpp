@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "protocol/recording/topics.hpp"
 #include "protocol/video/scan_geometry.hpp"
 #include "protocol/wire/spoke_message.hpp"
 #include "server/playback/recorded_values.hpp"
@@ -136,7 +137,8 @@ std::vector<recording::Topic> played_topics(const recording::Summary& summary,
                                             const RecordedRadars& radars) {
   std::vector<recording::Topic> topics;
   for (const auto& [topic, count] : summary.items) {
-    if (topic.kind == Kind::world || topic.kind == Kind::traffic) topics.push_back(topic);
+    if (!recording::row_of(topic.kind).is_played) continue;
+    if (!is_of_a_radar(topic.kind)) topics.push_back(topic);
     const auto played = radars.played.find(topic.radar);
     if (!is_of_a_radar(topic.kind) || played == radars.played.end()) continue;
     const auto& views = radars.radars[played->second].views;

@@ -37,13 +37,8 @@ struct RecordedRadars {
 // Error: no spokes of a radar and view that can be played.
 Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& reader);
 
-// Spokes, settings and own ships, whose topics name a radar.
-constexpr bool is_of_a_radar(recording::Kind kind) {
-  return kind == recording::Kind::spoke || kind == recording::Kind::settings ||
-         kind == recording::Kind::own_ship;
-}
-
-// What is played: spokes and settings of the radars and views above, own ships, world, traffic.
+// The topics that a playback plays (KindRow::is_played): those of the radars and views above, and
+// those that have no radar.
 std::vector<recording::Topic> played_topics(const recording::Summary& summary,
                                             const RecordedRadars& radars);
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "protocol/recording/topics.hpp"
 #include "server/playback/piece_reader.hpp"
 #include "server/playback/play_request.hpp"
 #include "server/playback/played_state.hpp"
@@ -29,6 +30,14 @@ RecordedRadars radars_in(const RecordingReader& reader) {
   auto radars = radars_of(reader);
   EXPECT_TRUE(radars.ok());
   return std::move(radars).value();
+}
+
+TEST(PlayedState, TakesTheKindsThatArePlayedButSpokes) {
+  for (const recording::KindRow& row : recording::kind_rows()) {
+    PlayedState state;
+    EXPECT_EQ(state.take({row.kind}, kRecordedAt, {}, {}), row.is_played && row.kind != Kind::spoke)
+        << row.topic;
+  }
 }
 
 TEST(RecordedRadars, AreNumberedFromZeroAndSayWhatHelloSaid) {
