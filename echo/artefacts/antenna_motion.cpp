@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/row_losses.hpp"
 #include "echo/radar/radar_equation.hpp"
-#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {

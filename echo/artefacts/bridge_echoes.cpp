@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "echo/artefacts/false_echoes.hpp"
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/scene/structures.hpp"
-#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -17,9 +16,9 @@ constexpr double kEffective = 0.7527;
 // Where a ray meets a wall, metres; 0 where it does not.
 double range_to(const Wall& wall, PlanePoint own_ship, SinCos ray) {
   const PlanePoint a = wall.from - own_ship, along = wall.to - wall.from;
-  const double crossing = along.east_m * ray.cos - along.north_m * ray.sin;
+  const double crossing = right_of(ray, along);
   if (crossing == 0.0) return 0.0;
-  const double part = (a.north_m * ray.sin - a.east_m * ray.cos) / crossing;
+  const double part = -right_of(ray, a) / crossing;
   if (part < 0.0 || part > 1.0) return 0.0;
   const double range =
       (a.east_m + part * along.east_m) * ray.sin + (a.north_m + part * along.north_m) * ray.cos;

@@ -7,6 +7,7 @@
 #include "echo/artefacts/bridge_echoes.hpp"
 #include "echo/artefacts/indirect_echoes.hpp"
 #include "echo/artefacts/multiple_echoes.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -30,7 +31,7 @@ void keep_strongest(std::vector<PointEcho>& echoes, std::size_t most) {
 FalseEchoes::FalseEchoes(const RadarModel& model)
     : model_(model),
       reach_units_(static_cast<std::uint32_t>(std::min(90.0, kLobe * model.set.beam_width_deg) *
-                                              (4294967296.0 / 360.0))) {}
+                                              kUnitsPerDegree)) {}
 
 void FalseEchoes::add(const Scene& scene, const SpokeAim& first, const SpokeAim& last,
                       std::span<const PointEcho> seen, std::span<const PointEcho> strong,

@@ -5,10 +5,8 @@
 
 #include "echo/artefacts/false_echoes.hpp"
 #include "echo/artefacts/shadow_sectors.hpp"
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/targets/sector_view.hpp"
-#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {

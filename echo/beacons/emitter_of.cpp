@@ -4,6 +4,7 @@
 
 #include "echo/beacons/pulse_train.hpp"
 #include "echo/kernel/hash.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 
@@ -26,7 +27,7 @@ Emitter emitter_of(const RadarSet& set, const Pulse& pulse, const EmitterState& 
   out.rpm = set.rpm;
   // Where the beam was at time 0, had it turned then: what it has turned since is taken off.
   const std::uint32_t turned = beam_units(0.0, set.rpm, state.antenna_start);
-  const double bearing = state.bow_deg - turned * (360.0 / 4294967296.0);
+  const double bearing = state.bow_deg - turned * kDegreesPerUnit;
   out.bearing_deg = bearing < -360.0 ? bearing + 360.0 : bearing;
   out.identity = state.identity;
   return out;

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "echo/beacons/second_trace.hpp"
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/targets/sector_view.hpp"
-#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {

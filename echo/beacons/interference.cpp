@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "echo/beacons/range_span.hpp"
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/scene/plane_geometry.hpp"
-#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -56,8 +55,8 @@ double frequency_coupling(const Emitter& emitter, double own_frequency_hz, doubl
 
 float emitter_beam(std::uint32_t off_units, double beam_width_deg, float side_lobe) {
   static const MainLobe kMain;
-  const std::uint32_t off = off_units > kHalfTurn ? 0u - off_units : off_units;
-  const double widths = off * (360.0 / kUnitsPerTurn) / beam_width_deg;
+  const std::uint32_t off = units_apart(off_units, 0);
+  const double widths = off * kDegreesPerUnit / beam_width_deg;
   const double part = widths - std::floor(widths);
   const float lobes = side_lobe * static_cast<float>(4.0 * part * (1.0 - part));
   return std::max(kMain.at(widths), lobes);
@@ -117,8 +116,7 @@ void Interference::fix_stations(const Listening& at) {
     station.place = polar_of(offset);
     const double range = std::max(station.place.range_m, OneWayLink::kNearest);
     station.range_rate = dot(speed, offset) / range;
-    station.units_rate = (speed.east_m * offset.north_m - speed.north_m * offset.east_m) /
-                         (range * range) * (kUnitsPerTurn / kRadiansPerTurn);
+    station.units_rate = cross(speed, offset) / (range * range) * (kUnitsPerTurn / kRadiansPerTurn);
     station.power = station.power_1m / (range * range) *
                     static_cast<double>(at.propagation.one_way(range, emitter.height_m));
     if (station.power >= kLeastHeard && at.behind_land(station.place, emitter.height_m))
@@ -142,7 +140,7 @@ void Interference::hear(const Listening& at, const Emitter& emitter, const Stati
   const double cells_per_ps = 0.5 * kLightSpeed / (at.model.cell_m * kSecond);
   const auto window = static_cast<std::int64_t>(at.model.geometry.cells / cells_per_ps);
   const std::uint32_t beam = beam_units(emitter.bearing_deg, emitter.rpm, begins_);
-  const std::uint32_t towards = place.units + kHalfTurn;
+  const std::uint32_t towards = place.units + kUnitsPerHalfTurn;
 
   std::int64_t delay = (station.train.wait_ps(begins_) + way - pulses_.front().at_ps) % period;
   if (delay < 0) delay += period;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/radar_equation.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -36,7 +36,7 @@ std::uint32_t beam_units(double bearing_deg, double rpm, ScenarioTime time) {
   const auto at = static_cast<std::uint64_t>(modulo(time.time_since_epoch().count(), kTurn));
   const std::uint64_t part = at * milli_rpm % kTurn;  // < 1.5e19 before
   const auto turned = static_cast<std::uint64_t>(static_cast<double>(part) *
-                                                 (4294967296.0 / static_cast<double>(kTurn)));
+                                                 (kUnitsPerTurn / static_cast<double>(kTurn)));
   return TrueBearing::from(degrees(bearing_deg)).units() + static_cast<std::uint32_t>(turned);
 }
 

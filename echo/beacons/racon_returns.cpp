@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "echo/beacons/range_span.hpp"
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"
@@ -52,7 +51,7 @@ void RaconReturns::prepare(const Listening& at) {
 
     const Polar place = polar_of(offset);
     const double from = place.range_m + 0.5 * kLightSpeed * racon.delay_s;
-    if (from >= last || !in_sector(racon, place.units + kHalfTurn)) continue;
+    if (from >= last || !in_sector(racon, place.units + kUnitsPerHalfTurn)) continue;
 
     const double gain = ratio_from_decibels(racon.antenna_gain_db);
     double level = racon.side_lobe_suppression ? kSuppressedBelow : 0.0;

@@ -7,8 +7,8 @@
 
 #include "echo/capi/call.hpp"
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/plane_vector.hpp"
 #include "echo/returns/coast_crossings.hpp"
+#include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo::capi {
 namespace {

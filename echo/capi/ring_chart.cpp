@@ -26,8 +26,7 @@ struct Ring {
 };
 
 double distance(const LocalPlane& plane, GeoPoint place) {
-  const PlanePoint p = plane.to_plane(place);
-  return std::sqrt(p.east_m * p.east_m + p.north_m * p.north_m);
+  return length_of(plane.to_plane(place));
 }
 
 Ring ring_of(std::span<const skerry_echo_position> vertices, std::size_t number,

@@ -50,8 +50,8 @@ FieldWalk SeaField::walk_of_layer(std::int64_t layer, PlanePoint from, double ea
   const double across_scale = kValuesPerLength / crosswind_m_;
   const double drift = speed * (seconds - static_cast<double>(layer) * kEpoch);
   const PlanePoint start = {from.east_m + east * first_m, from.north_m + north * first_m};
-  const double along = (start.east_m * down.sin + start.north_m * down.cos - drift) * along_scale;
-  const double across = (start.east_m * down.cos - start.north_m * down.sin) * across_scale;
+  const double along = (ahead_of(down, start) - drift) * along_scale;
+  const double across = right_of(down, start) * across_scale;
   const double whole_along = std::floor(along), whole_across = std::floor(across);
   FieldWalk walk;
   walk.origin = static_cast<std::uint32_t>(own >> 32) +

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -99,7 +98,7 @@ std::optional<GeoPoint> place_afloat(const ThinnedCoast& coast, const CoastArea&
     double nearest = std::numeric_limits<double>::infinity();
     for (const PlanePoint p : shore) {
       const PlanePoint d = p - at;
-      nearest = std::min(nearest, d.east_m * d.east_m + d.north_m * d.north_m);
+      nearest = std::min(nearest, dot(d, d));
     }
     nearest = std::sqrt(nearest);
     if (nearest < 0.2 * range || nearest > range / 3.0) continue;

@@ -79,10 +79,8 @@ std::vector<Named> contestants_for(const ThinnedCoast& coast, const CoastArea& a
 double median_edge(const CoastPieces& pieces) {
   std::vector<double> lengths;
   for (const PlaneLine& line : pieces) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const PlanePoint d = line[i] - line[i - 1];
-      lengths.push_back(std::sqrt(d.east_m * d.east_m + d.north_m * d.north_m));
-    }
+    for (std::size_t i = 1; i < line.size(); ++i)
+      lengths.push_back(length_of(line[i] - line[i - 1]));
   }
   std::sort(lengths.begin(), lengths.end());
   return quantile_of(lengths, 0.5);

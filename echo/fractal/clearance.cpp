@@ -5,12 +5,10 @@
 
 #include "echo/fractal/koch_edge.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/kernel/plane_vector.hpp"
+#include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
 namespace {
-
-double cross(PlanePoint a, PlanePoint b) { return a.east_m * b.north_m - a.north_m * b.east_m; }
 
 // Square of the distance.
 double point_to_segment2(PlanePoint p, PlanePoint a, PlanePoint b) {

@@ -42,11 +42,6 @@ struct DetailLimit {
   }
   // Of all places.
   double least_visible_m() const { return std::max(0.1 * cell_m, 0.05); }
-
- private:
-  static double length_of(PlanePoint v) {
-    return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m);
-  }
 };
 
 class EdgeMethod;

@@ -34,7 +34,7 @@ class KochMethod final : public EdgeMethod {
   void grow(const CoastPiece& piece, Roughness roughness, const DetailLimit& limit,
             std::vector<PlanePoint>& out) const {
     const PlanePoint along = piece.to - piece.from;
-    const double length = std::sqrt(along.east_m * along.east_m + along.north_m * along.north_m);
+    const double length = length_of(along);
     // The apex stands out by at most half the length times the two factors.
     const double height = 0.5 * length * roughness.half_angle_tan * roughness.apex_factor;
     if (height <= limit.least_visible_m() || height <= limit.visible_m(piece.from, piece.to)) {

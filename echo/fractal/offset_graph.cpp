@@ -2,7 +2,7 @@
 
 #include "echo/fractal/dimension.hpp"
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/plane_vector.hpp"
+#include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
 

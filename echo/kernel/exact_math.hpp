@@ -7,12 +7,27 @@
 
 #include <cstdint>
 
+#include "protocol/quantity/geo_point.hpp"
+
 namespace skerry::echo {
 
 struct SinCos {
   double sin = 0.0;
   double cos = 1.0;
 };
+
+// The part of `v` along a direction and the part to its right, of a clockwise angle from north.
+inline double ahead_of(SinCos direction, PlanePoint v) {
+  return v.east_m * direction.sin + v.north_m * direction.cos;
+}
+inline double right_of(SinCos direction, PlanePoint v) {
+  return v.east_m * direction.cos - v.north_m * direction.sin;
+}
+// `v` turned clockwise.
+inline PlanePoint turned(PlanePoint v, SinCos angle) {
+  return {v.east_m * angle.cos + v.north_m * angle.sin,
+          v.north_m * angle.cos - v.east_m * angle.sin};
+}
 
 // Error: 4e-16 absolute for |degrees| <= 1e6.  Exact at multiples of 90.  Held by
 // ExactMath.SineAndCosineAreCloseToLibm.

@@ -24,8 +24,7 @@ std::vector<ChordPoint> seen_from_chord(std::span<const PlanePoint> piece) {
   std::vector<ChordPoint> out;
   for (PlanePoint p : piece) {
     const PlanePoint v = p - from;
-    out.push_back({(v.east_m * u.east_m + v.north_m * u.north_m) / chord,
-                   (u.east_m * v.north_m - u.north_m * v.east_m) / chord});
+    out.push_back({dot(v, u) / chord, cross(u, v) / chord});
   }
   return out;
 }
@@ -98,7 +97,7 @@ double middle_offset(std::span<const PlanePoint> line) {
     left -= segment;
   }
   const PlanePoint v = middle - line.front();
-  return (u.east_m * v.north_m - u.north_m * v.east_m) / (chord * chord);
+  return cross(u, v) / (chord * chord);
 }
 
 ChordOffsets chord_offsets(std::span<const PlaneLine> lines, double chord_m, double step_m) {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "echo/kernel/plane_vector.hpp"
+#include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -28,7 +28,7 @@ std::vector<OffChord> off_chord(const PlaneLine& line) {
   std::vector<OffChord> out;
   for (const PlanePoint p : line) {
     const PlanePoint v = p - line.front();
-    out.push_back({dot(v, unit), unit.east_m * v.north_m - unit.north_m * v.east_m});
+    out.push_back({dot(v, unit), cross(unit, v)});
   }
   return out;
 }

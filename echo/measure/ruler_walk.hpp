@@ -10,11 +10,7 @@
 
 namespace skerry::echo {
 
-// sqrt and not hypot: the same bits on every machine, and coordinates are far from overflow.
-inline double distance(PlanePoint a, PlanePoint b) {
-  const PlanePoint d = b - a;
-  return std::sqrt(d.east_m * d.east_m + d.north_m * d.north_m);
-}
+inline double distance(PlanePoint a, PlanePoint b) { return length_of(b - a); }
 
 // From vertex `start` to the end: each foot is where the line first leaves the circle of radius
 // `ruler_m` about the foot before.  visit(segment, foot) for every foot after the first, on the
@@ -31,9 +27,9 @@ double walk_ruler(std::span<const PlanePoint> line, std::size_t start, double ru
     while (distance(foot, b) >= ruler_m) {
       // |a + t (b - a) - foot| = ruler
       const PlanePoint u = b - a, v = a - foot;
-      const double uu = u.east_m * u.east_m + u.north_m * u.north_m;
-      const double uv = u.east_m * v.east_m + u.north_m * v.north_m;
-      const double vv = v.east_m * v.east_m + v.north_m * v.north_m - ruler_m * ruler_m;
+      const double uu = dot(u, u);
+      const double uv = dot(u, v);
+      const double vv = dot(v, v) - ruler_m * ruler_m;
       if (!(uu > 0.0)) break;
       const double t = (-uv + std::sqrt(std::max(0.0, uv * uv - uu * vv))) / uu;
       foot = a + u * std::clamp(t, 0.0, 1.0);

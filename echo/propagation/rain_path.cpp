@@ -22,8 +22,7 @@ double rain_rate_at(std::span<const RainCell> rain, PlanePoint place, double dt)
   double rate = 0.0;
   for (const RainCell& cell : rain) {
     const PlanePoint off = place - (cell.centre + cell.velocity * dt);
-    const double squared = off.east_m * off.east_m + off.north_m * off.north_m;
-    rate += cell.rate_mm_h * rain_profile(squared, cell.radius_m);
+    rate += cell.rate_mm_h * rain_profile(dot(off, off), cell.radius_m);
   }
   return rate;
 }
@@ -44,8 +43,8 @@ void RainPath::find_clouds(const Scene& scene, const RadarModel& model, const Sp
   const SinCos ray = sin_cos_units(aim.plane_units);
   for (const RainCell& cell : scene.rain) {
     const PlanePoint off = cell.centre + cell.velocity * aim.dt - aim.own_ship;
-    const double along = off.east_m * ray.sin + off.north_m * ray.cos;
-    const double across = off.east_m * ray.cos - off.north_m * ray.sin;
+    const double along = ahead_of(ray, off);
+    const double across = right_of(ray, off);
     const double squared = cell.radius_m * cell.radius_m - across * across;
     if (!(squared > 0.0) || !(cell.rate_mm_h > 0.0)) continue;
     const double half = std::sqrt(squared);

@@ -5,11 +5,10 @@
 #include <mutex>
 #include <numbers>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/radar/beam.hpp"
-#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -103,8 +102,7 @@ std::shared_ptr<const AntennaPattern> antenna_pattern_for(const RadarSet& set) {
 }
 
 float AntennaPattern::one_way(std::uint32_t off_units) const {
-  // Either sense: the shorter way round.
-  const std::uint32_t off = off_units > 0x80000000u ? 0u - off_units : off_units;
+  const std::uint32_t off = units_apart(off_units, 0);
   if (off < near_units_) {
     const float place = near_scale_ * static_cast<float>(off);
     const auto node = static_cast<std::size_t>(static_cast<std::int32_t>(place));
@@ -122,7 +120,7 @@ float AntennaPattern::one_way(std::uint32_t off_units) const {
 }
 
 std::uint32_t AntennaPattern::reach_units(double level) const {
-  constexpr std::uint32_t kPerNode = 0x80000000u / kFar;
+  constexpr std::uint32_t kPerNode = kUnitsPerHalfTurn / kFar;
   const auto one_way_level = static_cast<float>(std::sqrt(level));
   for (std::size_t i = kFar + 1; i-- > 0 && i * kPerNode > near_units_;)
     if (far_power_[i] >= one_way_level)

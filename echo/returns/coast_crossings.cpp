@@ -15,11 +15,11 @@ void find_crossings(const CoastPicture& coast, const PolarIndex& index, const Ra
     const PlanePoint a = coast.vertices[vertex] - ray.own_ship;
     const PlanePoint b = coast.vertices[vertex + 1] - ray.own_ship;
     // Distance to the right of the ray.
-    const double right_a = a.east_m * direction.cos - a.north_m * direction.sin;
-    const double right_b = b.east_m * direction.cos - b.north_m * direction.sin;
+    const double right_a = right_of(direction, a);
+    const double right_b = right_of(direction, b);
     if ((right_a < 0.0) == (right_b < 0.0)) return;
-    const double along_a = a.east_m * direction.sin + a.north_m * direction.cos;
-    const double along_b = b.east_m * direction.sin + b.north_m * direction.cos;
+    const double along_a = ahead_of(direction, a);
+    const double along_b = ahead_of(direction, b);
     const double range = along_a + (along_b - along_a) * (right_a / (right_a - right_b));
     // Land is left of a -> b: an edge that runs to the right has it on the far side.
     if (range >= 0.0) crossings.push_back({range, right_a < 0.0, coast.shore_of(vertex), vertex});
@@ -84,9 +84,7 @@ void land_along(const std::vector<Crossing>& crossings, bool ashore, double rang
 }
 
 double complete_range(const CoastPicture& coast, PlanePoint own_ship) {
-  const PlanePoint off = own_ship - coast.centre;
-  return coast.range_m + coast.slack_m -
-         std::sqrt(off.east_m * off.east_m + off.north_m * off.north_m);
+  return coast.range_m + coast.slack_m - length_of(own_ship - coast.centre);
 }
 
 bool is_ashore(const CoastPicture& coast, const PolarIndex& index, PlanePoint own_ship) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "protocol/quantity/bearing.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
@@ -60,8 +60,8 @@ void lay_parts(const MovedView& view, std::uint32_t bearing_units, double from_m
   const double rows_per_unit = static_cast<double>(view.rows) * 0x1p-32;
   const double rows_per_radian = kUnitsPerRadian * rows_per_unit;
   const SinCos u = sin_cos_units(bearing_units);
-  const double ahead = view.moved.east_m * u.sin + view.moved.north_m * u.cos;
-  const double right = view.moved.east_m * u.cos - view.moved.north_m * u.sin;
+  const double ahead = ahead_of(u, view.moved);
+  const double right = right_of(u, view.moved);
   const double across = std::fabs(right), across2 = right * right;
   const double side = right > 0.0 ? rows_per_radian : -rows_per_radian;
   const double per_cell = 1.0 / view.cell_m;

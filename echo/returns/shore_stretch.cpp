@@ -43,8 +43,8 @@ void measure_face(const CoastPicture& coast, std::uint32_t edge, const Ray& ray,
   const PlanePoint b = coast.vertices[edge + 1] - ray.own_ship;
   const double right =
       std::fabs((b.east_m - a.east_m) * direction.cos - (b.north_m - a.north_m) * direction.sin);
-  const double along_a = a.east_m * direction.sin + a.north_m * direction.cos;
-  const double along_b = b.east_m * direction.sin + b.north_m * direction.cos;
+  const double along_a = ahead_of(direction, a);
+  const double along_b = ahead_of(direction, b);
   const double arc = ray_radians * stretch.begin_m;
   const double half =
       right > 0.0 ? 0.5 * std::fabs(along_b - along_a) * std::min(1.0, arc / right) : 0.0;

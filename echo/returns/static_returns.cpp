@@ -5,13 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/moved_rows.hpp"
 #include "echo/returns/shore_stretch.hpp"
 #include "echo/returns/static_frame.hpp"
 #include "echo/scene/plane_geometry.hpp"
-#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
@@ -97,13 +95,13 @@ class StaticReturns::Frames {
     const SinCos u = sin_cos_units(plane_units);
     const PlanePoint way = own_ship_ - at_;
     const double along = range_m + way.east_m * u.sin + way.north_m * u.cos;
-    const double across = way.east_m * u.cos - way.north_m * u.sin;
+    const double across = right_of(u, way);
     const double range = std::sqrt(along * along + across * across);
     // Off by 2e-6 rad at most where the tangent is small, as it nearly always is.
     const double t = across / along;
     const double right = along > 0.0 && std::fabs(t) < 0.1 ? t - t * t * t * (1.0 / 3.0)
                                                            : exact_atan2(across, along);
-    const double row_units = 4294967296.0 / detail_.rows;
+    const double row_units = kUnitsPerTurn / detail_.rows;
     const double row =
         (static_cast<double>(plane_units - turn_units_) + right * kUnitsPerRadian) / row_units;
     const auto index =
@@ -199,9 +197,7 @@ class StaticReturns::Frames {
         TrueBearing::from(degrees(scene.coast->plane.true_north_degrees(view.geo))).units();
     turn_units_ = north - view.north_units;
     const SinCos turn = sin_cos_units(turn_units_);
-    at_ = scene.coast->plane.to_plane(view.geo) +
-          PlanePoint{view.sailed.east_m * turn.cos + view.sailed.north_m * turn.sin,
-                     view.sailed.north_m * turn.cos - view.sailed.east_m * turn.sin};
+    at_ = scene.coast->plane.to_plane(view.geo) + turned(view.sailed, turn);
   }
 
   void take_into_use(const Scene& scene) {

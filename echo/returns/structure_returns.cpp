@@ -10,11 +10,6 @@
 namespace skerry::echo {
 namespace {
 
-// Distance to the right of a direction.
-double right_of(SinCos direction, PlanePoint p) {
-  return p.east_m * direction.cos - p.north_m * direction.sin;
-}
-
 bool stands_on_land(ObjectClass kind) {
   return kind == ObjectClass::building || kind == ObjectClass::landmark;
 }
@@ -59,7 +54,7 @@ class StructureRay {
     const double range_a = length_of(a), range_b = length_of(b);
     const double near = std::min(range_a, range_b), far = std::max(range_a, range_b);
     const double depth = far - near;
-    const double spanned = std::fabs(a.east_m * b.north_m - a.north_m * b.east_m);
+    const double spanned = std::fabs(cross(a, b));
     bool any = false;
     for (auto cell = static_cast<std::size_t>(near / model_.cell_m); cell < power_.size(); ++cell) {
       const double cell_near = static_cast<double>(cell) * model_.cell_m;

@@ -39,7 +39,7 @@ void TurnCrossings::cross(const CoastPicture& coast, std::uint32_t vertex, std::
   if (steps < -turn / 2) steps += turn;
   if (std::abs(steps) > turn / 4) {
     // So near that it spans a good part of the turn: which way it passes decides.
-    const bool right = a.east_m * b.north_m < a.north_m * b.east_m;
+    const bool right = skerry::cross(a, b) < 0.0;
     if (right && steps < 0) steps += turn;
     if (!right && steps > 0) steps -= turn;
   }
@@ -48,10 +48,10 @@ void TurnCrossings::cross(const CoastPicture& coast, std::uint32_t vertex, std::
   for (std::int32_t k = 0; k < std::abs(steps); ++k) {
     const auto ray = static_cast<std::uint32_t>(first + k + turn) % rays_;
     const SinCos direction = directions_[ray];
-    const double right_a = a.east_m * direction.cos - a.north_m * direction.sin;
-    const double right_b = b.east_m * direction.cos - b.north_m * direction.sin;
-    const double along_a = a.east_m * direction.sin + a.north_m * direction.cos;
-    const double along_b = b.east_m * direction.sin + b.north_m * direction.cos;
+    const double right_a = right_of(direction, a);
+    const double right_b = right_of(direction, b);
+    const double along_a = ahead_of(direction, a);
+    const double along_b = ahead_of(direction, b);
     const double across = right_a - right_b;
     const double part = across != 0.0 ? std::clamp(right_a / across, 0.0, 1.0) : 0.5;
     const double range = std::max(0.0, along_a + (along_b - along_a) * part);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "echo/kernel/plane_vector.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {

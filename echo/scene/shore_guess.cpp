@@ -18,8 +18,6 @@ constexpr double kSandyRatio = 1.0139594797900292;  // D = 1.01
 constexpr std::size_t kFewestEdges = 16;
 constexpr double kShortestSand = 3000.0;  // metres
 
-double length2(PlanePoint v) { return v.east_m * v.east_m + v.north_m * v.north_m; }
-
 // Length of the line as the ruler finds it, walked from its beginning; the rest counts as it is.
 double by_ruler(std::span<const PlanePoint> line, double ruler) {
   PlanePoint foot = line[0];
@@ -28,17 +26,17 @@ double by_ruler(std::span<const PlanePoint> line, double ruler) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     PlanePoint a = line[i];
     const PlanePoint b = line[i + 1];
-    while (length2(b - foot) >= ruler * ruler && steps < most) {
+    while (dot(b - foot, b - foot) >= ruler * ruler && steps < most) {
       // Where a - b leaves the circle about the foot: |a + t (b - a) - foot| = ruler.
       const PlanePoint u = b - a, v = a - foot;
-      const double uu = length2(u), uv = u.east_m * v.east_m + u.north_m * v.north_m;
+      const double uu = dot(u, u), uv = dot(u, v);
       const double t =
-          (-uv + std::sqrt(std::max(0.0, uv * uv - uu * (length2(v) - ruler * ruler)))) / uu;
+          (-uv + std::sqrt(std::max(0.0, uv * uv - uu * (dot(v, v) - ruler * ruler)))) / uu;
       foot = a = a + u * std::clamp(t, 0.0, 1.0);
       steps += 1.0;
     }
   }
-  return steps * ruler + std::sqrt(length2(line.back() - foot));
+  return steps * ruler + length_of(line.back() - foot);
 }
 
 }  // namespace
@@ -86,7 +84,7 @@ CoastType guess_type(std::span<const GeoPoint> stretch) {
   for (std::size_t i = 0; i < n; ++i) {
     line[i] = {wrapped_longitude(stretch[i].longitude_deg - middle.longitude_deg) * east_per_degree,
                (stretch[i].latitude_deg - middle.latitude_deg) * kMeanMetresPerDegree};
-    if (i > 0) length += std::sqrt(length2(line[i] - line[i - 1]));
+    if (i > 0) length += length_of(line[i] - line[i - 1]);
   }
   if (!(length > 0.0)) return CoastType::unknown;
   const double edge = length / static_cast<double>(n - 1);

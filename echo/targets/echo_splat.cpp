@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -147,7 +147,7 @@ void EchoSplat::lay_bodies() {
     const auto half = static_cast<std::uint32_t>((right - left) / 2 + 1);
     const std::uint32_t lobes = side_lobes_ && stands_out ? lobes_units_ : null_units_;
     bodies_.push_back({begin, end, about + static_cast<std::uint32_t>((left + right) / 2),
-                       std::min(half + lobes, 0x80000000u), half + null_units_, power, cell,
+                       std::min(half + lobes, kUnitsPerHalfTurn), half + null_units_, power, cell,
                        std::min(cell_end, model_.geometry.cells), number});
   }
 }

@@ -36,8 +36,7 @@ float RadialSpeeds::closing_of(const Scene& scene, const SectorView& view, std::
   const double range = length_of(from);
   if (range < 1.0) return 0.0f;
   const PlanePoint relative = way.velocity - scene.own_velocity;
-  return static_cast<float>(-(relative.east_m * from.east_m + relative.north_m * from.north_m) /
-                            range);
+  return static_cast<float>(-dot(relative, from) / range);
 }
 
 void RadialSpeeds::keep_moving(const Scene& scene, const SectorView& view,

@@ -1,6 +1,6 @@
 #include "echo/targets/sector_view.hpp"
 
-#include "echo/kernel/bearing_units.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {

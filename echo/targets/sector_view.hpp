@@ -7,6 +7,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/spoke_aim.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 
@@ -18,12 +19,6 @@ struct Polar {
 Polar polar_of(PlanePoint from_own_ship);
 // Radians, either sense, any number of turns below 2^30.
 std::uint32_t units_of_radians(double radians);
-
-// The smaller turn between two bearings, to half a turn.
-inline std::uint32_t units_apart(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t d = a - b;
-  return d <= 0x80000000u ? d : 0u - d;
-}
 
 // All targets of a sector are taken where they are in its middle: with 16 spokes of 4096 at 24 rpm
 // that is 5 ms off at its ends, 0.1 m at 20 m/s.
@@ -43,9 +38,8 @@ class SectorView {
 
   // Whether a circle may lie under the beam at any spoke of the sector; never false where it does.
   bool meets(PlanePoint from_own_ship, double radius_m) const {
-    const double along = from_own_ship.east_m * middle_.sin + from_own_ship.north_m * middle_.cos;
-    const double across =
-        std::fabs(from_own_ship.east_m * middle_.cos - from_own_ship.north_m * middle_.sin);
+    const double along = ahead_of(middle_, from_own_ship);
+    const double across = std::fabs(right_of(middle_, from_own_ship));
     return wide_ || (along >= -radius_m && across * half_.cos - along * half_.sin <= radius_m);
   }
   // How often, since the antenna's start, the beam has passed that bearing when it is nearest to it

@@ -15,11 +15,10 @@ ShipSight sight_of(const Hull& hull, const SectorView& view) {
   const double heading = hull.heading_deg + hull.turn_rate_deg_s * view.dt();
   sight.bow = sin_cos_degrees(heading);
   const double range = std::max(1.0, sight.at.range_m);
-  const double along = p.east_m * sight.bow.sin + p.north_m * sight.bow.cos;
-  const double across = p.east_m * sight.bow.cos - p.north_m * sight.bow.sin;
-  sight.ahead = std::min(1.0, std::fabs(along) / range);
-  sight.side = std::min(1.0, std::fabs(across) / range);
-  sight.aspect_units = sight.at.units + 0x80000000u - TrueBearing::from(degrees(heading)).units();
+  sight.ahead = std::min(1.0, std::fabs(ahead_of(sight.bow, p)) / range);
+  sight.side = std::min(1.0, std::fabs(right_of(sight.bow, p)) / range);
+  sight.aspect_units =
+      sight.at.units + kUnitsPerHalfTurn - TrueBearing::from(degrees(heading)).units();
   return sight;
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/kernel/bearing_units.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/targets/fluctuation.hpp"
 #include "echo/targets/ship_sight.hpp"
 #include "echo/targets/wake_echoes.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 namespace {

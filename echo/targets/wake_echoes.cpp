@@ -36,8 +36,7 @@ void wake_parts(const Hull& hull, double dt, std::uint64_t pass_key, std::vector
     // She came from there with the heading of then.
     const double age = step * (static_cast<double>(k) + 0.5) / speed;
     const SinCos turn = sin_cos_degrees(-hull.turn_rate_deg_s * (age - dt));
-    const PlanePoint way{(hull.velocity.east_m * turn.cos + hull.velocity.north_m * turn.sin),
-                         (hull.velocity.north_m * turn.cos - hull.velocity.east_m * turn.sin)};
+    const PlanePoint way = turned(hull.velocity, turn);
     const PlanePoint half = way * (0.5 * step / speed);
     place = place - half;
     const std::uint64_t hash = mixed(key + k);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "protocol/navico/little_endian.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -16,14 +17,9 @@ constexpr std::array<std::uint8_t, 4> kMark = {'N', 'K', 'O', 'E'};
 constexpr std::size_t kCounter = 8, kKind = 36, kHeading = 65, kCourse = 66, kSpeed = 68;
 constexpr std::uint16_t kHeadingKind = 0xF112, kNavigationKind = 0xF802;  // as little-endian
 
-double turned(double degrees) {
-  const double part = degrees - 360.0 * std::floor(degrees / 360.0);
-  return part >= 360.0 ? 0.0 : part;
-}
-
 std::uint16_t to_turn_units(double degrees) {
   return static_cast<std::uint16_t>(
-      static_cast<std::uint32_t>(std::floor(turned(degrees) / 360.0 * kTurn + 0.5)) %
+      static_cast<std::uint32_t>(std::floor(wrapped_degrees(degrees) / 360.0 * kTurn + 0.5)) %
       static_cast<std::uint32_t>(kTurn));
 }
 
@@ -67,7 +63,7 @@ Bytes encode(const SpeedPacket& packet) {
   out[0] = 0x01;
   out[1] = 0xD3;
   write_le(out, 6, to_steps(packet.speed_mps, 0.1), 2);
-  write_le(out, 14, to_steps(turned(packet.course_deg), 0.1) % 3600, 2);
+  write_le(out, 14, to_steps(wrapped_degrees(packet.course_deg), 0.1) % 3600, 2);
   return out;
 }
 

@@ -1,6 +1,7 @@
 // Angle: an amount of turn.  A direction on the circle is a Bearing (bearing.hpp).
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <numbers>
 
@@ -12,6 +13,13 @@ namespace skerry {
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 inline constexpr double kRadiansPerTurn = 2.0 * std::numbers::pi;
+
+// `degrees` (finite) brought into [0, 360).
+inline double wrapped_degrees(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  const double positive = rest < 0.0 ? rest + 360.0 : rest;
+  return positive < 360.0 ? positive + 0.0 : 0.0;  // a tiny negative rounds to 360; -0 becomes 0
+}
 
 // A signed, unbounded amount of turn, clockwise positive, held in degrees as a double: charted and
 // counted angles are exact in degrees.

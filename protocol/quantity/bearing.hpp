@@ -11,6 +11,19 @@ namespace skerry {
 struct TrueFrame {};      // clockwise from true north
 struct RelativeFrame {};  // clockwise from the own ship's bow
 
+// Binary angles as numbers.
+inline constexpr double kUnitsPerTurn = 4294967296.0;
+inline constexpr double kUnitsPerDegree = kUnitsPerTurn / 360.0;
+inline constexpr double kUnitsPerRadian = kUnitsPerTurn / kRadiansPerTurn;
+inline constexpr double kDegreesPerUnit = 360.0 / kUnitsPerTurn;
+inline constexpr std::uint32_t kUnitsPerHalfTurn = 1u << 31;
+
+// The smaller turn between two bearings, either way: at most half a turn.
+constexpr std::uint32_t units_apart(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t d = a - b;
+  return d <= kUnitsPerHalfTurn ? d : 0u - d;
+}
+
 // A direction, clockwise from its frame's zero, held as a binary angle: 2^32 units are one turn, so
 // wrapping is the integer's.  One unit is 8.4e-8 deg, 0.26 mm at 96 NM.  Two bearings of one frame
 // differ by an Angle; adding two bearings, or mixing frames, does not compile.
@@ -26,10 +39,11 @@ class Bearing {
   static Bearing from(Angle angle) {
     const double turns = angle.in_degrees() / 360.0;
     const double part = turns - std::floor(turns);
-    return Bearing(static_cast<std::uint32_t>(static_cast<std::uint64_t>(part * kTurn + 0.5)));
+    return Bearing(
+        static_cast<std::uint32_t>(static_cast<std::uint64_t>(part * kUnitsPerTurn + 0.5)));
   }
 
-  constexpr double in_degrees() const { return units_ * (360.0 / kTurn); }  // [0, 360)
+  constexpr double in_degrees() const { return units_ * kDegreesPerUnit; }  // [0, 360)
   constexpr double in_radians() const { return degrees(in_degrees()).in_radians(); }
 
   // Index of the nearest of `count` evenly spaced spokes, spoke 0 at the frame's zero.
@@ -50,12 +64,11 @@ class Bearing {
   friend Bearing operator-(Bearing b, Angle turn) { return b + (-turn); }
   // The smaller turn from b to a, in [-180, 180) deg.
   friend constexpr Angle operator-(Bearing a, Bearing b) {
-    return degrees(static_cast<std::int32_t>(a.units_ - b.units_) * (360.0 / kTurn));
+    return degrees(static_cast<std::int32_t>(a.units_ - b.units_) * kDegreesPerUnit);
   }
   friend constexpr bool operator==(Bearing, Bearing) = default;
 
  private:
-  static constexpr double kTurn = 4294967296.0;
   explicit constexpr Bearing(std::uint32_t units) : units_(units) {}
   std::uint32_t units_ = 0;
 };

@@ -1,6 +1,8 @@
 // Positions: on the Earth (GeoPoint) and on a local plane (PlanePoint).
 #pragma once
 
+#include <cmath>
+
 namespace skerry {
 
 // A position on the WGS-84 ellipsoid, degrees; latitude in [-90, 90], longitude in [-180, 180).
@@ -25,6 +27,17 @@ struct PlanePoint {
     return {a.east_m * k, a.north_m * k};
   }
 };
+
+// A PlanePoint also stands for the way between two places.  Plain arithmetic and sqrt, not hypot:
+// the same bits on every machine, and coordinates are far from overflow.
+constexpr double dot(PlanePoint a, PlanePoint b) {
+  return a.east_m * b.east_m + a.north_m * b.north_m;
+}
+// Positive where b points to the left of a.
+constexpr double cross(PlanePoint a, PlanePoint b) {
+  return a.east_m * b.north_m - a.north_m * b.east_m;
+}
+inline double length_of(PlanePoint v) { return std::sqrt(dot(v, v)); }
 
 // `degrees` brought into [-180, 180).
 constexpr double wrapped_longitude(double degrees) {

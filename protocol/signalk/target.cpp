@@ -11,11 +11,6 @@
 namespace skerry::signalk {
 namespace {
 
-double turned(double degrees) {
-  const double rest = std::fmod(degrees, 360.0);
-  return rest < 0.0 ? rest + 360.0 : rest;
-}
-
 // Of WGS-84 at a latitude, in the azimuth of a meridian and across it, m.
 struct Curvature {
   double meridian, across;
@@ -41,7 +36,7 @@ RangeAndBearing range_and_bearing(GeoPoint from, GeoPoint to) {
   const Curvature curve = curvature_at((from.latitude_deg + to.latitude_deg) / 2);
   const double along = curve.meridian * std::cos(bearing), side = curve.across * std::sin(bearing);
   return {2.0 * std::hypot(along, side) * std::asin(std::min(1.0, std::sqrt(h))),
-          turned(std::atan2(side, along) / kRadiansPerDegree)};
+          wrapped_degrees(std::atan2(side, along) / kRadiansPerDegree)};
 }
 
 std::optional<ClosestApproach> closest_approach(const Movement& own, const Movement& other) {
@@ -75,7 +70,7 @@ Json target_document(const Target& target, const Movement& own) {
                   {"latitude", target.movement.position.latitude_deg},
                   {"longitude", target.movement.position.longitude_deg}}},
                 {"motion",
-                 {{"course", turned(target.movement.course_deg) * kRadiansPerDegree},
+                 {{"course", wrapped_degrees(target.movement.course_deg) * kRadiansPerDegree},
                   {"speed", target.movement.speed_mps}}}};
   if (const auto nearest = closest_approach(own, target.movement)) {
     document["danger"] = {{"cpa", nearest->distance_m}, {"tcpa", nearest->seconds}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/app/control_ranges.hpp"
 #include "server/app/controls_message.hpp"
 #include "server/app/world_change.hpp"
@@ -138,7 +139,7 @@ void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
     }
   };
   if (set.has_course_deg()) {
-    add("course_deg", ship.ordered_course_deg, wrapped_course(set.course_deg()));
+    add("course_deg", ship.ordered_course_deg, wrapped_degrees(set.course_deg()));
   }
   if (set.has_speed_kn()) {
     add("speed_kn", ship.ordered_speed_mps / knots_in_mps(1.0), set.speed_kn());

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/app/coast_rules.hpp"
 #include "server/app/radar_config.hpp"
 #include "server/app/traffic_list.hpp"
@@ -218,7 +219,7 @@ wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
   out.set_heading_deg(place.heading_deg);
   out.set_speed_kn(speed_kn);
   out.set_course_over_ground_deg(
-      wrapped_course(place.course_over_ground_deg + (speed_kn < 0.0 ? 180.0 : 0.0)));
+      wrapped_degrees(place.course_over_ground_deg + (speed_kn < 0.0 ? 180.0 : 0.0)));
   out.set_speed_over_ground_kn(std::abs(speed_kn));
   out.set_utc_ns(static_cast<std::uint64_t>(now.utc.time_since_epoch().count()));
   out.set_length_m(ship.length_m);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/world/ais_identities.hpp"
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/rhumb_step.hpp"
@@ -15,7 +16,7 @@ void put(const ShipState& ship, Duration dt, TrafficItem& item) {
   item.position = place.position;
   item.heading_deg = place.heading_deg;
   item.course_over_ground_deg =
-      wrapped_course(place.course_over_ground_deg + (ship.speed_mps < 0.0 ? 180.0 : 0.0));
+      wrapped_degrees(place.course_over_ground_deg + (ship.speed_mps < 0.0 ? 180.0 : 0.0));
   item.speed_mps = std::fabs(ship.speed_mps);
   item.rate_of_turn_deg_min = ship.rate_of_turn_deg_s * 60.0;
 }
@@ -49,7 +50,7 @@ TrafficItem item_of(const scenario::Target& target) {
   item.name = target.name();
   item.mmsi = target.mmsi();
   item.position = geo_point(target.position());
-  item.heading_deg = item.course_over_ground_deg = wrapped_course(target.course_deg());
+  item.heading_deg = item.course_over_ground_deg = wrapped_degrees(target.course_deg());
   if (item.kind == TrafficKind::ship) {
     item.length_m = target.length_m();
     item.beam_m = target.beam_m();

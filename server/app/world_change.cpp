@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/app/control_ranges.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/scenario.hpp"
@@ -57,7 +58,7 @@ std::optional<wire::Reply> change_rain(const wire::RainChange& change, ScenarioT
   cloud->since = now;
   if (change.has_radius_nm()) cloud->radius_m = nautical_miles(change.radius_nm()).in_metres();
   if (change.has_rate_mm_h()) cloud->rate_mm_h = change.rate_mm_h();
-  if (change.has_drift_deg()) cloud->course_deg = wrapped_course(change.drift_deg());
+  if (change.has_drift_deg()) cloud->course_deg = wrapped_degrees(change.drift_deg());
   if (change.has_drift_kn()) cloud->speed_mps = knots_in_mps(change.drift_kn());
   return std::nullopt;
 }
@@ -68,10 +69,10 @@ std::optional<wire::Reply> change_environment(const wire::WorldChange& change, S
                                               Environment& environment) {
   echo::SeaSurface& sea = environment.sea;
   if (change.has_sea_state()) sea.state = change.sea_state();
-  if (change.has_wind_from_deg()) sea.wind_from_deg = wrapped_course(change.wind_from_deg());
+  if (change.has_wind_from_deg()) sea.wind_from_deg = wrapped_degrees(change.wind_from_deg());
   if (change.has_swell_height_m()) sea.swell.height_m = change.swell_height_m();
   if (change.has_swell_period_s()) sea.swell.period_s = change.swell_period_s();
-  if (change.has_swell_from_deg()) sea.swell.from_deg = wrapped_course(change.swell_from_deg());
+  if (change.has_swell_from_deg()) sea.swell.from_deg = wrapped_degrees(change.swell_from_deg());
   if (change.has_wave_height_m()) environment.wave_height_m = change.wave_height_m();
   if (change.has_k_factor()) environment.atmosphere.k_factor = change.k_factor();
   if (change.has_ducting()) environment.atmosphere.ducting = change.ducting();

@@ -17,11 +17,6 @@ namespace {
 // Before the first speed is known.
 constexpr double kAssumedSpeedMps = 20.0;
 
-double in_turn(double degrees) {
-  const double rest = std::fmod(degrees, 360.0);
-  return rest < 0.0 ? rest + 360.0 : rest;
-}
-
 // The value, or nothing and why not.
 template <typename T>
 std::optional<T> read_as(Result<T, WireError> result, std::string& fault) {
@@ -60,9 +55,9 @@ HeardLine NavigationListener::hear(std::string_view line, ScenarioTime now) {
     return heard;
   }
   if (!last_fix_ || now - *last_fix_ > silence_) position_at_ = std::nullopt;
-  if (fix->heading_deg) heading_deg_ = fix->heading_deg = in_turn(*fix->heading_deg);
+  if (fix->heading_deg) heading_deg_ = fix->heading_deg = wrapped_degrees(*fix->heading_deg);
   if (fix->course_over_ground_deg) {
-    fix->course_over_ground_deg = in_turn(*fix->course_over_ground_deg);
+    fix->course_over_ground_deg = wrapped_degrees(*fix->course_over_ground_deg);
   }
   if (fix->position) {
     // Of two speeds the faster explains the way made.

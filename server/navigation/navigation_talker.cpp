@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "protocol/nmea/ais_sentences.hpp"
+#include "protocol/quantity/bearing.hpp"
 #include "protocol/quantity/speed.hpp"
 #include "protocol/wire/own_ship_place.hpp"
 #include "server/navigation/ais_reports.hpp"
@@ -30,8 +31,8 @@ Duration lost_for(const NavigationPlan& plan) {
 // A moment within `interval` that is the station's own: golden section steps spread evenly.
 Duration phase_of(std::uint32_t number, Duration interval) {
   const std::uint32_t fraction = number * 2654435769u;
-  return Duration(
-      static_cast<std::int64_t>(static_cast<double>(interval.count()) * (fraction / 4294967296.0)));
+  return Duration(static_cast<std::int64_t>(static_cast<double>(interval.count()) *
+                                            (fraction / kUnitsPerTurn)));
 }
 
 // The next time after `was` that lies after `now`; what was missed is left out.

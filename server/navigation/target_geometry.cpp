@@ -17,8 +17,6 @@ PlanePoint along(double course_deg, double length) {
   return {length * std::sin(angle), length * std::cos(angle)};
 }
 
-double dot(PlanePoint a, PlanePoint b) { return a.east_m * b.east_m + a.north_m * b.north_m; }
-
 }  // namespace
 
 TargetPlace place_of(GeoPoint target, GeoPoint own) {
@@ -39,7 +37,7 @@ Approach approach_of(const TargetPlace& place, const TargetMotion& target,
   if (speed_squared < kStill * kStill) return {place.range_m, 0.0};
   const double tcpa = -dot(at, velocity) / speed_squared;
   const PlanePoint closest = at + velocity * tcpa;
-  return {std::sqrt(dot(closest, closest)), tcpa};
+  return {length_of(closest), tcpa};
 }
 
 }  // namespace skerry::server

@@ -22,11 +22,6 @@ bool parse(std::span<const std::uint8_t> bytes, Message& message) {
   return true;
 }
 
-double wrapped(double deg) {
-  const double rest = std::fmod(deg, 360.0);
-  return rest < 0.0 ? rest + 360.0 : rest;
-}
-
 // A straight line on a sphere of one minute a mile: for some seconds.
 GeoPoint moved(GeoPoint from, double course_deg, double distance_m) {
   const double course = degrees(course_deg).in_radians();
@@ -180,7 +175,7 @@ wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
     }
     if (!ship.no_heading()) {
       ship.set_heading_deg(
-          wrapped(said.heading_deg() + said.rate_of_turn_deg_min() / 60.0 * since_s));
+          wrapped_degrees(said.heading_deg() + said.rate_of_turn_deg_min() / 60.0 * since_s));
     }
   } else if (const auto spoke = spokes_.lower_bound({radar, 0});
              spoke != spokes_.end() && spoke->first.first == radar) {
@@ -208,7 +203,8 @@ std::vector<TrafficItem> PlayedState::traffic(UtcTime now) const {
   const double since_s = sailed_s(traffic_.time, now);
   for (TrafficItem& item : items) {
     item.position = moved(item.position, item.course_over_ground_deg, item.speed_mps * since_s);
-    item.heading_deg = wrapped(item.heading_deg + item.rate_of_turn_deg_min / 60.0 * since_s);
+    item.heading_deg =
+        wrapped_degrees(item.heading_deg + item.rate_of_turn_deg_min / 60.0 * since_s);
   }
   return items;
 }

@@ -15,10 +15,9 @@ constexpr double kPlaneLatitudes = 3.5;  // degrees to either side: 210 NM
 // From the point to the nearest place of the line.
 double distance_to_line(PlanePoint point, const echo::OverheadCable& cable) {
   const PlanePoint along = cable.to - cable.from, to = point - cable.from;
-  const double length2 = along.east_m * along.east_m + along.north_m * along.north_m;
-  const double dot = to.east_m * along.east_m + to.north_m * along.north_m;
-  const double part = length2 > 0.0 ? std::clamp(dot / length2, 0.0, 1.0) : 0.0;
-  return echo::length_of(point - (cable.from + along * part));
+  const double length2 = dot(along, along);
+  const double part = length2 > 0.0 ? std::clamp(dot(to, along) / length2, 0.0, 1.0) : 0.0;
+  return length_of(point - (cable.from + along * part));
 }
 
 echo::Fluctuation fluctuation_of(scenario::Target::Fluctuation fluctuation) {
@@ -106,9 +105,7 @@ LaidFixtures::LaidFixtures(const scenario::Scenario& scenario, std::uint64_t see
 }
 
 void LaidFixtures::add_to(echo::Scene& scene, double reach_m) const {
-  const auto near = [&](PlanePoint place) {
-    return echo::length_of(place - scene.own_ship) <= reach_m;
-  };
+  const auto near = [&](PlanePoint place) { return length_of(place - scene.own_ship) <= reach_m; };
   for (const auto& point : points_) {
     if (near(point.place)) scene.points.push_back(point);
   }

@@ -19,8 +19,6 @@ constexpr double kEmitterReach = 60.0 * 1852.0;         // beyond any antenna's 
 constexpr double kDuctedEmitterReach = 150.0 * 1852.0;  // in a duct
 constexpr double kEmitterScaleNm = 12.0;  // the range scale on which targets have their radars
 
-double length_of(PlanePoint v) { return std::sqrt(v.east_m * v.east_m + v.north_m * v.north_m); }
-
 PlanePoint velocity_of(const ShipState& ship, const echo::LocalPlane& plane) {
   return velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.speed_mps);
 }

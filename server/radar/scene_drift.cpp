@@ -34,7 +34,7 @@ void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double 
     echo::RainCell cell;
     cell.centre = plane.to_plane(rain.centre);
     cell.radius_m = rain.cloud->radius_m;
-    if (echo::length_of(cell.centre - scene.own_ship) > reach_m + cell.radius_m) continue;
+    if (length_of(cell.centre - scene.own_ship) > reach_m + cell.radius_m) continue;
     cell.velocity = velocity_in(plane, rain.centre, rain.cloud->course_deg, rain.cloud->speed_mps);
     cell.rate_mm_h = rain.cloud->rate_mm_h;
     cell.identity = identity_of(seed, Fixture::rain, rain.cloud->id);
@@ -47,7 +47,7 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
   for (const SmallTargetState& small : state.adrift) {
     if (!in_plane(plane, small.position)) continue;
     const PlanePoint place = plane.to_plane(small.position);
-    if (echo::length_of(place - scene.own_ship) > reach_m) continue;
+    if (length_of(place - scene.own_ship) > reach_m) continue;
     scene.points.push_back(
         point_of(state.scenario->targets(static_cast<int>(small.number)), seed, small.number));
     scene.points.back().place = place;
@@ -60,7 +60,7 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
     const std::uint64_t mine = number++;
     if (!in_plane(plane, position)) return;
     const PlanePoint place = plane.to_plane(position);
-    if (echo::length_of(place - scene.own_ship) > reach_m) return;
+    if (length_of(place - scene.own_ship) > reach_m) return;
     scene.sarts.push_back({place, velocity_in(plane, position, course_deg, speed_mps), height_m,
                            identity_of(seed, Fixture::sart, mine)});
   };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/world/rhumb_step.hpp"
 
 namespace skerry::server {
@@ -18,8 +19,8 @@ ShipPlace position_at(const ShipState& ship, Duration dt) {
   const RhumbEnd end = advanced(ship.position, ship.course_over_ground_deg + 0.5 * turn_deg,
                                 ship.speed_mps * dt_s * chord_of_arc(turn_deg));
   const double turned_deg = turn_deg + (end.over_pole ? 180.0 : 0.0);
-  return {end.position, wrapped_course(ship.heading_deg + turned_deg),
-          wrapped_course(ship.course_over_ground_deg + turned_deg), end.over_pole};
+  return {end.position, wrapped_degrees(ship.heading_deg + turned_deg),
+          wrapped_degrees(ship.course_over_ground_deg + turned_deg), end.over_pole};
 }
 
 }  // namespace skerry::server

@@ -20,7 +20,7 @@ constexpr double kShortest_s = 0.02;
 struct Way {
   double east = 0.0, north = 0.0;
   double length() const { return std::hypot(east, north); }
-  double course_deg() const { return wrapped_course(std::atan2(east, north) * kDegreesPerRadian); }
+  double course_deg() const { return wrapped_degrees(std::atan2(east, north) * kDegreesPerRadian); }
 };
 
 Way way_between(GeoPoint from, GeoPoint to) {
@@ -56,12 +56,13 @@ void DrivenMotion::take(const OwnShipFix& fix, Duration now) {
   reference_ = reference_at(now);
   time_ = last_fix_ = now;
   if (fix.course_over_ground_deg) {
-    reference_.course_over_ground_deg = wrapped_course(*fix.course_over_ground_deg);
+    reference_.course_over_ground_deg = wrapped_degrees(*fix.course_over_ground_deg);
   }
   if (fix.speed_mps) {
     // Along the course over ground; what the ship's own motion had was along her heading.
     if (reference_.speed_mps < 0.0 && !fix.course_over_ground_deg) {
-      reference_.course_over_ground_deg = wrapped_course(reference_.course_over_ground_deg + 180.0);
+      reference_.course_over_ground_deg =
+          wrapped_degrees(reference_.course_over_ground_deg + 180.0);
     }
     reference_.speed_mps = *fix.speed_mps;
     velocity_time_ = now;
@@ -104,7 +105,7 @@ void DrivenMotion::take_heading(double heading_deg, Duration now) {
       reference_.rate_of_turn_deg_s += off / (since_s + kMemory_s);
     }
   }
-  reference_.heading_deg = wrapped_course(heading_deg);
+  reference_.heading_deg = wrapped_degrees(heading_deg);
   heading_time_ = now;
 }
 
@@ -134,7 +135,7 @@ void DrivenMotion::steer(Duration now, Duration tick, ShipState& ship) const {
   } else {
     // position_at() turns the course by the rate of turn: half of it before the middle of the tick.
     const double half_turn = 0.5 * ship.rate_of_turn_deg_s * tick_s;
-    ship.course_over_ground_deg = wrapped_course(way.course_deg() - half_turn);
+    ship.course_over_ground_deg = wrapped_degrees(way.course_deg() - half_turn);
     ship.speed_mps = way.length() / (tick_s * chord_of_arc(2.0 * half_turn));
   }
   ship.ordered_course_deg = here.heading_deg;

@@ -1,5 +1,6 @@
 #include "server/world/environment.hpp"
 
+#include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/length.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
@@ -11,15 +12,15 @@ Environment environment_of(const scenario::Scenario& scenario) {
   environment.atmosphere = {scenario.atmosphere().k_factor(), scenario.atmosphere().ducting()};
   const scenario::Sea& sea = scenario.sea();
   environment.sea.state = sea.state();
-  environment.sea.wind_from_deg = wrapped_course(sea.wind_from_deg());
+  environment.sea.wind_from_deg = wrapped_degrees(sea.wind_from_deg());
   environment.sea.swell = {sea.swell().height_m(), sea.swell().period_s(),
-                           wrapped_course(sea.swell().from_deg())};
+                           wrapped_degrees(sea.swell().from_deg())};
   environment.wave_height_m = sea.wave_height_m();
   for (const scenario::RainCell& cell : scenario.rain()) {
     RainCloud cloud;
     cloud.id = environment.next_rain_id++;
     cloud.from = geo_point(cell.position());
-    cloud.course_deg = wrapped_course(cell.drift_deg());
+    cloud.course_deg = wrapped_degrees(cell.drift_deg());
     cloud.speed_mps = knots_in_mps(cell.drift_kn());
     cloud.radius_m = nautical_miles(cell.radius_nm()).in_metres();
     cloud.rate_mm_h = cell.rate_mm_h();

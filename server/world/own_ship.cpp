@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
@@ -26,7 +27,7 @@ OwnShip::OwnShip(const scenario::OwnShip& ship, Duration tick)
       turn_lag_(ship.turn_time_constant_s(), in_seconds(tick)),
       turn_gain_(0.25 / (ship.turn_time_constant_s() + in_seconds(tick))),
       max_rate_deg_s_(ship.max_rate_of_turn_deg_min() / 60.0),
-      ordered_course_deg_(wrapped_course(ship.course_deg())),
+      ordered_course_deg_(wrapped_degrees(ship.course_deg())),
       ordered_speed_mps_(knots_in_mps(ship.speed_kn())),
       speed_mps_(ordered_speed_mps_),
       end_speed_mps_(ordered_speed_mps_) {
@@ -42,11 +43,11 @@ OwnShip::OwnShip(const scenario::OwnShip& ship, Duration tick)
   begin_tick();
 }
 
-void OwnShip::order_course(double course_deg) { ordered_course_deg_ = wrapped_course(course_deg); }
+void OwnShip::order_course(double course_deg) { ordered_course_deg_ = wrapped_degrees(course_deg); }
 
 void OwnShip::step() {
   const ShipPlace place = position_at(state_, tick_);
-  if (place.over_pole) ordered_course_deg_ = wrapped_course(ordered_course_deg_ + 180.0);
+  if (place.over_pole) ordered_course_deg_ = wrapped_degrees(ordered_course_deg_ + 180.0);
   state_.position = place.position;
   state_.heading_deg = place.heading_deg;
   state_.course_over_ground_deg = place.course_over_ground_deg;

@@ -25,10 +25,4 @@ RhumbEnd advanced(GeoPoint from, double course_deg, double distance_m) {
   return {{std::clamp(latitude, -90.0, 90.0), canonical_longitude(longitude)}, over_pole};
 }
 
-double wrapped_course(double degrees) {
-  const double rest = std::fmod(degrees, 360.0);
-  const double positive = rest < 0.0 ? rest + 360.0 : rest;
-  return positive < 360.0 ? positive + 0.0 : 0.0;  // a tiny negative rounds to 360; -0 becomes 0
-}
-
 }  // namespace skerry::server

@@ -22,7 +22,4 @@ struct RhumbEnd {
 // Source: Karney, On auxiliary latitudes, Survey Review 56 (2024).
 RhumbEnd advanced(GeoPoint from, double course_deg, double distance_m);
 
-// `degrees` (finite) brought into [0, 360).
-double wrapped_course(double degrees);
-
 }  // namespace skerry::server

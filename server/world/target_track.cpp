@@ -3,6 +3,7 @@
 #include <GeographicLib/Geodesic.hpp>
 #include <algorithm>
 
+#include "protocol/quantity/angle.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
 
@@ -11,7 +12,7 @@ namespace skerry::server {
 TargetTrack::TargetTrack(const scenario::Target& target) {
   start_.name = target.name();
   start_.position = geo_point(target.position());
-  start_.heading_deg = wrapped_course(target.course_deg());
+  start_.heading_deg = wrapped_degrees(target.course_deg());
   start_.speed_mps = knots_in_mps(target.speed_kn());
   start_.ordered_speed_mps = start_.speed_mps;
   start_.length_m = target.length_m();
@@ -42,7 +43,7 @@ ShipState TargetTrack::at(Duration since_start) const {
   } else {
     const RhumbEnd end = advanced(start_.position, start_.heading_deg, way_m);
     ship.position = end.position;
-    if (end.over_pole) ship.heading_deg = wrapped_course(start_.heading_deg + 180.0);
+    if (end.over_pole) ship.heading_deg = wrapped_degrees(start_.heading_deg + 180.0);
   }
   ship.course_over_ground_deg = ship.heading_deg;
   ship.ordered_course_deg = ship.heading_deg;
@@ -56,7 +57,7 @@ void TargetTrack::sail_legs(double way_m, ShipState& ship) const {
   double latitude = 0.0, longitude = 0.0, azimuth = 0.0;
   leg.line.Position(std::min(way_m - leg.start_m, leg.length_m), latitude, longitude, azimuth);
   ship.position = {latitude, wrapped_longitude(longitude)};
-  ship.heading_deg = wrapped_course(azimuth);
+  ship.heading_deg = wrapped_degrees(azimuth);
   const Leg& last = legs_.back();
   if (way_m >= last.start_m + last.length_m) ship.speed_mps = ship.ordered_speed_mps = 0.0;
 }

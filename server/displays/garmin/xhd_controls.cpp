@@ -5,6 +5,7 @@
 
 #include "protocol/garmin/xhd_reports.hpp"
 #include "protocol/garmin/xhd_spoke.hpp"
+#include "protocol/quantity/angle.hpp"
 #include "server/displays/by_hand.hpp"
 
 namespace skerry::server {
@@ -31,10 +32,6 @@ std::int64_t position_of(double rejection) {
 double trim_of(std::int64_t level) { return 25.0 + 25.0 * static_cast<double>(level); }
 
 double degrees_of(std::int64_t raw) { return static_cast<double>(raw) / 32.0; }
-double within_turn(double deg) {
-  const double part = std::fmod(deg, 360.0);
-  return part < 0.0 ? part + 360.0 : part;
-}
 std::int64_t raw_angle(double deg) {
   return std::llround((deg > 180.0 ? deg - 360.0 : deg) * 32.0);
 }
@@ -62,14 +59,14 @@ bool XhdControls::rain_is_on(const wire::Settings& now) const {
 bool XhdControls::zone_is_ours(const wire::Settings& now) const {
   if (now.blanked_sectors().sectors().empty()) return true;
   const auto& sector = now.blanked_sectors().sectors(0);
-  return std::abs(sector.from_deg() - within_turn(degrees_of(zone_from_))) < 1e-6 &&
-         std::abs(sector.to_deg() - within_turn(degrees_of(zone_to_))) < 1e-6;
+  return std::abs(sector.from_deg() - wrapped_degrees(degrees_of(zone_from_))) < 1e-6 &&
+         std::abs(sector.to_deg() - wrapped_degrees(degrees_of(zone_to_))) < 1e-6;
 }
 
 void XhdControls::add_no_transmit(wire::Set& set, std::int64_t from, std::int64_t to) const {
   auto* sector = set.mutable_blanked_sectors()->add_sectors();
-  sector->set_from_deg(within_turn(degrees_of(from)));
-  sector->set_to_deg(within_turn(degrees_of(to)));
+  sector->set_from_deg(wrapped_degrees(degrees_of(from)));
+  sector->set_to_deg(wrapped_degrees(degrees_of(to)));
 }
 
 std::optional<wire::Set> XhdControls::set_of(const garmin::Command& command,

@@ -77,9 +77,9 @@ TEST(CurveDimension, OfWhatTheRefinerGivesIsTheSameAtAllBearings) {
         refiner.refine({{0, 0}, to, mixed(seed, 9), kMaxHalfAngleTan}, {.cell_m = 0.1}, curve);
         std::vector<double> h(4097, 1e9);
         for (const PlanePoint& p : curve) {
-          const double place = samples::dot(to, p) / samples::dot(to, to) * 4096.0;
+          const double place = dot(to, p) / dot(to, to) * 4096.0;
           if (std::fabs(place - std::round(place)) > 1e-6) continue;
-          h[static_cast<std::size_t>(std::lround(place))] = samples::cross(to, p) / 3000.0;
+          h[static_cast<std::size_t>(std::lround(place))] = cross(to, p) / 3000.0;
         }
         for (std::size_t i = 1024; i <= 3072; ++i) ASSERT_LT(h[i], 1e9) << "not made: " << i;
         for (int k = 0; k < kCurveOctaves; ++k) {

@@ -87,11 +87,10 @@ TEST(EdgeHardCases, FiveHundredKilometresDownToCentimetres) {
       refiner.refine(edge, {.cell_m = 1e4}, coarse);
       const PlanePoint on_coast = coarse[coarse.size() / 2];
       refiner.refine(edge, {.centre = on_coast, .range_m = 10.0, .cell_m = 0.1}, fine);
-      const PlanePoint along =
-          (edge.to - edge.from) * (1.0 / samples::length_of(edge.to - edge.from));
+      const PlanePoint along = (edge.to - edge.from) * (1.0 / length_of(edge.to - edge.from));
       double shortest = 1e9;
       for (std::size_t i = 1; i < fine.size(); ++i) {
-        const double step = samples::dot(along, fine[i] - fine[i - 1]);
+        const double step = dot(along, fine[i] - fine[i - 1]);
         ASSERT_GT(step, 0.0);
         shortest = std::min(shortest, step);
       }

@@ -15,10 +15,7 @@ namespace {
 
 using samples::any_edge;
 using samples::chance;
-using samples::cross;
-using samples::dot;
 using samples::kMethods;
-using samples::length_of;
 
 constexpr SeriesPhases kPhases[] = {SeriesPhases::cosine, SeriesPhases::alternating,
                                     SeriesPhases::random};

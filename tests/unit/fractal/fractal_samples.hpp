@@ -19,14 +19,6 @@ inline constexpr CoastMethod kMethods[] = {CoastMethod::straight, CoastMethod::r
                                            CoastMethod::random_koch, CoastMethod::midpoint,
                                            CoastMethod::weierstrass};
 
-inline double dot(PlanePoint a, PlanePoint b) {
-  return a.east_m * b.east_m + a.north_m * b.north_m;
-}
-inline double cross(PlanePoint a, PlanePoint b) {
-  return a.east_m * b.north_m - a.north_m * b.east_m;
-}
-inline double length_of(PlanePoint v) { return std::sqrt(dot(v, v)); }
-
 // Place number k of a run of seeded choices in [0, 1).
 inline double chance(std::uint64_t run, std::uint64_t k) { return as_unit(mixed(run, k)); }
 

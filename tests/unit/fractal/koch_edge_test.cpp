@@ -12,9 +12,6 @@
 namespace skerry::echo {
 namespace {
 
-double cross(PlanePoint a, PlanePoint b) { return a.east_m * b.north_m - a.north_m * b.east_m; }
-double dot(PlanePoint a, PlanePoint b) { return a.east_m * b.east_m + a.north_m * b.north_m; }
-
 struct Rhombus {
   PlanePoint corner[4];  // from, right, to, left
 };

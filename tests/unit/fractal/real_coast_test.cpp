@@ -30,7 +30,7 @@ std::vector<ShoreEdge> edges_off_bergen(const std::filesystem::path& file) {
       if (ring.edges[i] != EdgeKind::shoreline || ring.vertex_ids[i] == ring.vertex_ids[j])
         continue;
       const PlanePoint a = plane.to_plane(ring.vertices[i]), b = plane.to_plane(ring.vertices[j]);
-      if (std::max(samples::length_of(a), samples::length_of(b)) > 15.0 * 1852.0) continue;
+      if (std::max(length_of(a), length_of(b)) > 15.0 * 1852.0) continue;
       edges.push_back({a, b, ring.vertex_ids[i], ring.vertex_ids[j]});
     }
   }
@@ -59,7 +59,7 @@ void for_each_near_pair(const std::vector<Piece>& pieces, const Visit& visit) {
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const PlanePoint from = pieces[i].line.from, along = pieces[i].line.to - from;
     // In stretches no longer than a square, so that the boxes of long pieces stay small.
-    const double stretches = std::floor(samples::length_of(along) / kSquare) + 1.0;
+    const double stretches = std::floor(length_of(along) / kSquare) + 1.0;
     for (double k = 0.0; k < stretches; ++k) {
       const PlanePoint a = from + along * (k / stretches), b = from + along * ((k + 1) / stretches);
       const auto [x0, x1] = std::minmax({at(a.east_m), at(b.east_m)});

@@ -172,7 +172,7 @@ TEST(WeierstrassEdge, TermsLeftOutStandOutByLessThanTheBound) {
         for (std::size_t i = 1; i < 512; ++i) {
           const double t = static_cast<double>(i) / 512.0;
           const PlanePoint a = graph.vertex(t, few[i]).at, b = graph.vertex(t, many[i]).at;
-          worst = std::max(worst, samples::length_of(a - b));
+          worst = std::max(worst, length_of(a - b));
         }
       }
       const double h = 2.0 - dimension;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <random>
 
+#include "protocol/quantity/angle.hpp"
 #include "tests/unit/world/geodesy.hpp"
 
 namespace skerry::server {
@@ -91,13 +92,13 @@ TEST(RhumbStep, IsAlwaysAPlaceOnEarth) {
 }
 
 TEST(RhumbStep, CoursesWrap) {
-  EXPECT_EQ(wrapped_course(0.0), 0.0);
-  EXPECT_EQ(wrapped_course(360.0), 0.0);
-  EXPECT_EQ(wrapped_course(-90.0), 270.0);
-  EXPECT_EQ(wrapped_course(725.0), 5.0);
-  EXPECT_EQ(wrapped_course(-1e-300), 0.0);
-  EXPECT_FALSE(std::signbit(wrapped_course(-360.0)));
-  EXPECT_LT(wrapped_course(1e18), 360.0);
+  EXPECT_EQ(wrapped_degrees(0.0), 0.0);
+  EXPECT_EQ(wrapped_degrees(360.0), 0.0);
+  EXPECT_EQ(wrapped_degrees(-90.0), 270.0);
+  EXPECT_EQ(wrapped_degrees(725.0), 5.0);
+  EXPECT_EQ(wrapped_degrees(-1e-300), 0.0);
+  EXPECT_FALSE(std::signbit(wrapped_degrees(-360.0)));
+  EXPECT_LT(wrapped_degrees(1e18), 360.0);
 }
 
 }  // namespace
