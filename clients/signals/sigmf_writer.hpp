@@ -27,7 +27,7 @@ struct SigmfFiles {
 //   skerry:sample_clock_hz  of the board
 //   skerry:first_tick       tick of the board's clock at the first sample
 //   skerry:code_bits        of video: a sample is code << (15 - code_bits)
-// Source: SigMF 1.2.0, sigmf-spec.md and sigmf-schema.json.
+// Source: SigMF 1.2.0, the SigMF specification and sigmf-schema.json.
 // Error: std::runtime_error "cannot write PATH: why"; that recording is then removed, those before
 // it stay, without a collection.  As of pulses_of().
 SigmfFiles write_sigmf(const std::string& name, const SignalRecording& recording,
