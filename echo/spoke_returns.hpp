@@ -44,7 +44,7 @@ class SpokeReturns {
   void set_doppler(bool wanted);
 
   // Rows of spokes first .. first + count - 1, valid until the next call.  count: 1 to kMaxSector.
-  // scene.index is not looked at: it serves is_ashore() and single rays (ray_returns.hpp).
+  // scene.index is not read here: it serves is_ashore().
   static constexpr std::uint32_t kMaxSector = 64;
   PowerRows make(const Scene& scene, std::uint64_t first, std::uint32_t count);
 

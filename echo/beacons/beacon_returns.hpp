@@ -16,7 +16,7 @@
 namespace skerry::echo {
 
 // Racons, SARTs and other radars' pulses of one radar.  Work grows linearly with their number; a
-// scene without costs one branch a spoke.  Beacons must pass fault_of() (beacon_faults.hpp).
+// scene without costs one branch a spoke.  Requires beacons within the ranges of scene/beacons.hpp.
 class BeaconReturns {
  public:
   // `pattern`: of model.set; null: made when first needed.

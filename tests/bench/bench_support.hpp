@@ -10,7 +10,7 @@
 
 #include "echo/kernel/isa.hpp"
 #include "echo/kernel/log_receiver.hpp"
-#include "echo/returns/ray_returns.hpp"
+#include "tests/scenes/ray_returns.hpp"
 #include "tests/scenes/scenes.hpp"
 
 namespace skerry::bench {

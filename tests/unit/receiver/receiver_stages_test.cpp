@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "echo/receiver/azimuth_memory.hpp"
-#include "echo/receiver/detection.hpp"
+#include "tests/unit/receiver/detection.hpp"
 #include "tests/unit/receiver/view_setup.hpp"
 
 namespace skerry::echo {

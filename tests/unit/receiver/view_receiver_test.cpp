@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "echo/kernel/isa.hpp"
-#include "echo/receiver/detection.hpp"
+#include "tests/unit/receiver/detection.hpp"
 #include "tests/unit/receiver/view_setup.hpp"
 
 namespace skerry::echo {

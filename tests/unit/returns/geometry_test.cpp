@@ -17,9 +17,9 @@
 #include "echo/kernel/hash.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/coast_crossings.hpp"
-#include "echo/returns/ray_returns.hpp"
 #include "echo/scene/edge_detail.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "tests/scenes/ray_returns.hpp"
 #include "tests/scenes/scenes.hpp"
 
 namespace skerry::echo {

@@ -7,7 +7,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/isa.hpp"
 #include "echo/returns/coast_crossings.hpp"
-#include "echo/returns/ray_returns.hpp"
+#include "tests/scenes/ray_returns.hpp"
 #include "tests/scenes/scenes.hpp"
 
 namespace skerry::echo {

@@ -1,4 +1,4 @@
-#include "echo/receiver/detection.hpp"
+#include "tests/unit/receiver/detection.hpp"
 
 #include <algorithm>
 #include <cmath>

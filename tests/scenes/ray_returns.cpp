@@ -1,4 +1,4 @@
-#include "echo/returns/ray_returns.hpp"
+#include "tests/scenes/ray_returns.hpp"
 
 #include <algorithm>
 

@@ -23,8 +23,8 @@ using RayScratch = StaticScratch;
 
 // Mean signal-to-noise ratio per cell of land and structures on the ray at `relative_units` from
 // the bow, `dt` seconds after the scene's time; pulse length included.  Returns false, and leaves
-// `power` zero, where nothing echoes.  Pure: depends on nothing but its arguments. The way of one
-// ray by itself, for tests and benches; the picture's way is StaticReturns.
+// `power` zero, where nothing echoes.  Pure: depends on nothing but its arguments.  One ray by
+// itself, in the plain way; pictures are made by StaticReturns, which keeps rays from turn to turn.
 bool ray_returns(const Scene& scene, const RayModel& model, std::uint32_t relative_units, double dt,
                  RayScratch& scratch, std::span<float> power);
 
