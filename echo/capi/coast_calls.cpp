@@ -52,8 +52,8 @@ skerry_echo_style default_style(std::size_t type) {
 
 CoastStyle style_of(const skerry_echo_style* given, std::size_t type) {
   const skerry_echo_style style = from_caller("style", given, default_style(type));
-  require_choice("style.method", style.method, SKERRY_ECHO_METHOD_STRAIGHT,
-                 SKERRY_ECHO_METHOD_WEIERSTRASS);
+  require_choice("style.method", style.method, 0,
+                 static_cast<std::int64_t>(skerry::echo::coast_methods().size()) - 1);
   require_choice("style.phases", style.phases, SKERRY_ECHO_PHASES_COSINE,
                  SKERRY_ECHO_PHASES_RANDOM);
   require_choice("style.reserved", style.reserved, 0, 0);

@@ -26,12 +26,6 @@ struct FiguresOptions {
   std::string chart;
 };
 
-constexpr struct {
-  CoastMethod method;
-  const char* name;
-} kPrinted[] = {{CoastMethod::random_koch, "random Koch"},
-                {CoastMethod::midpoint, "fBm"},
-                {CoastMethod::weierstrass, "WMF"}};
 constexpr double kThreshold = 10.0;  // L, pixels, as printed
 
 constexpr double kCalmSigma = 40.0;  // pixels
@@ -89,10 +83,11 @@ RgbaImage draw_figures(const FigureCoast& coast) {
     p.threshold_px = kThreshold;
     sheet.add_coast(*coast.printed(p), name + ", improved");
   };
-  for (const auto& [method, name] : kPrinted) {
-    Parameters p = parameters_of(method, 4);
-    if (method == CoastMethod::midpoint) p.sigma_px = kCalmSigma;
-    add_both(p, name);
+  for (const CoastMethodRow& row : coast_methods()) {
+    if (row.paper_label.empty()) continue;
+    Parameters p = parameters_of(row.method, 4);
+    if (row.method == CoastMethod::midpoint) p.sigma_px = kCalmSigma;
+    add_both(p, std::string(row.paper_label));
   }
   cut.iterations = 4;
   add_both(cut, "random Koch, c = 15");
@@ -103,17 +98,18 @@ RgbaImage draw_figures(const FigureCoast& coast) {
                   "Corrected: D 1.15, down to the radar's resolution",
                   kCalmSigma));
   sheet.add_echo(coast.printed({.method = CoastMethod::straight}), "conventional");
-  for (const auto& [method, name] : kPrinted) {
-    Parameters p = parameters_of(method, 3, kThreshold);
-    if (method == CoastMethod::midpoint) p.sigma_px = kCalmSigma;
-    sheet.add_echo(coast.printed(p), fmt::format("{} as printed", name));
+  for (const CoastMethodRow& row : coast_methods()) {
+    if (row.paper_label.empty()) continue;
+    Parameters p = parameters_of(row.method, 3, kThreshold);
+    if (row.method == CoastMethod::midpoint) p.sigma_px = kCalmSigma;
+    sheet.add_echo(coast.printed(p), fmt::format("{} as printed", row.paper_label));
   }
-  const auto add_corrected = [&](CoastMethod method, const char* name) {
-    sheet.add_echo(coast.corrected({.method = method, .dimension = 1.15}),
-                   fmt::format("{} corrected", name));
-  };
-  add_corrected(CoastMethod::regular_koch, "regular Koch");
-  for (const auto& [method, name] : kPrinted) add_corrected(method, name);
+  for (const CoastMethodRow& row : coast_methods()) {
+    if (row.method == CoastMethod::straight) continue;
+    sheet.add_echo(
+        coast.corrected({.method = row.method, .dimension = 1.15}),
+        fmt::format("{} corrected", row.paper_label.empty() ? row.label : row.paper_label));
+  }
   return sheet.take();
 }
 

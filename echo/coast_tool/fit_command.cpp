@@ -19,9 +19,6 @@ namespace {
 
 constexpr std::array kTypes = {CoastType::unknown, CoastType::artificial, CoastType::rocky,
                                CoastType::sandy};
-constexpr std::array kMethods = {CoastMethod::straight, CoastMethod::regular_koch,
-                                 CoastMethod::random_koch, CoastMethod::midpoint,
-                                 CoastMethod::weierstrass};
 
 // A stretch's own offset is no surer than that of so many edges.
 constexpr int kStretchEdges = 64;
@@ -34,13 +31,6 @@ struct FitOptions {
   double stretch_km = 10.0;
   std::string csv, yaml;
 };
-
-std::optional<CoastMethod> method_of(const std::string& name) {
-  for (CoastMethod method : kMethods) {
-    if (name_of(method) == name) return method;
-  }
-  return std::nullopt;
-}
 
 CoastArea area_of(const FitOptions& options, const ChartSource& chart) {
   if (!options.area.empty()) return parse_area(options.area);
@@ -98,7 +88,7 @@ class Fitter {
     const double to = options_.to_m > 0.0 ? options_.to_m : 32.0 * from;
     out.measurement = measure_coast(out.coast, from, to, tell_);
     tell_("choosing a style");
-    auto method = method_of(options_.method);
+    auto method = find_method(options_.method);
     if (type == CoastType::artificial && !method) method = CoastMethod::straight;
     out.chosen = choose_style(out.measurement.box.dimension,
                               offset_at(out.measurement, out.measurement.spacing_m).value, method);
@@ -161,7 +151,7 @@ int run_fit(const FitOptions& options) {
     const double from = options.from_m > 0.0 ? options.from_m : finest_scale_m(all);
     const CoastStretches found =
         measure_stretches(all, fitter.plane(), options.stretch_km * 1000.0, from, tell);
-    stretches = styled(found, fits.front(), method_of(options.method), tell);
+    stretches = styled(found, fits.front(), find_method(options.method), tell);
     text += stretches_text(found, stretches);
   }
   const std::string scenario = scenario_text(fits, stretches);
@@ -202,7 +192,7 @@ Command make_fit_command(CLI::App& app) {
   command->add_option("--to", options->to_m, "Largest size of box, metres.  Default: 32 times that")
       ->check(CLI::Range(0.4, 1e6));
   std::vector<std::string> methods;
-  for (CoastMethod method : kMethods) methods.emplace_back(name_of(method));
+  for (const CoastMethodRow& row : coast_methods()) methods.emplace_back(row.name);
   command->add_option("--method", options->method, "Default: by the dimension")
       ->check(CLI::IsMember(methods));
   command->add_flag("--stretches", options->stretches, "Also each stretch of the coast by itself");

@@ -38,10 +38,7 @@ void split_at(const std::vector<as_printed::PixelPoint>& vertices,
 }  // namespace
 
 bool Contestant::random() const {
-  if (const auto* style = std::get_if<CoastStyle>(&method)) {
-    return style->method != CoastMethod::straight && style->method != CoastMethod::regular_koch &&
-           !(style->method == CoastMethod::weierstrass && style->phases != SeriesPhases::random);
-  }
+  if (const auto* style = std::get_if<CoastStyle>(&method)) return depends_on_seed(*style);
   const CoastMethod printed = std::get<as_printed::Parameters>(method).method;
   return printed == CoastMethod::random_koch || printed == CoastMethod::midpoint;
 }

@@ -52,20 +52,15 @@ std::vector<Named> contestants_for(const ThinnedCoast& coast, const CoastArea& a
       "the thinned chart's straight edges");
   add("random Koch, default", {}, words_of({}));
   const auto measurement = measured(coast, area, tell);
-  constexpr struct {
-    CoastMethod method;
-    const char* name;
-  } kCorrected[] = {{CoastMethod::regular_koch, "regular Koch"},
-                    {CoastMethod::random_koch, "random Koch"},
-                    {CoastMethod::midpoint, "midpoint"},
-                    {CoastMethod::weierstrass, "Weierstrass"}};
-  for (const auto& [method, name] : kCorrected) {
-    CoastStyle style{.method = method, .dimension = std::min(1.3, greatest_dimension(method))};
+  for (const CoastMethodRow& row : coast_methods()) {
+    if (row.method == CoastMethod::straight) continue;
+    CoastStyle style{.method = row.method, .dimension = std::min(1.3, row.greatest_dimension)};
     if (measurement) {
       const Range95 offset = offset_at(*measurement, measurement->spacing_m);
-      style = choose_style(measurement->box.dimension, offset.value, method).style;
+      style = choose_style(measurement->box.dimension, offset.value, row.method).style;
     }
-    add(fmt::format("{}, {}", name, measurement ? "fitted" : "unfitted"), style, words_of(style));
+    add(fmt::format("{}, {}", row.label, measurement ? "fitted" : "unfitted"), style,
+        words_of(style));
   }
   all.push_back({printed_by("printed: random Koch", CoastMethod::random_koch),
                  "as printed, c 15, L 10 pixels, 3 iterations"});

@@ -1,39 +1,55 @@
 #include "echo/fractal/coast_style.hpp"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 
+#include "echo/fractal/edge_refiner.hpp"
+
 namespace skerry::echo {
 
-double greatest_dimension(CoastMethod method) {
-  switch (method) {
-    case CoastMethod::straight:
-      return 1.0;
-    case CoastMethod::regular_koch:
-      return 1.25;
-    case CoastMethod::random_koch:
-      return 1.175;
-    case CoastMethod::midpoint:
-    case CoastMethod::weierstrass:
-      return 1.5;
+namespace {
+
+// A new method: its row here, its number in CoastMethod, its make function in edge_refiner.hpp, and
+// its name in scenario.proto and skerry_echo.h.
+constexpr std::array kMethods = {
+    CoastMethodRow{CoastMethod::straight, "straight", "straight", "", 1.0, false,
+                   make_straight_method},
+    CoastMethodRow{CoastMethod::regular_koch, "koch", "regular Koch", "", 1.25, false,
+                   make_koch_method},
+    CoastMethodRow{CoastMethod::random_koch, "random_koch", "random Koch", "random Koch", 1.175,
+                   true, make_koch_method},
+    CoastMethodRow{CoastMethod::midpoint, "midpoint", "midpoint", "fBm", 1.5, true,
+                   make_midpoint_method},
+    CoastMethodRow{CoastMethod::weierstrass, "weierstrass", "Weierstrass", "WMF", 1.5, true,
+                   make_weierstrass_method}};
+
+constexpr bool rows_stand_at_their_numbers() {
+  for (std::size_t i = 0; i < kMethods.size(); ++i) {
+    if (static_cast<std::size_t>(kMethods[i].method) != i) return false;
   }
-  return 1.0;
+  return true;
+}
+static_assert(rows_stand_at_their_numbers());
+
+}  // namespace
+
+std::span<const CoastMethodRow> coast_methods() { return kMethods; }
+
+const CoastMethodRow& row_of(CoastMethod method) {
+  return kMethods[static_cast<std::size_t>(method)];
 }
 
-std::string_view name_of(CoastMethod method) {
-  switch (method) {
-    case CoastMethod::straight:
-      return "straight";
-    case CoastMethod::regular_koch:
-      return "koch";
-    case CoastMethod::random_koch:
-      return "random_koch";
-    case CoastMethod::midpoint:
-      return "midpoint";
-    case CoastMethod::weierstrass:
-      return "weierstrass";
+std::optional<CoastMethod> find_method(std::string_view name) {
+  for (const CoastMethodRow& row : kMethods) {
+    if (row.name == name) return row.method;
   }
-  return "";
+  return std::nullopt;
+}
+
+bool depends_on_seed(const CoastStyle& style) {
+  if (style.method == CoastMethod::weierstrass) return style.phases == SeriesPhases::random;
+  return row_of(style.method).by_chance;
 }
 
 namespace {

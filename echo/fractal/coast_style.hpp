@@ -2,18 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
 
 namespace skerry::echo {
 
+// Each has its row in coast_methods().  The numbers stand in the C interface.
 enum class CoastMethod : std::uint8_t {
-  straight,      // conventional: the chart's edge as it is
+  straight,      // the chart's edge as it is
   regular_koch,  // every apex on the same side
   random_koch,   // joints, height and side of every apex by chance
   midpoint,      // fractional Brownian motion by random midpoint displacement
   weierstrass,   // Weierstrass-Mandelbrot function
 };
-inline constexpr int kCoastMethods = 5;
 
 // Phases of the Weierstrass-Mandelbrot series (Ji et al. 2016 section 2; SOURCES.md "Corrections
 // 9").
@@ -38,12 +41,29 @@ struct CoastStyle {
   friend bool operator==(const CoastStyle&, const CoastStyle&) = default;
 };
 
-// The largest dimension a method can be asked for: 1 for straight, 1.25 for regular Koch, 1.175 for
-// random Koch, 1.5 for midpoint and Weierstrass.
-double greatest_dimension(CoastMethod method);
+class EdgeMethod;
 
-// As scenarios write it: "straight", "koch", "random_koch", "midpoint", "weierstrass".
-std::string_view name_of(CoastMethod method);
+// All that the program knows of one method.  Scenario keys, command lines, reports, the C interface
+// and the refiner take it from here.
+struct CoastMethodRow {
+  CoastMethod method;
+  std::string_view name;         // in scenarios and command lines; as scenario.proto has it
+  std::string_view label;        // in reports and pictures
+  std::string_view paper_label;  // in Ji et al. 2016; empty: the paper does not print it
+  double greatest_dimension;     // that a style may ask for
+  bool by_chance;                // the edge's seed decides
+  std::unique_ptr<const EdgeMethod> (*make)(const CoastStyle& style);  // edge_refiner.hpp
+};
+
+// One row per method, row i of method number i.
+std::span<const CoastMethodRow> coast_methods();
+const CoastMethodRow& row_of(CoastMethod method);
+std::optional<CoastMethod> find_method(std::string_view name);
+inline std::string_view name_of(CoastMethod method) { return row_of(method).name; }
+inline double greatest_dimension(CoastMethod method) { return row_of(method).greatest_dimension; }
+
+// Whether another seed makes another coast.
+bool depends_on_seed(const CoastStyle& style);
 
 // Error: std::invalid_argument naming the parameter, its value and the range allowed.
 void require_valid(const CoastStyle& style);

@@ -1,4 +1,4 @@
-// EdgeRefiner: one chart edge grown into a coast.
+// EdgeRefiner: one chart edge grown into a coast, by one of the methods of coast_style.hpp.
 #pragma once
 
 #include <algorithm>
@@ -44,13 +44,29 @@ struct DetailLimit {
   double least_visible_m() const { return std::max(0.1 * cell_m, 0.05); }
 };
 
-class EdgeMethod;
+// The interface that every method of refinement has.  Thread: immutable, any number.
+class EdgeMethod {
+ public:
+  virtual ~EdgeMethod() = default;
+  // With the guarantees of EdgeRefiner::refine().
+  virtual void refine(const GrowingEdge& edge, const DetailLimit& limit,
+                      std::vector<PlanePoint>& out) const = 0;
+};
+
+// What coast_methods() names, for a valid style of that method.  Koch: the dimension is the
+// similarity dimension in the widest envelope; the amplitude is a factor on the height of the
+// apexes, up to what the envelope allows.
+std::unique_ptr<const EdgeMethod> make_straight_method(const CoastStyle& style);
+std::unique_ptr<const EdgeMethod> make_koch_method(const CoastStyle& style);
+std::unique_ptr<const EdgeMethod> make_midpoint_method(const CoastStyle& style);
+std::unique_ptr<const EdgeMethod> make_weierstrass_method(const CoastStyle& style);
 
 // Thread: immutable, any number.  Copies share their tables.
 class EdgeRefiner {
  public:
   // Error: std::invalid_argument as require_valid().
-  explicit EdgeRefiner(const CoastStyle& style);
+  explicit EdgeRefiner(const CoastStyle& style)
+      : style_((require_valid(style), style)), method_(row_of(style.method).make(style)) {}
 
   const CoastStyle& style() const { return style_; }
   // Appends the vertices after edge.from, edge.to last.
@@ -58,7 +74,9 @@ class EdgeRefiner {
   // one and never move; a pure function of its arguments; stays in the rhombus; never crosses or
   // touches itself.
   void refine(const GrowingEdge& edge, const DetailLimit& limit,
-              std::vector<PlanePoint>& out) const;
+              std::vector<PlanePoint>& out) const {
+    method_->refine(edge, limit, out);
+  }
 
  private:
   CoastStyle style_;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "echo/fractal/dimension.hpp"
-#include "echo/fractal/edge_method.hpp"
+#include "echo/fractal/edge_refiner.hpp"
 #include "echo/fractal/koch_edge.hpp"
 
 namespace skerry::echo {
@@ -56,7 +56,7 @@ class KochMethod final : public EdgeMethod {
 
 }  // namespace
 
-std::unique_ptr<const EdgeMethod> make_straight_method() {
+std::unique_ptr<const EdgeMethod> make_straight_method(const CoastStyle&) {
   return std::make_unique<StraightMethod>();
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "echo/fractal/edge_method.hpp"
+#include "echo/fractal/edge_refiner.hpp"
 
 namespace skerry::echo {
 namespace {

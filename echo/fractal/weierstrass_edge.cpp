@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/fractal/edge_method.hpp"
+#include "echo/fractal/edge_refiner.hpp"
 #include "echo/fractal/weierstrass_series.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"

@@ -11,25 +11,9 @@
 namespace skerry::server {
 namespace {
 
-using echo::CoastMethod;
 using echo::CoastStyle;
 using echo::CoastType;
 using echo::SeriesPhases;
-
-CoastMethod method_of(scenario::CoastStyle::Method method) {
-  switch (method) {
-    case scenario::CoastStyle::koch:
-      return CoastMethod::regular_koch;
-    case scenario::CoastStyle::midpoint:
-      return CoastMethod::midpoint;
-    case scenario::CoastStyle::weierstrass:
-      return CoastMethod::weierstrass;
-    case scenario::CoastStyle::straight:
-      return CoastMethod::straight;
-    default:
-      return CoastMethod::random_koch;
-  }
-}
 
 SeriesPhases phases_of(scenario::CoastStyle::Phases phases) {
   switch (phases) {
@@ -46,7 +30,8 @@ SeriesPhases phases_of(scenario::CoastStyle::Phases phases) {
 // old one that it can have, unless the scenario says which.
 CoastStyle with(const scenario::CoastStyle& said, CoastStyle style, const std::string& key) {
   if (said.has_method()) {
-    style.method = method_of(said.method());
+    // The schema's names are those of the methods (coast_rules_test).
+    style.method = *echo::find_method(scenario::CoastStyle::Method_Name(said.method()));
     style.dimension = std::min(style.dimension, echo::greatest_dimension(style.method));
   }
   if (said.has_dimension()) style.dimension = said.dimension();

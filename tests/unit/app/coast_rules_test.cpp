@@ -65,6 +65,24 @@ TEST(CoastRules, TakeWhatIsSaidAndLeaveTheRest) {
   EXPECT_FALSE(rules.guess_types);
 }
 
+// The schema and the table of methods name the same ones; the schema's numbers are in files and
+// never change.
+TEST(CoastRules, KnowEveryMethodByTheSchemasName) {
+  const auto* schema = scenario::CoastStyle::Method_descriptor();
+  EXPECT_EQ(schema->value_count(), static_cast<int>(echo::coast_methods().size()));
+  for (const echo::CoastMethodRow& row : echo::coast_methods()) {
+    const std::string name(row.name);
+    ASSERT_NE(schema->FindValueByName(name), nullptr) << name;
+    const echo::CoastRules rules = rules_of("coast: {rocky: {method: " + name + "}}");
+    EXPECT_EQ(style(rules, CoastType::rocky).method, row.method) << name;
+  }
+  EXPECT_EQ(schema->FindValueByName("random_koch")->number(), 0);
+  EXPECT_EQ(schema->FindValueByName("koch")->number(), 1);
+  EXPECT_EQ(schema->FindValueByName("midpoint")->number(), 2);
+  EXPECT_EQ(schema->FindValueByName("weierstrass")->number(), 3);
+  EXPECT_EQ(schema->FindValueByName("straight")->number(), 4);
+}
+
 TEST(CoastRules, AStraightMethodBringsItsOwnDimension) {
   const echo::CoastRules rules = rules_of("coast: {rocky: {method: straight}}");
   EXPECT_DOUBLE_EQ(style(rules, CoastType::rocky).dimension, 1.0);

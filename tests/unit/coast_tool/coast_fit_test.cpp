@@ -122,7 +122,7 @@ TEST(StyleChoice, TakesTheMethodThatReachesTheDimension) {
   EXPECT_EQ(choose_style(1.1, 0.1, {}).style.method, CoastMethod::random_koch);
   EXPECT_EQ(choose_style(1.33, 0.1, {}).style.method, CoastMethod::midpoint);
   for (double dimension : {0.9, 1.0, 1.01, 1.1, 1.1749, 1.1751, 1.33, 1.6}) {
-    for (int method = -1; method < kCoastMethods; ++method) {
+    for (int method = -1; method < static_cast<int>(coast_methods().size()); ++method) {
       const auto wanted = method < 0 ? std::nullopt : std::optional(CoastMethod(method));
       const ChosenStyle chosen = choose_style(dimension, 0.1, wanted, 4);
       EXPECT_NO_THROW(require_valid(chosen.style));

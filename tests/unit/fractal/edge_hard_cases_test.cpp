@@ -6,6 +6,7 @@
 #include <string>
 
 #include "echo/fractal/edge_refiner.hpp"
+#include "tests/scenes/every_method.hpp"
 #include "tests/unit/fractal/fractal_samples.hpp"
 
 namespace skerry::echo {
@@ -22,7 +23,7 @@ std::string refusal(const CoastStyle& style) {
 
 TEST(EdgeHardCases, LengthsRoomsAndParametersAtTheirLimits) {
   std::size_t most = 0, edges = 0;
-  for (const CoastMethod method : samples::kMethods) {
+  for (const CoastMethod method : scenes::every_method()) {
     const double greatest = greatest_dimension(method);
     for (const double dimension :
          {1.0, 1.0 + 1e-15, 1.0 + 1e-9, 1.000001, 1.001, 0.5 * (1.0 + greatest), greatest}) {
@@ -108,7 +109,7 @@ TEST(EdgeHardCases, FiveHundredKilometresDownToCentimetres) {
 TEST(EdgeHardCases, ParametersOutOfRangeAreRefusedWithTheRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
-  for (const CoastMethod method : samples::kMethods) {
+  for (const CoastMethod method : scenes::every_method()) {
     const double greatest = greatest_dimension(method);
     EXPECT_EQ(refusal({.method = method, .dimension = greatest}), "");
     EXPECT_EQ(refusal({.method = method, .dimension = 1.0}), "");

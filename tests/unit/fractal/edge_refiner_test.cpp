@@ -8,6 +8,7 @@
 #include <string>
 
 #include "echo/fractal/clearance.hpp"
+#include "tests/scenes/every_method.hpp"
 #include "tests/unit/fractal/fractal_samples.hpp"
 
 namespace skerry::echo {
@@ -15,7 +16,6 @@ namespace {
 
 using samples::any_edge;
 using samples::chance;
-using samples::kMethods;
 
 constexpr SeriesPhases kPhases[] = {SeriesPhases::cosine, SeriesPhases::alternating,
                                     SeriesPhases::random};
@@ -37,11 +37,8 @@ std::vector<PlanePoint> grown(const EdgeRefiner& refiner, const GrowingEdge& edg
 }
 
 class EveryMethod : public testing::TestWithParam<CoastMethod> {};
-INSTANTIATE_TEST_SUITE_P(Coast, EveryMethod, testing::ValuesIn(kMethods), [](const auto& method) {
-  std::string name(name_of(method.param));
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Coast, EveryMethod, testing::ValuesIn(scenes::every_method()),
+                         scenes::kMethodName);
 
 // 12 000 edges of each method, each with a style of its own: the guarantees of refine().
 TEST_P(EveryMethod, KeepsItsGuarantees) {

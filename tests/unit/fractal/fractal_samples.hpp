@@ -15,10 +15,6 @@
 
 namespace skerry::echo::samples {
 
-inline constexpr CoastMethod kMethods[] = {CoastMethod::straight, CoastMethod::regular_koch,
-                                           CoastMethod::random_koch, CoastMethod::midpoint,
-                                           CoastMethod::weierstrass};
-
 // Place number k of a run of seeded choices in [0, 1).
 inline double chance(std::uint64_t run, std::uint64_t k) { return as_unit(mixed(run, k)); }
 

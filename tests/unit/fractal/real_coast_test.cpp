@@ -12,6 +12,7 @@
 #include "echo/chart/local_plane.hpp"
 #include "echo/fractal/clearance.hpp"
 #include "echo/fractal/edge_refiner.hpp"
+#include "tests/scenes/every_method.hpp"
 #include "tests/unit/fractal/fractal_samples.hpp"
 
 namespace skerry::echo {
@@ -87,14 +88,8 @@ bool share_an_end(const ShoreEdge& p, const ShoreEdge& q) {
 }
 
 class RealCoast : public testing::TestWithParam<CoastMethod> {};
-INSTANTIATE_TEST_SUITE_P(Bergen, RealCoast,
-                         testing::Values(CoastMethod::regular_koch, CoastMethod::random_koch,
-                                         CoastMethod::midpoint, CoastMethod::weierstrass),
-                         [](const auto& method) {
-                           std::string name(name_of(method.param));
-                           std::erase(name, '-');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Bergen, RealCoast, testing::ValuesIn(scenes::every_refining_method()),
+                         scenes::kMethodName);
 
 TEST_P(RealCoast, NothingMeetsAndNothingMoves) {
   std::filesystem::path file;

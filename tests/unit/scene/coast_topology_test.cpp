@@ -11,6 +11,7 @@
 #include "echo/chart/land_mask.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "tests/scenes/charts.hpp"
+#include "tests/scenes/every_method.hpp"
 #include "tests/unit/scene/coast_helpers.hpp"
 
 namespace skerry::echo {
@@ -248,15 +249,8 @@ TEST_P(RefinedCoast, IsTheSameFromAnotherAnchor) {
   EXPECT_LE(worst, 0.005);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryMethod, RefinedCoast,
-                         testing::Values(CoastMethod::straight, CoastMethod::regular_koch,
-                                         CoastMethod::random_koch, CoastMethod::midpoint,
-                                         CoastMethod::weierstrass),
-                         [](const auto& method) {
-                           std::string name(name_of(method.param));
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(EveryMethod, RefinedCoast, testing::ValuesIn(scenes::every_method()),
+                         scenes::kMethodName);
 
 }  // namespace
 }  // namespace skerry::echo

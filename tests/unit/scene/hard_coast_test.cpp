@@ -15,6 +15,7 @@
 #include "echo/scene/polar_index.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "tests/scenes/charts.hpp"
+#include "tests/scenes/every_method.hpp"
 #include "tests/unit/scene/coast_helpers.hpp"
 
 namespace skerry::echo {
@@ -22,9 +23,6 @@ namespace {
 
 using namespace test;
 
-constexpr CoastMethod kMethods[] = {CoastMethod::straight, CoastMethod::regular_koch,
-                                    CoastMethod::random_koch, CoastMethod::midpoint,
-                                    CoastMethod::weierstrass};
 constexpr std::uint32_t kMostEdges = 2'000'000;
 
 // Finite and bounded; all rays meet the coast in order, and land that begins ends.
@@ -58,7 +56,7 @@ void expect_sound(const CoastPicture& picture, PlanePoint own_ship, const char* 
 // By every method at every range scale; in all so many edges at most.
 void expect_sound_everywhere(const CoastChart& c, GeoPoint own_ship, const char* what) {
   std::uint32_t most = 0;
-  for (const CoastMethod method : kMethods) {
+  for (const CoastMethod method : scenes::every_method()) {
     CoastPreparer preparer(c, own_ship, all_by(method, 1.5));
     for (const double nm : RangeScale::kNauticalMiles) {
       const auto picture = preparer.prepare(own_ship, resolution(nm));
@@ -162,7 +160,7 @@ TEST(HardCoast, TheShipOnLandInALakeAndOnAnIslandInIt) {
                            Spot{"in a lake", 1500, false}, Spot{"on the island in it", 0, true}}) {
     const GeoPoint at = place(kMiddle, spot.east_m, 0);
     expect_sound_everywhere(c, at, spot.what);
-    for (const CoastMethod method : kMethods) {
+    for (const CoastMethod method : scenes::every_method()) {
       CoastPreparer preparer(c, at, all_by(method, 1.5));
       for (const double nm : {0.125, 0.75, 6.0}) {
         const auto picture = preparer.prepare(at, resolution(nm));
@@ -261,7 +259,7 @@ TEST(HardCoast, AContinentAsOneRing) {
   r.edges.assign(r.vertices.size(), EdgeKind::shoreline);
   const GeoPoint coast = r.vertices[kCorners / 2];
   const GeoPoint off{coast.latitude_deg, coast.longitude_deg - 0.15};
-  for (const CoastMethod method : kMethods) {
+  for (const CoastMethod method : scenes::every_method()) {
     CoastPreparer preparer(chart({r}, 150e3, off), off, all_by(method, 1.5));
     for (const double nm : {0.125, 12.0, 96.0}) {
       const auto picture = preparer.prepare(off, resolution(nm));

@@ -15,6 +15,7 @@
 #include "echo/scene/plane_geometry.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "tests/scenes/charts.hpp"
+#include "tests/scenes/every_method.hpp"
 #include "tests/unit/scene/coast_helpers.hpp"
 
 namespace skerry::echo {
@@ -124,13 +125,7 @@ TEST_P(WanderingPicture, IsTheOneMadeFreshAfterAnyHistory) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryMethod, WanderingPicture,
-                         testing::Values(CoastMethod::regular_koch, CoastMethod::random_koch,
-                                         CoastMethod::midpoint, CoastMethod::weierstrass),
-                         [](const auto& method) {
-                           std::string name(name_of(method.param));
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         testing::ValuesIn(scenes::every_refining_method()), scenes::kMethodName);
 
 TEST(LevelOfDetail, MostOfTheCoastIsKeptWhenTheShipHasMovedByItsSlack) {
   const auto window = scenes::world_chart(scenes::kBergen, nautical_miles(20));
