@@ -51,7 +51,7 @@ Radar::Radar(std::shared_ptr<const SharedChart> chart, const CoastRules& rules,
     : chart_(std::move(chart)),
       rules_(rules),
       mount_(mount),
-      clock_(mount.rpm, mount.geometry.spokes_per_turn),
+      clock_(mount.set.rpm, mount.geometry.spokes_per_turn),
       renderer_(mount.set, mount.geometry, clock_, mount.number) {}
 
 Radar::View Radar::view_for(const ShipMotion& own_ship, RangeScale scale) const {

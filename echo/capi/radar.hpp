@@ -15,7 +15,6 @@ namespace skerry::echo::capi {
 struct RadarMount {
   RadarSet set;
   ScanGeometry geometry;
-  double rpm = 24.0;
   std::uint32_t number = 0;  // tells the noise of radars apart
 };
 
@@ -56,7 +55,7 @@ class Radar {
   // A scene is carried on for so long at most.
   static constexpr double kSceneSeconds = 10.0;
 
-  // Requires a valid geometry and 1 <= rpm <= 240.
+  // Requires a valid geometry and a set within kSetLimits (set_checks.hpp).
   Radar(std::shared_ptr<const SharedChart> chart, const CoastRules& rules, const RadarMount& mount);
 
   std::mutex in_use;

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "echo/capi/held.hpp"
 #include "echo/capi/radar.hpp"
+#include "echo/radar/set_checks.hpp"
 
 namespace {
 
@@ -28,7 +30,7 @@ skerry_echo_radar_options default_options() {
           mount.geometry.cells,
           mount.geometry.bits,
           0,
-          mount.rpm,
+          mount.set.rpm,
           mount.set.frequency_hz,
           mount.set.peak_power_w,
           mount.set.antenna_gain_db,
@@ -51,24 +53,20 @@ RadarMount mount_of(const skerry_echo_radar_options* given) {
                     fmt::format("options.bits is {}; allowed: 4 or 8", o.bits));
   }
   require_choice("options.reserved", o.reserved, 0, 0);
-  require_range("options.rpm", o.rpm, 1.0, 240.0);
-  require_range("options.frequency_hz", o.frequency_hz, 2.9e9, 9.9e9);
-  require_range("options.peak_power_w", o.peak_power_w, 20.0, 100e3);
-  require_range("options.antenna_gain_db", o.antenna_gain_db, 15.0, 40.0);
-  require_range("options.beam_width_deg", o.beam_width_deg, 0.3, 6.0);
-  require_range("options.antenna_height_m", o.antenna_height_m, 2.0, 80.0);
-  require_range("options.noise_figure_db", o.noise_figure_db, 0.0, 20.0);
-  require_range("options.losses_db", o.losses_db, 0.0, 20.0);
-  return {{.frequency_hz = o.frequency_hz,
-           .peak_power_w = o.peak_power_w,
-           .antenna_gain_db = o.antenna_gain_db,
-           .beam_width_deg = o.beam_width_deg,
-           .antenna_height_m = o.antenna_height_m,
-           .noise_figure_db = o.noise_figure_db,
-           .losses_db = o.losses_db},
-          {o.spokes_per_turn, o.cells, o.bits},
-          o.rpm,
-          o.number};
+  skerry::echo::RadarSet set;
+  set.rpm = o.rpm;
+  set.frequency_hz = o.frequency_hz;
+  set.peak_power_w = o.peak_power_w;
+  set.antenna_gain_db = o.antenna_gain_db;
+  set.beam_width_deg = o.beam_width_deg;
+  set.antenna_height_m = o.antenna_height_m;
+  set.noise_figure_db = o.noise_figure_db;
+  set.losses_db = o.losses_db;
+  for (const skerry::echo::SetLimit& limit : skerry::echo::kSetLimits) {
+    const std::string name = fmt::format("options.{}", limit.name);
+    require_range(name.c_str(), set.*limit.member, limit.min, limit.max);
+  }
+  return {std::move(set), {o.spokes_per_turn, o.cells, o.bits}, o.number};
 }
 
 // Both kinds of ship have these fields.

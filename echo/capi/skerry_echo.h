@@ -256,11 +256,11 @@ typedef struct skerry_echo_radar_options {
   uint32_t bits;             // per cell: 4 (values 0 to 15) or 8 (0 to 255); a byte each
   uint32_t reserved;         // 0
   double rpm;                // 1 to 240, to 0.001
-  double frequency_hz;       // 2.9e9 to 9.9e9
-  double peak_power_w;       // 20 to 100e3
-  double antenna_gain_db;    // 15 to 40
-  double beam_width_deg;     // horizontal, one way, -3 dB; 0.3 to 6
-  double antenna_height_m;   // 2 to 80
+  double frequency_hz;       // 2.85e9 to 9.9e9
+  double peak_power_w;       // 1 to 100e3
+  double antenna_gain_db;    // 15 to 45
+  double beam_width_deg;     // horizontal, one way, -3 dB; 0.3 to 7.5
+  double antenna_height_m;   // 1 to 100
   double noise_figure_db;    // 0 to 20
   double losses_db;          // 0 to 20
 } skerry_echo_radar_options;

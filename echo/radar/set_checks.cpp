@@ -76,22 +76,20 @@ double gain_of_beams_db(double beam_width_deg, double vertical_beam_deg) {
 
 std::vector<std::string> faults_of(const RadarSet& set) {
   Faults faults;
-  faults.band(set.frequency_hz);
-  faults.within("video_range_db", set.video_range_db, 3.0, 100.0, "dB");
-  faults.within("peak_power_w", set.peak_power_w, 1.0, 100e3, "W");
-  faults.within("antenna_gain_db", set.antenna_gain_db, 15.0, 45.0, "dB");
-  const bool wide = faults.within("beam_width_deg", set.beam_width_deg, 0.3, 7.5, "deg");
-  const bool high = faults.within("vertical_beam_deg", set.vertical_beam_deg, 5.0, 40.0, "deg");
-  if (wide && high) faults.gain(set);
-  faults.within("near_side_lobe_db", set.near_side_lobe_db, -60.0, -15.0, "dB");
-  faults.within("far_side_lobe_db", set.far_side_lobe_db, -80.0, -15.0, "dB");
+  bool beams = true;
+  for (const SetLimit& limit : kSetLimits) {
+    if (limit.member == &RadarSet::frequency_hz) {
+      faults.band(set.frequency_hz);
+    } else if (!faults.within(std::string(limit.name), set.*limit.member, limit.min, limit.max,
+                              limit.unit.data())) {
+      beams = beams && limit.member != &RadarSet::beam_width_deg &&
+              limit.member != &RadarSet::vertical_beam_deg;
+    }
+  }
+  if (beams) faults.gain(set);
   if (set.far_side_lobe_db > set.near_side_lobe_db)
     faults.add("%s: %g dB is above near_side_lobe_db, %g dB", "far_side_lobe_db",
                set.far_side_lobe_db, set.near_side_lobe_db);
-  faults.within("rpm", set.rpm, 1.0, 240.0, "rpm");
-  faults.within("antenna_height_m", set.antenna_height_m, 1.0, 300.0, "m");
-  faults.within("noise_figure_db", set.noise_figure_db, 0.5, 20.0, "dB");
-  faults.within("losses_db", set.losses_db, 0.0, 20.0, "dB");
   if (set.pulses.empty() || set.pulses.size() > kMostPulses)
     faults.add("%s: %zu is outside 1 to %zu pulses", "pulses", set.pulses.size(), kMostPulses);
   for (std::size_t i = 0; i < std::min(set.pulses.size(), kMostPulses); ++i)

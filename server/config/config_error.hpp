@@ -22,7 +22,7 @@ struct TextPlace {
 // what() has one line for each error, in the order of the text:
 //   FILE:LINE:COLUMN: KEY PATH: what is wrong, what is allowed
 // for example
-//   bergen.yaml:12:10: own_ships[0].radars[1].rpm: 75 is out of range; allowed: 12 to 60 turns/min
+//   bergen.yaml:12:10: own_ships[0].radars[1].rpm: 75 is out of range; allowed: 10 to 60 turns/min
 // in printable text; the key path is left out where there is none.  If there are several, a last
 // line gives their number.
 class ConfigError : public std::runtime_error {

@@ -20,7 +20,7 @@ void require_readable(const google::protobuf::FieldDescriptor& field);
 // What the schema says of a field beyond its type.
 const config::FieldRule& rule_of(const google::protobuf::FieldDescriptor& field);
 
-// "12 to 60 turns/min", "4, 8 per cell", "at least 2 m"; empty if the rule bounds nothing.
+// "10 to 60 turns/min", "4, 8 per cell", "at least 2 m"; empty if the rule bounds nothing.
 std::string allowed_by(const config::FieldRule& rule);
 
 // "a number", "a whole number", "text", "true or false", "one of SLOW, FAST", "keys and values".

@@ -57,7 +57,7 @@ TEST(BadFiles, AWrongScenarioIsNamedByFileLineColumnKeyValueAndRange) {
        {":6:17:", "own_ships[0].course_deg", "361", "0 to 360"}},
       {"rpm",
        with_ship_line("    radars: [{rpm: 75}]"),
-       {":6:20:", "own_ships[0].radars[0].rpm", "75", "12 to 60 turns/min"}},
+       {":6:20:", "own_ships[0].radars[0].rpm", "75", "10 to 60 turns/min"}},
       {"spokes",
        with_ship_line("    radars: [{spokes: 100}]"),
        {":6:23:", "own_ships[0].radars[0].spokes", "100", "256 to 8192"}},

@@ -66,11 +66,11 @@ TEST_F(CRadar, RefusesOptionsOutOfRange) {
     double min, max;
   };
   const Range ranges[] = {{&Options::rpm, "options.rpm", 1.0, 240.0},
-                          {&Options::frequency_hz, "options.frequency_hz", 2.9e9, 9.9e9},
-                          {&Options::peak_power_w, "options.peak_power_w", 20.0, 100e3},
-                          {&Options::antenna_gain_db, "options.antenna_gain_db", 15.0, 40.0},
-                          {&Options::beam_width_deg, "options.beam_width_deg", 0.3, 6.0},
-                          {&Options::antenna_height_m, "options.antenna_height_m", 2.0, 80.0},
+                          {&Options::frequency_hz, "options.frequency_hz", 2.85e9, 9.9e9},
+                          {&Options::peak_power_w, "options.peak_power_w", 1.0, 100e3},
+                          {&Options::antenna_gain_db, "options.antenna_gain_db", 15.0, 45.0},
+                          {&Options::beam_width_deg, "options.beam_width_deg", 0.3, 7.5},
+                          {&Options::antenna_height_m, "options.antenna_height_m", 1.0, 100.0},
                           {&Options::noise_figure_db, "options.noise_figure_db", 0.0, 20.0},
                           {&Options::losses_db, "options.losses_db", 0.0, 20.0}};
   for (const Range& range : ranges) {

@@ -7,6 +7,7 @@
 #include "echo/radar/set_checks.hpp"
 #include "echo/radar/shipped_sets.hpp"
 #include "server/config/config_error.hpp"
+#include "server/config/field_value.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/scenario.hpp"
 #include "tests/unit/world/refusal.hpp"
@@ -122,12 +123,30 @@ TEST(ScenarioEquipment, WhatIsOutOfRangeIsRefusedByNameWithTheRange) {
             "4:32: own_ships[0].radars[0].blanked_sectors: 9 entries; allowed: at most 8");
 }
 
-// The schema refuses no set that its own checks would let through on either end of a range.
-TEST(ScenarioEquipment, TheRangesOfTheSchemaLieWithinThoseOfTheChecks) {
+// The schema's ranges are those of the table of limits, but for the frequency, whose bands' outer
+// ends the schema has, and the rotation, of which the server takes what the control of it does.
+TEST(ScenarioEquipment, HasTheRangesOfTheTableOfLimits) {
+  const auto* schema = scenario::Radar::descriptor();
+  for (const echo::SetLimit& limit : echo::kSetLimits) {
+    std::string key(limit.name);
+    double unit = 1.0;
+    if (key == "video_range_db") continue;  // of the set alone
+    if (key == "frequency_hz") key = "frequency_ghz", unit = 1e-9;
+    if (key == "peak_power_w") key = "peak_power_kw", unit = 1e-3;
+    const auto* field = schema->FindFieldByName(key);
+    ASSERT_NE(field, nullptr) << key;
+    const config::FieldRule& rule = rule_of(*field);
+    const bool rotation = key == "rpm", frequency = key == "frequency_ghz";
+    EXPECT_DOUBLE_EQ(rule.min(), rotation ? 10.0 : limit.min * unit) << key;
+    EXPECT_DOUBLE_EQ(rule.max(), rotation ? 60.0 : frequency ? 9.55 : limit.max * unit) << key;
+  }
+}
+
+TEST(ScenarioEquipment, IsTakenAtBothEndsOfItsRanges) {
   for (const char* keys : {"peak_power_kw: 0.001", "peak_power_kw: 100", "beam_width_deg: 0.3",
                            "beam_width_deg: 7.5", "vertical_beam_deg: 5", "vertical_beam_deg: 40",
-                           "near_side_lobe_db: -15", "far_side_lobe_db: -80", "rpm: 12", "rpm: 60",
-                           "antenna_height_m: 2", "antenna_height_m: 80", "noise_figure_db: 0.5",
+                           "near_side_lobe_db: -15", "far_side_lobe_db: -80", "rpm: 10", "rpm: 60",
+                           "antenna_height_m: 1", "antenna_height_m: 100", "noise_figure_db: 0",
                            "noise_figure_db: 20", "losses_db: 0", "losses_db: 20"}) {
     EXPECT_EQ(refusal(with_radar(keys)), "") << keys;
   }

@@ -58,7 +58,7 @@ TEST(Scenario, RefusesWhatTheSchemaForbids) {
             "0.5, 0.75, 1.5, 3, 6, 12, 24, 48, 72, 96 NM");
   EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 60, lon: 5}\n"
                     "    radars:\n      - rpm: 24\n      - rpm: 75\n"),
-            "7:14: own_ships[0].radars[1].rpm: 75 is out of range; allowed: 12 to 60 turns/min");
+            "7:14: own_ships[0].radars[1].rpm: 75 is out of range; allowed: 10 to 60 turns/min");
 }
 
 TEST(Scenario, NamesDiffer) {
