@@ -29,7 +29,7 @@ targets:
 inline constexpr std::array<const char*, 10> kTenErrorsFound = {
     ":2:1: sead: unknown key; did you mean \"seed\"?; known keys: name, seed, own_ships,",
     ":6:15: own_ships[0].speed_kn: expected a number, given fast; allowed: -10 to 60 kn",
-    ":8:24: own_ships[0].radars[0].rpm: 75 is out of range; allowed: 12 to 60 turns/min",
+    ":8:24: own_ships[0].radars[0].rpm: 75 is out of range; allowed: 10 to 60 turns/min",
     ":9:16: own_ships[0].radars[1].name: \"X\" is the name of own_ships[0].radars[0] too (line 8)",
     ":10:47: own_ships[0].radars[2].board.channel_a.source: \"Y\" is no radar of Tern; allowed: X,",
     ":11:69: own_ships[0].radars[3].pulses[0].prf_hz: 5000 is outside",
