@@ -17,7 +17,7 @@
 #include "echo/kernel/aligned_floats.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/kernel/row_factors.hpp"
+#include "echo/kernel/power_stages.hpp"
 #include "echo/propagation/propagation.hpp"
 #include "echo/propagation/rain_path.hpp"
 #include "echo/returns/static_returns.hpp"

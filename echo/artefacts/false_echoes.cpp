@@ -4,7 +4,6 @@
 #include <functional>
 #include <vector>
 
-#include "echo/artefacts/bridge_echoes.hpp"
 #include "echo/artefacts/indirect_echoes.hpp"
 #include "echo/artefacts/multiple_echoes.hpp"
 #include "protocol/quantity/bearing.hpp"

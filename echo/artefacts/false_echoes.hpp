@@ -10,7 +10,7 @@
 
 namespace skerry::echo {
 
-// Multiple echoes of ships and bridges (multiple_echoes.hpp, bridge_echoes.hpp) and indirect ones
+// Multiple echoes of ships and bridges (multiple_echoes.hpp, indirect_echoes.hpp) and indirect ones
 // (indirect_echoes.hpp), as points to be laid through beam and pulse like any others.
 // They come over the mast, not past it: lay them after the own ship's shadow (shadow_sectors.hpp).
 // Cost: one comparison of bearings per strong point and sector, and for each obstruction in the

@@ -1,4 +1,4 @@
-// Indirect echoes: what a mast or funnel throws into the antenna from elsewhere.
+// Indirect echoes: by way of own ship's obstructions, and by way of bridges.
 #pragma once
 
 #include <cstdint>
@@ -30,5 +30,15 @@ Detour detour_by(const Obstruction& obstruction, double target_range_m, double o
 // The first OwnShipGain::kMostObstructions count.
 void add_indirect_echoes(const Scene& scene, std::uint32_t bow_units, const BearingSpan& where,
                          std::span<const PointEcho> strong, std::vector<PointEcho>& out);
+
+// A bridge again at 2, 3 .. kMostTrips times its range, as multiple_echoes.hpp has it for ships: a
+// bridge returns 0 dB of the height and arc it shows (SOURCES.md "Land"), what the beam holds of it
+// goes to and fro.  Points on bearings half a beam apart, the same for every sector, to
+// kBridgeReach; at most kMostBridges walls. Error: land before a bridge does not hide it here; both
+// legs are taken as equally long.
+inline constexpr double kBridgeReach = 1000.0;  // metres
+inline constexpr std::size_t kMostBridges = 16;
+void add_bridge_echoes(const RadarModel& model, const Scene& scene, const SpokeAim& aim,
+                       const BearingSpan& where, std::vector<PointEcho>& out);
 
 }  // namespace skerry::echo

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/fast_exp2.hpp"
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/row_losses.hpp"
 
 namespace skerry::echo {

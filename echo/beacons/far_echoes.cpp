@@ -7,8 +7,8 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/targets/fluctuation.hpp"
+#include "echo/targets/sector_view.hpp"
 #include "echo/targets/ship_figure.hpp"
-#include "echo/targets/ship_sight.hpp"
 
 namespace skerry::echo {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/beacons/range_span.hpp"
+#include "echo/beacons/listening.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/scene/plane_geometry.hpp"

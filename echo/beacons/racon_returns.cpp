@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "echo/beacons/range_span.hpp"
+#include "echo/beacons/listening.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"

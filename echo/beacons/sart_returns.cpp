@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/beacons/range_span.hpp"
+#include "echo/beacons/listening.hpp"
 
 namespace skerry::echo {
 

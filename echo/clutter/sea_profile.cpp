@@ -2,17 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "echo/clutter/gamma_law.hpp"
-#include "echo/clutter/k_shape.hpp"
 #include "echo/clutter/nrl_sea.hpp"
-#include "echo/clutter/texture_joins.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/propagation/path_terms.hpp"
 #include "protocol/quantity/angle.hpp"
 
 namespace skerry::echo {
+
+// Between two values of unit variance and correlation r a straight line has the variance
+// 1 - 2 f (1 - f)(1 - r) at the share f of the way.  Averaged over `steps` places of which the
+// first is a sample, the share of the variance that is lost.
+double variance_lost(double correlation, std::uint32_t steps);
+
+// Correlation of two gamma values of shape nu whose Gaussian origins are correlated by 1 - u, u
+// small: 1 - u (1 + nu) ln(1 + 1/nu), that of the log-normal of the same variance; 0 at least.
+double texture_correlation(double gaussian_correlation, double nu);
+
+// Correlation, averaged over places, of two mixtures of unit variance (texture_octaves) of
+// uncorrelated neighbours, `apart` (0 to 1) of their distance from each other.
+double mixture_correlation(double apart);
+
+double variance_lost(double correlation, std::uint32_t steps) {
+  const double n = steps;
+  return (1.0 - correlation) * (n * n - 1.0) / (3.0 * n * n);
+}
+
+double texture_correlation(double gaussian_correlation, double nu) {
+  const double slope = (1.0 + nu) * std::numbers::ln2 * exact_log2(1.0 + 1.0 / nu);
+  return std::max(0.0, 1.0 - (1.0 - gaussian_correlation) * slope);
+}
+
+double mixture_correlation(double apart) {
+  constexpr int kPlaces = 64;
+  double sum = 0.0;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double a = (k + 0.5) / kPlaces, b = a + apart;
+    const double c = b - 1.0;  // beyond the second neighbour
+    const double shared = c <= 0.0 ? (1.0 - a) * (1.0 - b) + a * b : a * (1.0 - c);
+    const double other = c <= 0.0 ? b : c;
+    sum += shared / std::sqrt((a * a + (1.0 - a) * (1.0 - a)) *
+                              (other * other + (1.0 - other) * (1.0 - other)));
+  }
+  return sum / kPlaces;
+}
+
 namespace {
 
 constexpr double kLeastCosine = 0.05;

@@ -59,7 +59,7 @@ class SeaProfile {
   Look look(double bearing_deg) const;
   // Shape nu of the clutter in the middle of a block: texture and swell together.  The texture's
   // own law is made spikier by what is lost where samples and rows are joined by straight lines
-  // (texture_joins.hpp), so that the variance comes out right over all cells.
+  // (sea_profile.hpp), so that the variance comes out right over all cells.
   double shape(std::size_t block, double bearing_deg) const;
 
  private:

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "echo/kernel/relief_octave.hpp"
+#include "echo/kernel/relief_noise.hpp"
 
 namespace skerry::echo {
 

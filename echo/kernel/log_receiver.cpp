@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/isa.hpp"
 

@@ -5,6 +5,7 @@
 #include "echo/kernel/isa.hpp"
 
 namespace skerry::echo {
+
 namespace {
 
 SKERRY_KERNEL_BODY most_of_body(float* most, const float* row, std::size_t n) {
@@ -91,6 +92,19 @@ double sharpened_reference(double power, double most, SharpeningLaw law) {
 
 double boosted_reference(double power, double more, double knee) {
   return power * (1.0 + more * power / (1.0 + power) * knee / (knee + power));
+}
+
+namespace {
+
+SKERRY_KERNEL_BODY scale_body(float* row, float factor, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) row[i] *= factor;
+}
+SKERRY_KERNEL(scale, (float* row, float factor, std::size_t n), (row, factor, n))
+
+}  // namespace
+
+void scale_row(std::span<float> row, float factor) noexcept {
+  scale(row.data(), factor, row.size());
 }
 
 }  // namespace skerry::echo

@@ -34,4 +34,7 @@ void gate_video(std::span<std::uint8_t> video, std::span<const std::uint8_t> lea
 double sharpened_reference(double power, double most, SharpeningLaw law);
 double boosted_reference(double power, double more, double knee);
 
+// row[i] *= factor.
+void scale_row(std::span<float> row, float factor) noexcept;
+
 }  // namespace skerry::echo

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "echo/kernel/fast_exp2.hpp"
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/isa.hpp"
 
 namespace skerry::echo {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "echo/kernel/isa.hpp"
-#include "echo/kernel/relief_octave.hpp"
 
 namespace skerry::echo {
 namespace {

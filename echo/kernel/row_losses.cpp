@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/fast_exp2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/isa.hpp"
 
 namespace skerry::echo {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/isa.hpp"
 
 namespace skerry::echo {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/fast_exp2.hpp"
+#include "echo/kernel/fast_math.hpp"
 
 namespace skerry::echo {
 namespace {

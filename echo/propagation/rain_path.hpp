@@ -6,11 +6,22 @@
 #include <vector>
 
 #include "echo/kernel/rain_row.hpp"
-#include "echo/propagation/rain_attenuation.hpp"
 #include "echo/radar/radar_model.hpp"
+#include "echo/radar/radar_set.hpp"
 #include "echo/scene/spoke_aim.hpp"
 
 namespace skerry::echo {
+
+// gamma = k R^alpha, dB/km one way, R in mm/h.  Source: ITU-R P.838-3, equations 1 to 3 and tables
+// 1 to 4, for a level path; SOURCES.md "Vectors".  Frequency 1 to 1000 GHz.
+struct RainLaw {
+  double k = 0.0;
+  double alpha = 1.0;
+};
+RainLaw rain_law(double frequency_hz, Polarisation polarisation);
+
+// dB/km one way; 0 without rain.
+double rain_db_per_km(const RainLaw& law, double rate_mm_h);
 
 // Rate of one cloud at a distance from its middle (as its square, m2), as a share of its rate: 1
 // within half its radius, 0 from the radius on, a smoothstep of the squared distance between.

@@ -4,9 +4,26 @@
 #include <cstdint>
 #include <span>
 
-#include "echo/sweeps/sweep_channel.hpp"
-
 namespace skerry::echo {
+
+enum class VideoDetector : std::uint8_t { log, linear };
+// What becomes of the codes of a group of ticks.
+enum class CodeDecimation : std::uint8_t { peak, mean, sum };
+
+struct SweepChannel {
+  double sample_clock_hz = 20e6;
+  std::uint32_t delay_ticks = 0;  // range of the first sample
+  std::uint32_t samples = 2048;   // after decimation
+  std::uint32_t decimation = 1;
+  CodeDecimation mode = CodeDecimation::peak;
+  VideoDetector detector = VideoDetector::log;
+  unsigned bits = 12;
+  bool inverted = false;
+  double gain_db = 0.0;
+  double offset = 0.0;  // steps
+  double stc = 0.0;     // 0 .. 100, as the sea control
+  friend bool operator==(const SweepChannel&, const SweepChannel&) = default;
+};
 
 // Codes come in pieces of any length; every `group` of them make one of `out`, in exact integers:
 // the largest, the mean rounded to the nearest (halves upwards) or the sum, 65535 at most.

@@ -9,7 +9,7 @@
 #include "echo/kernel/aligned_floats.hpp"
 #include "echo/kernel/sweep_codes.hpp"
 #include "echo/receiver/receiver_noise.hpp"
-#include "echo/sweeps/sweep_channel.hpp"
+#include "echo/sweeps/code_groups.hpp"
 #include "echo/sweeps/sweep_echoes.hpp"
 
 namespace skerry::echo {

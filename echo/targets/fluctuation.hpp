@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/targets.hpp"
 

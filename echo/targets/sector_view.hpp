@@ -1,4 +1,4 @@
-// SectorView: from where, when and over which bearings one sector looks at the targets.
+// SectorView and ShipSight: from where, when and over which bearings one sector looks at targets.
 #pragma once
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/spoke_aim.hpp"
+#include "echo/scene/targets.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
@@ -59,5 +60,18 @@ class SectorView {
   bool wide_;
   std::uint32_t scan_, shown_units_, plane_units_;
 };
+
+struct ShipSight {
+  PlanePoint from_own_ship;
+  Polar at;
+  SinCos bow;         // of her heading
+  double side = 0.0;  // sine of the aspect: 0 bow or stern on, 1 abeam
+  double ahead = 1.0;
+  std::uint32_t aspect_units = 0;  // the radar's bearing from her bow
+};
+ShipSight sight_of(const Hull& hull, const SectorView& view);
+
+// A circle about all of her.
+inline double radius_of(const Hull& hull) { return 0.5 * (hull.length_m + hull.beam_m) + 1.0; }
 
 }  // namespace skerry::echo

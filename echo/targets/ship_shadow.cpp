@@ -6,7 +6,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
-#include "echo/targets/ship_sight.hpp"
+#include "echo/targets/sector_view.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {

@@ -4,11 +4,11 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/targets/echo_parts.hpp"
 #include "echo/targets/fluctuation.hpp"
 #include "echo/targets/point_echo.hpp"
+#include "echo/targets/sector_view.hpp"
 #include "echo/targets/ship_figure.hpp"
-#include "echo/targets/ship_sight.hpp"
-#include "echo/targets/turbine_echoes.hpp"
 
 namespace skerry::echo {
 namespace {

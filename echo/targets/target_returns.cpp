@@ -6,9 +6,9 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/targets/echo_parts.hpp"
 #include "echo/targets/fluctuation.hpp"
-#include "echo/targets/ship_sight.hpp"
-#include "echo/targets/wake_echoes.hpp"
+#include "echo/targets/sector_view.hpp"
 #include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {

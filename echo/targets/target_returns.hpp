@@ -6,13 +6,13 @@
 
 #include "echo/radar/radar_model.hpp"
 #include "echo/scene/spoke_aim.hpp"
+#include "echo/targets/echo_parts.hpp"
 #include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
 #include "echo/targets/ship_figure.hpp"
 #include "echo/targets/ship_shadow.hpp"
 #include "echo/targets/side_lobe_targets.hpp"
 #include "echo/targets/target_medium.hpp"
-#include "echo/targets/turbine_echoes.hpp"
 
 namespace skerry::echo {
 

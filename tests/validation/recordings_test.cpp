@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "echo/kernel/hash.hpp"
-#include "echo/measure/picture_correlation.hpp"
+#include "echo/measure/picture_score.hpp"
 #include "echo/radar/shipped_sets.hpp"
 #include "tests/scenes/moving_scene.hpp"
 #include "tests/validation/target_trial.hpp"

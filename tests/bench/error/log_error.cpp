@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/isa.hpp"
 #include "tests/bench/error/study.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "echo/kernel/fast_exp2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "tests/unit/kernel/every_isa.hpp"
 

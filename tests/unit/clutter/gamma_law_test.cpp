@@ -8,8 +8,6 @@
 #include <cstdio>
 #include <numbers>
 
-#include "echo/clutter/k_shape.hpp"
-
 namespace skerry::echo {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "echo/clutter/k_shape.hpp"
+#include "echo/clutter/gamma_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "echo/clutter/k_shape.hpp"
+#include "echo/clutter/gamma_law.hpp"
 #include "echo/clutter/nrl_sea.hpp"
 #include "tests/unit/clutter/clutter_scene.hpp"
 

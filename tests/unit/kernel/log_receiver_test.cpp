@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "echo/kernel/fast_log2.hpp"
+#include "echo/kernel/fast_math.hpp"
 #include "tests/unit/kernel/every_isa.hpp"
 
 namespace skerry::echo {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "echo/kernel/hash.hpp"
-#include "echo/measure/picture_correlation.hpp"
+#include "echo/measure/picture_score.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -10,7 +10,6 @@
 #include <numeric>
 #include <sstream>
 
-#include "echo/measure/picture_correlation.hpp"
 #include "echo/measure/picture_edge.hpp"
 #include "echo/measure/picture_outline.hpp"
 #include "echo/measure/picture_score.hpp"

@@ -1,5 +1,5 @@
 // Numbers of SOURCES.md "Vectors" and "Propagation".
-#include "echo/propagation/diffraction.hpp"
+#include "echo/propagation/path_terms.hpp"
 
 #include <gtest/gtest.h>
 

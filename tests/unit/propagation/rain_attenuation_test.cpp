@@ -1,5 +1,5 @@
 // Numbers of SOURCES.md "Vectors" and "Propagation".
-#include "echo/propagation/rain_attenuation.hpp"
+#include "echo/propagation/rain_path.hpp"
 
 #include <gtest/gtest.h>
 

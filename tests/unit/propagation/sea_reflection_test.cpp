@@ -1,4 +1,4 @@
-#include "echo/propagation/sea_reflection.hpp"
+#include "echo/propagation/path_terms.hpp"
 
 #include <gtest/gtest.h>
 

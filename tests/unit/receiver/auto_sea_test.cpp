@@ -1,4 +1,4 @@
-#include "echo/receiver/auto_sea.hpp"
+#include "echo/receiver/automatic_controls.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "echo/radar/beam.hpp"
 #include "echo/radar/radar_equation.hpp"
-#include "echo/targets/ship_sight.hpp"
+#include "echo/targets/sector_view.hpp"
 #include "tests/unit/targets/targets_support.hpp"
 
 namespace skerry::echo {

@@ -1,8 +1,7 @@
 // Turbines, wakes and cables.
 #include <gtest/gtest.h>
 
-#include "echo/targets/turbine_echoes.hpp"
-#include "echo/targets/wake_echoes.hpp"
+#include "echo/targets/echo_parts.hpp"
 #include "tests/unit/targets/targets_support.hpp"
 
 namespace skerry::echo {

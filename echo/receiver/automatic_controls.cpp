@@ -1,4 +1,4 @@
-#include "echo/receiver/auto_sea.hpp"
+#include "echo/receiver/automatic_controls.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,32 @@
 #include "protocol/quantity/length.hpp"
 
 namespace skerry::echo {
+
+void AutoGain::add(double level_db) {
+  const double place = std::clamp((level_db - kLowestDb) / kStepDb, 0.0, kClasses - 1.0);
+  ++counts_[static_cast<std::size_t>(place)];
+  ++bins_;
+}
+
+void AutoGain::finish_turn() {
+  if (bins_ > 0) {
+    std::uint64_t below = 0;
+    std::size_t at = 0;
+    while (at + 1 < kClasses && 2 * (below + counts_[at]) < bins_) below += counts_[at++];
+    const double now = kLowestDb + kStepDb * (static_cast<double>(at) + 0.5);
+    median_db_ = median_db_ ? 0.5 * (*median_db_ + now) : now;
+  }
+  drop_turn();
+}
+
+void AutoGain::drop_turn() {
+  counts_.fill(0);
+  bins_ = 0;
+}
+
+double AutoGain::threshold_db() const {
+  return std::clamp(median_db_.value_or(0.0) + kOverMedianDb, kLeastDb, kMostDb);
+}
 
 AutoSea::AutoSea(std::uint32_t spokes_per_turn, std::uint32_t cells, double cell_m,
                  std::uint32_t blind_cells, double noise_octaves)
