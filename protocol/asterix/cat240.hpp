@@ -45,6 +45,7 @@ struct Cat240Options {
   bool compressed = false;                       // cells as a zlib stream (RFC 1950)
   bool time_of_day = true;                       // item 140
   std::uint32_t start_range = 0;                 // nearest cells that are left out
+  friend bool operator==(const Cat240Options&, const Cat240Options&) = default;
 };
 
 // Cells that fit into one record with those options; more are cut off.

@@ -22,6 +22,7 @@ struct Cat240StreamShape {
   std::uint32_t records = 1;
   std::size_t max_datagram = 65'507;
   bool summaries = true;  // one in a datagram of its own before every turn's first spoke
+  friend bool operator==(const Cat240StreamShape&, const Cat240StreamShape&) = default;
 };
 
 // Video is resampled so that peaks stay (spoke_resampler.hpp); the message index counts video

@@ -6,9 +6,11 @@
 
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <variant>
 
 #include "server/app/charts.hpp"
 #include "server/app/coast_rules.hpp"
@@ -37,17 +39,11 @@ void greet(const Options& options, const NetServer& net, const std::string& what
                "  native protocol  tcp %s:%u\n",
                kServerName, what.c_str(), host.c_str(), net.http_port(), host.c_str(),
                net.tcp_port());
-  for (const UdpDestination& d : options.net.udp) {
-    std::fprintf(stderr, "  native datagrams udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
-                 d.radar);
-  }
-  for (const UdpDestination& d : options.net.cat240) {
-    std::fprintf(stderr, "  ASTERIX CAT240   udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
-                 d.radar);
-  }
-  for (const UdpDestination& d : options.net.sweeps) {
-    std::fprintf(stderr, "  board's records  udp %s:%u (radar %u)\n", d.address.c_str(), d.port,
-                 d.radar);
+  for (const StreamOutputConfig& stream : options.net.streams) {
+    constexpr const char* kNames[] = {"native datagrams", "ASTERIX CAT240", "board's records"};
+    static_assert(std::size(kNames) == std::variant_size_v<decltype(stream.shape)>);
+    std::fprintf(stderr, "  %-16s udp %s:%u (radar %u)\n", kNames[stream.shape.index()],
+                 stream.to.address.c_str(), stream.to.port, stream.to.radar);
   }
   for (const DisplayOutputConfig& d : options.net.displays) {
     std::fprintf(stderr, "  %-16s at %s (radar %u)\n", d.identity.family.c_str(),

@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <stdexcept>
 
 #include "server/app/config.pb.h"
+#include "server/app/field_options.hpp"
 #include "server/app/output_text.hpp"
 #include "server/app/outputs.hpp"
 #include "server/app/recorder_options.hpp"
@@ -15,6 +15,10 @@
 
 namespace skerry::server {
 namespace {
+
+using app::Output;
+using app::ServerConfig;
+using Destinations = google::protobuf::RepeatedPtrField<app::Destination>;
 
 constexpr const char* kExamples = R"(Examples:
   skerryd                                   the built-in scenario off Bergen, on loopback
@@ -58,15 +62,125 @@ std::string in_lines(std::string text) {
   return text;
 }
 
-UdpDestination destination_of(const app::Destination& d) {
-  UdpDestination out;
-  out.radar = d.radar();
-  out.address = d.address();
-  out.port = static_cast<std::uint16_t>(d.port());
-  out.max_datagram = d.max_datagram();
-  out.multicast_ttl = static_cast<int>(d.multicast_ttl());
-  out.interface_address = d.interface_address();
-  return out;
+// The command line as it was given: what a configuration file can say too, and the rest.
+struct CommandLine {
+  ServerConfig config;
+  std::string config_file, log_level = "info", verify, verify_video;
+  std::vector<std::string> udp, cat240, sweeps, outputs, inputs;
+  bool no_udp = false, no_cat240 = false, no_signalk = false, print_ports = false, check = false;
+};
+
+void add_options(CLI::App& cli, CommandLine& line) {
+  ServerConfig& config = line.config;
+  FieldOptions add(cli);
+  cli.add_option("--config", line.config_file, "configuration file (YAML)");
+  add.text("--scenario", config, &ServerConfig::mutable_scenario,
+           "scenario file (YAML); the built-in Bergen without");
+  cli.add_option_function<std::vector<std::string>>(
+      "--chart",
+      [&config](const std::vector<std::string>& charts) {
+        config.mutable_charts()->Assign(charts.begin(), charts.end());
+      },
+      "ENC cell, folder of cells, GeoJSON, Shapefile or GSHHG file; several: each over\n"
+      "those after it, all over the finest GSHHG installed");
+  add.text("--elevation", config, &ServerConfig::mutable_elevation,
+           "heights of the ground: GeoTIFF, DTED or SRTM, a file or a folder of them");
+  add.text("--bind", config, &ServerConfig::mutable_bind, "address for TCP and HTTP (127.0.0.1)");
+  add.number<std::uint16_t>("--tcp-port", config, &ServerConfig::set_tcp_port,
+                            "native protocol (7410); 0: any free port");
+  add.number<std::uint16_t>("--http-port", config, &ServerConfig::set_http_port,
+                            "web console (7480); 0: any free port");
+  cli.add_option("--udp", line.udp, "native datagrams to [RADAR@]ADDRESS:PORT (127.0.0.1:7411)");
+  cli.add_option("--cat240", line.cat240, "CAT240 to [RADAR@]ADDRESS:PORT (127.0.0.1:8600)");
+  cli.add_option("--sweeps", line.sweeps,
+                 "records of a radar's interface board to [RADAR@]ADDRESS:PORT (none)");
+  cli.add_option("--output", line.outputs,
+                 in_lines("KIND:key=value,...: " + kinds_of_outputs() +
+                          ", with the keys of `outputs` in a configuration file"));
+  cli.add_option("--input", line.inputs,
+                 "KIND:key=value,...: nmea0183, to move own ship from outside");
+  cli.add_flag("--no-signalk", line.no_signalk, "no Signal K on the HTTP port");
+  cli.add_flag("--no-udp", line.no_udp, "no native datagrams");
+  cli.add_flag("--no-cat240", line.no_cat240, "no CAT240");
+  add.text("--control-token", config, &ServerConfig::mutable_control_token,
+           "what a change of settings from another host must carry");
+  add.text("--web-root", config, &ServerConfig::mutable_web_root,
+           "serve the console from this folder, for those who work on it");
+  add.number<std::uint32_t>("--workers", config, &ServerConfig::set_workers,
+                            "helping threads per radar (0)")
+      ->check(CLI::Range(0, 64));
+  cli.add_option("--log-level", line.log_level, "trace, debug, info, warn or error")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
+  cli.add_flag("--print-ports", line.print_ports, "print 'tcp PORT http PORT' once listening");
+  cli.add_flag("--check", line.check, "read configuration, scenario and charts, start nothing");
+  add_playback_options(cli, *config.mutable_playback());
+  add_recorder_options(cli, *config.mutable_recorder());
+  cli.add_option("--verify", line.verify,
+                 "make the video of a recorded exercise again from its inputs, compare, and end")
+      ->type_name("FILE");
+  cli.add_option("--video", line.verify_video, "with --verify: write that video to a recording")
+      ->type_name("FILE");
+}
+
+// Reads the texts of outputs and inputs, and refuses what contradicts itself.
+void complete(CommandLine& line) {
+  ServerConfig& config = line.config;
+  for (const std::string& text : line.udp) *config.add_udp() = parse_destination(text);
+  for (const std::string& text : line.cat240) *config.add_cat240() = parse_destination(text);
+  for (const std::string& text : line.sweeps) *config.add_sweeps() = parse_destination(text);
+  for (const std::string& text : line.outputs) *config.add_outputs() = parse_output(text);
+  for (const std::string& text : line.inputs) *config.add_inputs() = parse_input(text);
+  if (line.no_signalk) config.mutable_signalk()->set_serve(false);
+  if (line.verify.empty() && !line.verify_video.empty()) {
+    throw std::runtime_error("--video: of which recording? give it with --verify FILE");
+  }
+  const app::Playback& playback = config.playback();
+  if (playback.has_file() && playback.file().empty()) {
+    throw std::runtime_error("--play: its file has no name");
+  }
+  if (config.has_scenario() && playback.has_file()) {
+    throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
+  }
+}
+
+// The command line over the configuration file: a value over a value, a list in place of a list.
+void put_over(const CommandLine& line, ServerConfig& file) {
+  const app::Playback& playback = line.config.playback();
+  // What was said of another file does not hold for this one.
+  if (playback.has_file() || line.config.has_scenario()) file.clear_playback();
+  if (line.no_udp) file.clear_udp();
+  if (line.no_cat240) file.clear_cat240();
+  std::vector<const google::protobuf::FieldDescriptor*> given;
+  line.config.GetReflection()->ListFields(line.config, &given);
+  for (const auto* field : given) {
+    if (field->is_repeated()) file.GetReflection()->ClearField(&file, field);
+  }
+  file.MergeFrom(line.config);
+  if (file.playback().file().empty() && playback.ByteSizeLong() > 0) {
+    throw std::runtime_error(
+        "--play-rate, --play-loop, --play-from, --play-paused, --current-timestamps: of which "
+        "recording? give it with --play FILE");
+  }
+}
+
+// The short forms `udp`, `cat240` and `sweeps` are outputs of these kinds.  Without an output of a
+// kind there is the `usual` one, if any: radar 0 to the kind's own address and port.
+void add_short_forms(const Destinations& destinations, Output::Kind kind, bool usual,
+                     ServerConfig& config) {
+  const auto& outputs = config.outputs();
+  const bool any = std::any_of(outputs.begin(), outputs.end(),
+                               [&](const Output& output) { return output.kind() == kind; });
+  if (destinations.empty() && usual && !any) config.add_outputs()->set_kind(kind);
+  for (const app::Destination& destination : destinations) {
+    Output& output = *config.add_outputs();
+    output.set_kind(kind);
+    output.set_radar(destination.radar());
+    output.set_address(destination.address());
+    output.set_port(destination.port());
+    output.set_max_datagram(destination.max_datagram());
+    output.set_ttl(destination.multicast_ttl());
+    output.set_interface_address(destination.interface_address());
+  }
 }
 
 void apply_signalk(const app::Signalk& file, SignalkConfig& signalk) {
@@ -78,128 +192,39 @@ void apply_signalk(const app::Signalk& file, SignalkConfig& signalk) {
   }
 }
 
-void apply_file(const app::ServerConfig& file, Options& options) {
+Options options_of(const ServerConfig& config) {
+  Options options;
   NetConfig& net = options.net;
-  if (file.has_scenario()) options.scenario = file.scenario();
-  for (const std::string& chart : file.charts()) options.charts.push_back(chart);
-  if (file.has_elevation()) options.elevation = file.elevation();
-  if (file.has_bind()) net.bind = file.bind();
-  if (file.has_tcp_port()) net.tcp_port = static_cast<std::uint16_t>(file.tcp_port());
-  if (file.has_http_port()) net.http_port = static_cast<std::uint16_t>(file.http_port());
-  if (file.udp_size() > 0) net.udp.clear();
-  for (const app::Destination& d : file.udp()) net.udp.push_back(destination_of(d));
-  if (file.cat240_size() > 0) net.cat240.clear();
-  for (const app::Destination& d : file.cat240()) net.cat240.push_back(destination_of(d));
-  for (const app::Destination& d : file.sweeps()) net.sweeps.push_back(destination_of(d));
-  if (file.has_board_ring_mib()) {
-    options.board_ring_bytes = std::size_t{file.board_ring_mib()} << 20;
+  options.scenario = config.scenario();
+  options.charts.assign(config.charts().begin(), config.charts().end());
+  options.elevation = config.elevation();
+  if (config.has_bind()) net.bind = config.bind();
+  if (config.has_tcp_port()) net.tcp_port = static_cast<std::uint16_t>(config.tcp_port());
+  if (config.has_http_port()) net.http_port = static_cast<std::uint16_t>(config.http_port());
+  if (config.has_board_ring_mib()) {
+    options.board_ring_bytes = std::size_t{config.board_ring_mib()} << 20;
   }
-  if (file.has_control_token()) net.control_token = file.control_token();
-  for (const std::string& host : file.allowed_hosts()) net.allowed_hosts.push_back(host);
-  if (file.has_web_root()) net.web_root = file.web_root();
-  if (file.has_max_connections()) net.max_connections = file.max_connections();
-  if (file.has_workers()) options.workers = file.workers();
-  if (file.has_signalk()) apply_signalk(file.signalk(), net.signalk);
-  if (file.has_playback()) apply_playback(file.playback(), options.playback);
-}
-
-// Streams that are asked for stand in place of the usual one of their kind.
-void apply_outputs(const app::ServerConfig& file, bool keep_udp, bool keep_cat240, NetConfig& net) {
-  const auto any = [&](app::Output::Kind kind) {
-    return std::any_of(file.outputs().begin(), file.outputs().end(),
-                       [&](const app::Output& output) { return output.kind() == kind; });
-  };
-  if (!keep_udp && any(app::Output::native)) net.udp.clear();
-  if (!keep_cat240 && any(app::Output::cat240)) net.cat240.clear();
-  add_outputs(file, net);
-  add_inputs(file, net);
+  net.control_token = config.control_token();
+  net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());
+  net.web_root = config.web_root();
+  if (config.has_max_connections()) net.max_connections = config.max_connections();
+  options.workers = config.workers();
+  apply_signalk(config.signalk(), net.signalk);
+  add_outputs(config, net);
+  add_inputs(config, net);
+  options.playback = playback_options(config.playback());
+  options.recorder = recorder_config(config.recorder());
+  return options;
 }
 
 }  // namespace
-
-UdpDestination parse_destination(const std::string& text) {
-  const auto fail = [&](const std::string& why) -> std::runtime_error {
-    return std::runtime_error("destination '" + text + "': " + why +
-                              "; expected [RADAR@]ADDRESS:PORT, e.g. 127.0.0.1:7411, "
-                              "1@239.192.7.1:7411 or [::1]:7411");
-  };
-  UdpDestination out;
-  std::string rest = text;
-  const auto number = [&](const std::string& digits, unsigned long most, const char* what) {
-    unsigned long value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size() || value > most) {
-      throw fail(std::string(what) + " '" + digits + "' is not a number up to " +
-                 std::to_string(most));
-    }
-    return value;
-  };
-  if (const auto at = rest.find('@'); at != std::string::npos) {
-    out.radar = static_cast<std::uint32_t>(number(rest.substr(0, at), 4095, "radar"));
-    rest = rest.substr(at + 1);
-  }
-  const auto colon = rest.rfind(':');
-  if (colon == std::string::npos) throw fail("no port");
-  out.port = static_cast<std::uint16_t>(number(rest.substr(colon + 1), 65535, "port"));
-  if (out.port == 0) throw fail("port 0 cannot be sent to");
-  out.address = rest.substr(0, colon);
-  if (out.address.size() > 2 && out.address.front() == '[' && out.address.back() == ']') {
-    out.address = out.address.substr(1, out.address.size() - 2);
-  }
-  if (out.address.empty()) throw fail("no address");
-  return out;
-}
 
 std::optional<Options> read_options(int argc, const char* const* argv) {
   CLI::App cli{"Skerry: a networked marine-radar video server"};
   cli.footer(kExamples);
   cli.set_version_flag("--version", std::string(kServerName));
-  std::string config, bind, web_root, token, scenario, elevation, log_level = "info";
-  std::vector<std::string> udp, cat240, sweeps, charts, outputs, inputs;
-  std::uint16_t tcp_port = 0, http_port = 0;
-  std::size_t workers = 0;
-  app::Playback playback;
-  RecorderOptions recorder;
-  std::string verify, verify_video;
-  bool no_udp = false, no_cat240 = false, no_signalk = false, print_ports = false, check = false;
-  cli.add_option("--config", config, "configuration file (YAML)");
-  cli.add_option("--scenario", scenario, "scenario file (YAML); the built-in Bergen without");
-  cli.add_option("--chart", charts,
-                 "ENC cell, folder of cells, GeoJSON, Shapefile or GSHHG file; several: each over\n"
-                 "those after it, all over the finest GSHHG installed");
-  cli.add_option("--elevation", elevation,
-                 "heights of the ground: GeoTIFF, DTED or SRTM, a file or a folder of them");
-  cli.add_option("--bind", bind, "address for TCP and HTTP (127.0.0.1)");
-  auto* tcp = cli.add_option("--tcp-port", tcp_port, "native protocol (7410); 0: any free port");
-  auto* http = cli.add_option("--http-port", http_port, "web console (7480); 0: any free port");
-  cli.add_option("--udp", udp, "native datagrams to [RADAR@]ADDRESS:PORT (127.0.0.1:7411)");
-  cli.add_option("--cat240", cat240, "CAT240 to [RADAR@]ADDRESS:PORT (127.0.0.1:8600)");
-  cli.add_option("--sweeps", sweeps,
-                 "records of a radar's interface board to [RADAR@]ADDRESS:PORT (none)");
-  cli.add_option("--output", outputs,
-                 in_lines("KIND:key=value,...: " + kinds_of_outputs() +
-                          ", with the keys of `outputs` in a configuration file"));
-  cli.add_option("--input", inputs, "KIND:key=value,...: nmea0183, to move own ship from outside");
-  cli.add_flag("--no-signalk", no_signalk, "no Signal K on the HTTP port");
-  cli.add_flag("--no-udp", no_udp, "no native datagrams");
-  cli.add_flag("--no-cat240", no_cat240, "no CAT240");
-  cli.add_option("--control-token", token,
-                 "what a change of settings from another host must carry");
-  cli.add_option("--web-root", web_root,
-                 "serve the console from this folder, for those who work on it");
-  auto* help = cli.add_option("--workers", workers, "helping threads per radar (0)")
-                   ->check(CLI::Range(0, 64));
-  cli.add_option("--log-level", log_level, "trace, debug, info, warn or error")
-      ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
-  cli.add_flag("--print-ports", print_ports, "print 'tcp PORT http PORT' once listening");
-  cli.add_flag("--check", check, "read configuration, scenario and charts, start nothing");
-  add_playback_options(cli, playback);
-  add_recorder_options(cli, recorder);
-  cli.add_option("--verify", verify,
-                 "make the video of a recorded exercise again from its inputs, compare, and end")
-      ->type_name("FILE");
-  cli.add_option("--video", verify_video, "with --verify: write that video to a recording")
-      ->type_name("FILE");
+  CommandLine line;
+  add_options(cli, line);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::Success& done) {
@@ -208,60 +233,19 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + "; see skerryd --help");
   }
-
-  Options options;
-  options.net.udp = {{.radar = 0, .address = "127.0.0.1", .port = 7411}};
-  app::ServerConfig file;
-  if (!config.empty()) {
-    load_yaml_file(config, file);
-    apply_file(file, options);
-  }
-  options.recorder = recorder_config(file.recorder(), recorder);
-  options.verify = verify;
-  options.verify_video = verify_video;
-  if (verify.empty() && !verify_video.empty()) {
-    throw std::runtime_error("--video: of which recording? give it with --verify FILE");
-  }
-  if (playback.has_file() && playback.file().empty()) {
-    throw std::runtime_error("--play: its file has no name");
-  }
-  if (!scenario.empty() && playback.has_file()) {
-    throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
-  }
-  if (!scenario.empty()) {
-    options.scenario = scenario;
-    options.playback.file.clear();  // of the configuration file
-  }
-  apply_playback(playback, options.playback);
-  if (options.playback.file.empty() && playback.ByteSizeLong() > 0) {
-    throw std::runtime_error(
-        "--play-rate, --play-loop, --play-from, --play-paused, --current-timestamps: of which "
-        "recording? give it with --play FILE");
-  }
-  if (!charts.empty()) options.charts = charts;
-  if (!elevation.empty()) options.elevation = elevation;
-  if (!bind.empty()) options.net.bind = bind;
-  if (tcp->count() > 0) options.net.tcp_port = tcp_port;
-  if (http->count() > 0) options.net.http_port = http_port;
-  if (no_udp || !udp.empty()) options.net.udp.clear();
-  if (no_cat240 || !cat240.empty()) options.net.cat240.clear();
-  for (const std::string& text : udp) options.net.udp.push_back(parse_destination(text));
-  for (const std::string& text : cat240) options.net.cat240.push_back(parse_destination(text));
-  if (!sweeps.empty()) options.net.sweeps.clear();
-  for (const std::string& text : sweeps) options.net.sweeps.push_back(parse_destination(text));
-  if (!outputs.empty()) file.clear_outputs();
-  for (const std::string& text : outputs) *file.add_outputs() = parse_output(text);
-  if (!inputs.empty()) file.clear_inputs();
-  for (const std::string& text : inputs) *file.add_inputs() = parse_input(text);
-  apply_outputs(file, file.udp_size() > 0 || !udp.empty(),
-                file.cat240_size() > 0 || !cat240.empty(), options.net);
-  if (no_signalk) options.net.signalk.serve = false;
-  if (!token.empty()) options.net.control_token = token;
-  if (!web_root.empty()) options.net.web_root = web_root;
-  if (help->count() > 0) options.workers = workers;
-  options.log_level = log_level;
-  options.print_ports = print_ports;
-  options.check_only = check;
+  ServerConfig config;
+  if (!line.config_file.empty()) load_yaml_file(line.config_file, config);
+  complete(line);
+  put_over(line, config);
+  add_short_forms(config.udp(), Output::native, !line.no_udp, config);
+  add_short_forms(config.cat240(), Output::cat240, !line.no_cat240, config);
+  add_short_forms(config.sweeps(), Output::sweeps, false, config);
+  Options options = options_of(config);
+  options.log_level = line.log_level;
+  options.print_ports = line.print_ports;
+  options.check_only = line.check;
+  options.verify = line.verify;
+  options.verify_video = line.verify_video;
   return options;
 }
 

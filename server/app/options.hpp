@@ -34,8 +34,4 @@ struct Options {
 // Error: ConfigError or std::runtime_error for what is wrong in them; exit code 2.
 std::optional<Options> read_options(int argc, const char* const* argv);
 
-// "[RADAR@]ADDRESS:PORT", an IPv6 address in brackets.
-// Error: std::runtime_error naming the text and what was expected.
-UdpDestination parse_destination(const std::string& text);
-
 }  // namespace skerry::server

@@ -4,6 +4,8 @@
 #include <google/protobuf/descriptor.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -77,6 +79,40 @@ app::Input parse_input(const std::string& text) {
   app::Input input;
   parse_entry(text, "--input", input);
   return input;
+}
+
+app::Destination parse_destination(const std::string& text) {
+  const auto fail = [&](const std::string& why) -> std::runtime_error {
+    return std::runtime_error("destination '" + text + "': " + why +
+                              "; expected [RADAR@]ADDRESS:PORT, e.g. 127.0.0.1:7411, "
+                              "1@239.192.7.1:7411 or [::1]:7411");
+  };
+  app::Destination out;
+  std::string rest = text;
+  const auto number = [&](const std::string& digits, std::uint32_t most, const char* what) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size() || value > most) {
+      throw fail(std::string(what) + " '" + digits + "' is not a number up to " +
+                 std::to_string(most));
+    }
+    return value;
+  };
+  if (const auto at = rest.find('@'); at != std::string::npos) {
+    out.set_radar(number(rest.substr(0, at), 4095, "radar"));
+    rest = rest.substr(at + 1);
+  }
+  const auto colon = rest.rfind(':');
+  if (colon == std::string::npos) throw fail("no port");
+  out.set_port(number(rest.substr(colon + 1), 65535, "port"));
+  if (out.port() == 0) throw fail("port 0 cannot be sent to");
+  std::string address = rest.substr(0, colon);
+  if (address.size() > 2 && address.front() == '[' && address.back() == ']') {
+    address = address.substr(1, address.size() - 2);
+  }
+  if (address.empty()) throw fail("no address");
+  out.set_address(address);
+  return out;
 }
 
 }  // namespace skerry::server

@@ -13,4 +13,8 @@ namespace skerry::server {
 app::Output parse_output(const std::string& text);
 app::Input parse_input(const std::string& text);
 
+// "[RADAR@]ADDRESS:PORT", an IPv6 address in brackets.
+// Error: std::runtime_error naming the text and what was expected.
+app::Destination parse_destination(const std::string& text);
+
 }  // namespace skerry::server

@@ -29,7 +29,9 @@ UdpDestination udp_destination(const Output& output, const std::string& name) {
   UdpDestination to;
   to.radar = output.radar();
   if (output.has_address()) to.address = output.address();
-  to.port = output.kind() == Output::cat240 ? kCat240Port : kNativePort;
+  to.port = output.kind() == Output::native   ? kNativePort
+            : output.kind() == Output::cat240 ? kCat240Port
+                                              : std::uint16_t{0};
   if (output.has_port()) to.port = static_cast<std::uint16_t>(output.port());
   if (to.port == 0) throw std::runtime_error(name + ": port 0 cannot be sent to");
   to.max_datagram = output.max_datagram();
@@ -38,7 +40,7 @@ UdpDestination udp_destination(const Output& output, const std::string& name) {
   return to;
 }
 
-StreamOutputConfig stream_of(const Output& output, const std::string& name, Cat240Source source) {
+StreamOutputConfig stream_of(const Output& output, const std::string& name) {
   StreamOutputConfig stream;
   stream.to = udp_destination(output, name);
   stream.own_view = output.view() == Output::own;
@@ -46,8 +48,12 @@ StreamOutputConfig stream_of(const Output& output, const std::string& name, Cat2
     stream.shape = NativeShape{output.spokes(), output.cells(), output.bits()};
     return stream;
   }
+  if (output.kind() == Output::sweeps) {
+    stream.shape = BoardRecords{};
+    return stream;
+  }
   Cat240StreamShape shape;
-  shape.options.source = {source.sac, static_cast<std::uint8_t>(source.sic + output.radar())};
+  shape.options.source.sic = static_cast<std::uint8_t>(output.radar());  // modulo 256
   if (output.has_sac()) shape.options.source.sac = static_cast<std::uint8_t>(output.sac());
   if (output.has_sic()) shape.options.source.sic = static_cast<std::uint8_t>(output.sic());
   if (output.has_bits()) shape.options.bits = static_cast<std::uint8_t>(output.bits());
@@ -209,7 +215,7 @@ using Add = decltype(OutputKind::add);
 
 constexpr Add kAddStream = [](const app::ServerConfig& file, int index, const std::string& name,
                               NetConfig& net) {
-  net.streams.push_back(stream_of(file.outputs(index), name, net.cat240_source));
+  net.streams.push_back(stream_of(file.outputs(index), name));
 };
 constexpr Add kAddRadar = [](const app::ServerConfig& file, int index, const std::string& name,
                              NetConfig& net) {
@@ -224,7 +230,8 @@ constexpr Add kAddSentences = [](const app::ServerConfig& file, int index, const
 
 std::vector<OutputKind> make_kinds() {
   const Keys common = {"kind", "radar", "interface_address", "ttl"};
-  const Keys stream = {"view", "address", "port", "max_datagram", "spokes", "cells", "bits"};
+  const Keys datagrams = {"address", "port", "max_datagram"};
+  const Keys shape = {"view", "spokes", "cells", "bits"};
   const Keys cat240 = {"sac",         "sic",       "nanoseconds", "blocks", "compressed",
                        "time_of_day", "summaries", "start_range", "records"};
   const Keys sentences = {"address",         "port",
@@ -239,8 +246,9 @@ std::vector<OutputKind> make_kinds() {
       kinds.back().keys.insert(kinds.back().keys.end(), keys.begin(), keys.end());
     }
   };
-  add("native", kAddStream, {stream});
-  add("cat240", kAddStream, {stream, cat240});
+  add("native", kAddStream, {datagrams, shape});
+  add("cat240", kAddStream, {datagrams, shape, cat240});
+  add("sweeps", kAddStream, {datagrams});
   for (const EmulatedRadar& radar : emulated_radars()) {
     add(radar.name, kAddRadar, {{"view", "obeys"}, radar.keys});
   }

@@ -10,6 +10,7 @@
 
 #include "protocol/recording/position.hpp"
 #include "server/app/config.pb.h"
+#include "server/app/field_options.hpp"
 #include "server/app/version.hpp"
 #include "server/playback/play_request.hpp"
 #include "server/playback/playback_host.hpp"
@@ -65,35 +66,33 @@ double checked_rate(double rate) {
 }  // namespace
 
 void add_playback_options(CLI::App& cli, app::Playback& line) {
-  const auto add = [&](CLI::Option* option) { return option->group(kPlaybackGroup); };
-  add(cli.add_option_function<std::string>(
-      "--play", [&line](const std::string& file) { line.set_file(file); },
-      "play this recording in place of radars, to every output"));
-  add(cli.add_option_function<double>(
-      "--play-rate", [&line](double rate) { line.set_rate(checked_rate(rate)); },
-      fmt::format("times the recorded pace, {} to {} (1)", kSlowestRate, kFastestRate)));
-  add(cli.add_flag_function(
-      "--play-loop", [&line](std::int64_t said) { line.set_loop(said > 0); },
-      "from the begin again at the end"));
-  add(cli.add_option_function<std::string>(
-      "--play-from", [&line](const std::string& place) { line.set_from(place); },
-      "begin there: seconds, minutes:seconds, hours:minutes:seconds or a mark's name"));
-  add(cli.add_flag_function(
-      "--play-paused", [&line](std::int64_t said) { line.set_paused(said > 0); },
-      "stand there until told to play"));
-  add(cli.add_flag_function(
-      "--current-timestamps", [&line](std::int64_t said) { line.set_current_timestamps(said > 0); },
-      "spokes and ships bear the time at which they are played, not their own"));
+  using app::Playback;
+  FieldOptions add(cli, kPlaybackGroup);
+  cli.add_option_function<std::string>(
+         "--play", [&line](const std::string& file) { line.set_file(file); },
+         "play this recording in place of radars, to every output")
+      ->group(kPlaybackGroup);
+  cli.add_option_function<double>(
+         "--play-rate", [&line](double rate) { line.set_rate(checked_rate(rate)); },
+         fmt::format("times the recorded pace, {} to {} (1)", kSlowestRate, kFastestRate))
+      ->group(kPlaybackGroup);
+  add.flag("--play-loop", line, &Playback::set_loop, "from the begin again at the end");
+  add.text("--play-from", line, &Playback::mutable_from,
+           "begin there: seconds, minutes:seconds, hours:minutes:seconds or a mark's name");
+  add.flag("--play-paused", line, &Playback::set_paused, "stand there until told to play");
+  add.flag("--current-timestamps", line, &Playback::set_current_timestamps,
+           "spokes and ships bear the time at which they are played, not their own");
 }
 
-void apply_playback(const app::Playback& said, PlaybackOptions& options) {
-  if (said.has_file()) options = {};  // what was said of another file does not hold for this one
-  if (said.has_file()) options.file = said.file();
+PlaybackOptions playback_options(const app::Playback& said) {
+  PlaybackOptions options;
+  options.file = said.file();
   if (said.has_rate()) options.rate = said.rate();
-  if (said.has_loop()) options.loop = said.loop();
-  if (said.has_from()) options.from = said.from();
-  if (said.has_paused()) options.paused = said.paused();
-  if (said.has_current_timestamps()) options.current_timestamps = said.current_timestamps();
+  options.loop = said.loop();
+  options.from = said.from();
+  options.paused = said.paused();
+  options.current_timestamps = said.current_timestamps();
+  return options;
 }
 
 std::unique_ptr<PlaybackHost> open_playback(const PlaybackOptions& options) {

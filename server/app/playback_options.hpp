@@ -27,9 +27,8 @@ struct PlaybackOptions {
 // --play and what belongs to it; `line` must outlive the parsing.
 void add_playback_options(CLI::App& cli, app::Playback& line);
 
-// The `playback` section of a configuration file, or the command line; what is absent stays, but
-// another file begins with the defaults.
-void apply_playback(const app::Playback& said, PlaybackOptions& options);
+// What is absent has its default.
+PlaybackOptions playback_options(const app::Playback& said);
 
 // Opens the file; searching one without an index for its parts is told on standard error.
 // Error: std::runtime_error with file and byte, or saying which place or mark there is not.

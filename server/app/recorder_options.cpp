@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <string>
 
 #include "server/app/config.pb.h"
+#include "server/app/field_options.hpp"
 
 namespace skerry::server {
 namespace {
@@ -36,73 +38,62 @@ Sync sync_of(Recorder::Fsync::Policy fsync) {
 
 }  // namespace
 
-void add_recorder_options(CLI::App& cli, RecorderOptions& options) {
-  cli.add_flag("--record", options.record, "record all radars from the start")
-      ->group(kRecorderGroup);
-  cli.add_flag("--record-all-views", options.record_all_views,
-               "record every view of all radars from the start: what each console sees")
-      ->group(kRecorderGroup);
-  cli.add_option("--record-folder", options.folder, "where recordings go (skerry-recordings)")
-      ->group(kRecorderGroup);
-  cli.add_option("--record-compression", options.compression, "none, lz4 or zstd (lz4)")
+void add_recorder_options(CLI::App& cli, Recorder& line) {
+  FieldOptions add(cli, kRecorderGroup);
+  add.flag("--record", line, &Recorder::set_record, "record all radars from the start");
+  add.flag("--record-all-views", line, &Recorder::set_record_all_views,
+           "record every view of all radars from the start: what each console sees");
+  add.text("--record-folder", line, &Recorder::mutable_folder,
+           "where recordings go (skerry-recordings)");
+  cli.add_option_function<std::string>(
+         "--record-compression",
+         [&line](const std::string& name) {
+           Recorder::Compression compression{};
+           if (Recorder::Compression_Parse(name, &compression)) line.set_compression(compression);
+         },
+         "none, lz4 or zstd (lz4)")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->group(kRecorderGroup);
-  cli.add_flag("--record-compact", options.compact, "spokes as differences: smaller, more work")
-      ->group(kRecorderGroup);
-  cli.add_option("--record-roll-mib", options.roll_mib, "another file after so many MiB (never)")
-      ->check(CLI::Range(1, 1 << 24))
-      ->group(kRecorderGroup);
-  cli.add_option("--record-roll-minutes", options.roll_minutes,
-                 "another file after so many minutes (never)")
-      ->check(CLI::Range(1, 525'600))
-      ->group(kRecorderGroup);
-  cli.add_option("--record-keep-gib", options.keep_gib,
-                 "remove the oldest recordings beyond so many GiB (keep all)")
-      ->check(CLI::Range(1, 1 << 24))
-      ->group(kRecorderGroup);
-  cli.add_option("--record-keep-hours", options.keep_hours,
-                 "remove recordings older than so many hours (keep all)")
-      ->check(CLI::Range(1, 876'000))
-      ->group(kRecorderGroup);
-  cli.add_option("--record-reserve-mib", options.reserve_mib,
-                 "free space that is never touched, MiB (512)")
-      ->check(CLI::Range(0, 1 << 24))
-      ->group(kRecorderGroup);
-  cli.add_option("--record-fsync", options.fsync,
-                 "what a loss of power may take: chunk (a second), file or none (chunk)")
+  add.flag("--record-compact", line, &Recorder::set_compact,
+           "spokes as differences: smaller, more work");
+  const auto number = [&](const char* name, void (Recorder::*set)(std::uint32_t), int least,
+                          int most, const char* help) {
+    add.number<std::uint32_t>(name, line, set, help)->check(CLI::Range(least, most));
+  };
+  number("--record-roll-mib", &Recorder::set_roll_mib, 1, 1 << 24,
+         "another file after so many MiB (never)");
+  number("--record-roll-minutes", &Recorder::set_roll_minutes, 1, 525'600,
+         "another file after so many minutes (never)");
+  number("--record-keep-gib", &Recorder::set_keep_gib, 1, 1 << 24,
+         "remove the oldest recordings beyond so many GiB (keep all)");
+  number("--record-keep-hours", &Recorder::set_keep_hours, 1, 876'000,
+         "remove recordings older than so many hours (keep all)");
+  number("--record-reserve-mib", &Recorder::set_reserve_mib, 0, 1 << 24,
+         "free space that is never touched, MiB (512)");
+  cli.add_option_function<std::string>(
+         "--record-fsync",
+         [&line](const std::string& name) {
+           Recorder::Fsync::Policy policy{};
+           if (Recorder::Fsync::Policy_Parse(name, &policy)) line.set_fsync(policy);
+         },
+         "what a loss of power may take: chunk (a second), file or none (chunk)")
       ->check(CLI::IsMember({"none", "file", "chunk"}))
       ->group(kRecorderGroup);
 }
 
-RecorderConfig recorder_config(const Recorder& in_file, const RecorderOptions& options) {
-  Recorder file = in_file;
-  if (options.folder) file.set_folder(*options.folder);
-  if (options.record) file.set_record(true);
-  if (options.record_all_views) file.set_record_all_views(true);
-  if (options.compact) file.set_compact(true);
-  if (options.roll_mib) file.set_roll_mib(*options.roll_mib);
-  if (options.roll_minutes) file.set_roll_minutes(*options.roll_minutes);
-  if (options.keep_gib) file.set_keep_gib(*options.keep_gib);
-  if (options.keep_hours) file.set_keep_hours(*options.keep_hours);
-  if (options.reserve_mib) file.set_reserve_mib(*options.reserve_mib);
-  Recorder::Compression compression{};
-  if (options.compression && Recorder::Compression_Parse(*options.compression, &compression)) {
-    file.set_compression(compression);
-  }
-  Recorder::Fsync::Policy fsync{};
-  if (options.fsync && Recorder::Fsync::Policy_Parse(*options.fsync, &fsync)) file.set_fsync(fsync);
+RecorderConfig recorder_config(const Recorder& said) {
   RecorderConfig config;
-  if (!file.folder().empty()) config.folder = file.folder();
-  config.record_at_start = file.record() || file.record_all_views();
-  config.record_all_views = file.record_all_views();
-  if (file.has_compression()) config.compression = compression_of(file.compression());
-  config.compact = file.compact();
-  config.roll_bytes = std::uint64_t{file.roll_mib()} << 20;
-  config.roll_time = std::chrono::minutes(file.roll_minutes());
-  config.keep_bytes = std::uint64_t{file.keep_gib()} << 30;
-  config.keep_time = std::chrono::hours(file.keep_hours());
-  if (file.has_reserve_mib()) config.reserve_bytes = std::uint64_t{file.reserve_mib()} << 20;
-  if (file.has_fsync()) config.sync = sync_of(file.fsync());
+  if (!said.folder().empty()) config.folder = said.folder();
+  config.record_at_start = said.record() || said.record_all_views();
+  config.record_all_views = said.record_all_views();
+  if (said.has_compression()) config.compression = compression_of(said.compression());
+  config.compact = said.compact();
+  config.roll_bytes = std::uint64_t{said.roll_mib()} << 20;
+  config.roll_time = std::chrono::minutes(said.roll_minutes());
+  config.keep_bytes = std::uint64_t{said.keep_gib()} << 30;
+  config.keep_time = std::chrono::hours(said.keep_hours());
+  if (said.has_reserve_mib()) config.reserve_bytes = std::uint64_t{said.reserve_mib()} << 20;
+  if (said.has_fsync()) config.sync = sync_of(said.fsync());
   return config;
 }
 

@@ -33,23 +33,6 @@ constexpr std::chrono::milliseconds kSettingsPeriod{100};
 constexpr int kOwnShipPeriods = 10;  // own ship once a second
 constexpr int kNiceness = -5;
 
-const UdpStream kNative{.cut = UdpStream::Cut::native, .format = kNativeFormat};
-const UdpStream kCat240{.cut = UdpStream::Cut::cat240, .format = kCat240Format};
-const UdpStream kSweeps{.cut = UdpStream::Cut::records, .format = kRecordsFormat};
-
-void add_formats(RadarHost& host, Cat240Source source) {
-  for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
-    for (const RadarHost::View& view : host.views(radar)) {
-      if (view.number != 0) {  // recorded
-        view.channel->add_format(kNativeFormat, native_encoder());
-        continue;
-      }
-      add_network_formats(
-          *view.channel, {.sac = source.sac, .sic = static_cast<std::uint8_t>(source.sic + radar)});
-    }
-  }
-}
-
 }  // namespace
 
 class NetServer::Impl {
@@ -78,13 +61,13 @@ class NetServer::Impl {
     // Text fields that are not UTF-8 make parsing fail; protobuf would also write every such
     // message of a stranger to the log.
     google::protobuf::SetLogHandler(nullptr);
-    add_formats(host, context_.config.cat240_source);
-    for (const UdpDestination& to : context_.config.udp) add_sender(to, kNative);
-    for (const UdpDestination& to : context_.config.cat240) add_sender(to, kCat240);
-    for (const UdpDestination& to : context_.config.sweeps) add_sender(to, kSweeps);
+    for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
+      for (const RadarHost::View& view : host.views(radar)) {
+        view.channel->add_format(kNativeFormat, native_encoder());
+      }
+    }
     for (std::size_t i = 0; i < context_.config.streams.size(); ++i) {
-      const StreamOutputConfig& stream = context_.config.streams[i];
-      add_sender(stream.to, open_stream(context_, stream, i));
+      senders_.push_back(open_stream(context_, i));
     }
     displays_.emplace(context_);
     navigation_.emplace(context_);
@@ -100,6 +83,7 @@ class NetServer::Impl {
     tick();
     asio::post(context_.io, [this] {
       if (closing_) return;
+      for (const auto& sender : senders_) sender->start();
       displays_->start();
       navigation_->start();
     });
@@ -131,15 +115,6 @@ class NetServer::Impl {
     } else {
       run();  // never started
     }
-  }
-
-  void add_sender(const UdpDestination& to, const UdpStream& stream) {
-    auto sender = std::make_shared<UdpSender>(context_, to, stream);
-    asio::post(context_.io, [this, sender] {
-      if (closing_) return;
-      sender->start();
-      senders_.push_back(sender);
-    });
   }
 
   void log_addresses() const {
@@ -197,7 +172,7 @@ class NetServer::Impl {
   Listener http_;
   Timer tick_;
   int ticks_ = 0;
-  std::vector<std::shared_ptr<UdpSender>> senders_;
+  std::vector<std::unique_ptr<UdpSender>> senders_;
   std::optional<DisplayDesk> displays_;
   std::optional<NavigationDesk> navigation_;
   std::optional<SignalkService> signalk_;
@@ -219,14 +194,5 @@ wire::Status NetServer::status() const { return impl_->status(); }
 std::uint16_t NetServer::tcp_port() const { return impl_->tcp_port(); }
 std::uint16_t NetServer::http_port() const { return impl_->http_port(); }
 std::vector<std::uint16_t> NetServer::signalk_ports() const { return impl_->signalk_ports(); }
-void NetServer::add_udp_destination(const UdpDestination& destination) {
-  impl_->add_sender(destination, kNative);
-}
-void NetServer::add_cat240_destination(const UdpDestination& destination) {
-  impl_->add_sender(destination, kCat240);
-}
-void NetServer::add_sweeps_destination(const UdpDestination& destination) {
-  impl_->add_sender(destination, kSweeps);
-}
 
 }  // namespace skerry::server

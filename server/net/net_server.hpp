@@ -37,12 +37,6 @@ class NetServer {
   // HTTP ports of NetConfig::signalk.further_ships, in their order.
   std::vector<std::uint16_t> signalk_ports() const;
 
-  // Sends there from now on, for as long as the server runs.  Thread: any, until stop().
-  // Error: std::runtime_error as the constructor.
-  void add_udp_destination(const UdpDestination& destination);
-  void add_cat240_destination(const UdpDestination& destination);
-  void add_sweeps_destination(const UdpDestination& destination);
-
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

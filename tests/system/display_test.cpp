@@ -356,7 +356,8 @@ TEST(Outputs, WhatIsMistypedIsNamedWithWhatThereIs) {
   EXPECT_THAT(refusal("cat240:cels=512"), HasSubstr("did you mean \"cells\"?"));
   EXPECT_THAT(refusal("cat240:bits=3"), HasSubstr("1, 2, 4, 8, 16, 32"));
   EXPECT_THAT(refusal("garmin_xhd:cells=512"), HasSubstr("'cells' is not a key of this kind"));
-  EXPECT_THAT(refusal("garmin_xhd:dual_range=true"), HasSubstr("navico_4g and navico_halo"));
+  EXPECT_THAT(refusal("garmin_xhd:dual_range=true"),
+              HasSubstr("is a key of navico_4g, navico_halo"));
   EXPECT_THAT(refusal("cat240:bits"), HasSubstr("'bits' is not key=value"));
   EXPECT_THAT(refusal("nmea0183:sentences=rmq=1"), HasSubstr("there is no such sentence"));
 }

@@ -111,9 +111,4 @@ SectorEncoder cat240_encoder(const Cat240StreamShape& shape) {
   };
 }
 
-void add_network_formats(VideoChannel& channel, Cat240Source source) {
-  channel.add_format(kNativeFormat, native_encoder());
-  channel.add_format(kCat240Format, cat240_encoder({.options = {.source = source, .bits = {}}}));
-}
-
 }  // namespace skerry::server

@@ -12,9 +12,6 @@ namespace skerry::server {
 // Frames one after another, spoke k in [ends[k-1], ends[k]).  TCP and WebSocket send them as they
 // are, UDP sends the frames' bodies.
 inline const std::string kNativeFormat = "native";
-// CAT240 data blocks one after another: one per spoke, and before the first spoke of a turn a
-// summary, which counts to that spoke's bytes.
-inline const std::string kCat240Format = "cat240";
 
 SectorEncoder native_encoder();
 // The same in another shape.  Spokes are numbered from 0 without a gap.
@@ -23,8 +20,5 @@ SectorEncoder native_encoder(const NativeShape& shape);
 // Spokes as datagrams of that shape, whole ones: where several records go into one, a spoke may
 // have none.  Its state is the encoder's own: one per channel.
 SectorEncoder cat240_encoder(const Cat240StreamShape& shape);
-
-// Adds all formats to a channel.  Call before its radar starts.
-void add_network_formats(VideoChannel& channel, Cat240Source source);
 
 }  // namespace skerry::server

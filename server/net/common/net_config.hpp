@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/asterix/cat240.hpp"
 #include "server/net/common/navigation_config.hpp"
 #include "server/net/common/output_config.hpp"
 #include "server/net/common/signalk_config.hpp"
@@ -16,17 +15,13 @@
 namespace skerry::server {
 
 struct NetConfig {
-  std::string bind = "127.0.0.1";   // address for TCP and HTTP
-  std::uint16_t tcp_port = 7410;    // native protocol; 0: any free port
-  std::uint16_t http_port = 7480;   // HTTP and WebSocket; 0: any free port
-  std::vector<UdpDestination> udp;  // native datagrams
-  std::vector<UdpDestination> cat240 = {{.radar = 0, .address = "127.0.0.1", .port = 8600}};
-  std::vector<UdpDestination> sweeps;  // records of interface boards, one in a body
+  std::string bind = "127.0.0.1";  // address for TCP and HTTP
+  std::uint16_t tcp_port = 7410;   // native protocol; 0: any free port
+  std::uint16_t http_port = 7480;  // HTTP and WebSocket; 0: any free port
   std::vector<StreamOutputConfig> streams;
   std::vector<DisplayOutputConfig> displays;
   std::vector<NavigationOutputConfig> navigation_outputs;
   std::vector<NavigationInputConfig> navigation_inputs;
-  Cat240Source cat240_source;  // of radar 0; radar n has sic + n, modulo 256
 
   // What a Set message from elsewhere than this host must carry; empty: none is accepted from
   // there.

@@ -16,8 +16,7 @@
 
 namespace skerry::server {
 
-// A receiver of datagrams: one radar's default view, or the records of its interface board, goes
-// there for as long as the server runs.
+// A receiver of datagrams of one radar, for as long as the server runs.
 struct UdpDestination {
   std::uint32_t radar = 0;
   std::string address = "127.0.0.1";  // IPv4 or IPv6 literal, unicast or multicast
@@ -43,11 +42,16 @@ struct NativeShape {
   friend bool operator==(const NativeShape&, const NativeShape&) = default;
 };
 
-// A stream of datagrams in a shape of its own.
+// The records of the radar's interface board, one in a body.
+struct BoardRecords {
+  friend bool operator==(const BoardRecords&, const BoardRecords&) = default;
+};
+
+// A stream of datagrams: spokes in some shape, or records.
 struct StreamOutputConfig {
   UdpDestination to;
-  bool own_view = false;
-  std::variant<NativeShape, Cat240StreamShape> shape;
+  bool own_view = false;  // otherwise the view that all consoles share; not of records
+  std::variant<NativeShape, Cat240StreamShape, BoardRecords> shape;
 };
 
 // A radar of another maker, at an address of this host.

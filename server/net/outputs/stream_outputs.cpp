@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <variant>
 
 #include "server/net/common/encoders.hpp"
@@ -56,36 +56,72 @@ SectorEncoder encoder_of(const StreamOutputConfig& config) {
   return cat240_encoder(shape);
 }
 
+UdpStream::Cut cut_of(const StreamOutputConfig& config) {
+  if (std::holds_alternative<NativeShape>(config.shape)) return UdpStream::Cut::native;
+  return std::holds_alternative<BoardRecords>(config.shape) ? UdpStream::Cut::records
+                                                            : UdpStream::Cut::cat240;
+}
+
+bool have_equal_bytes(const StreamOutputConfig& a, const StreamOutputConfig& b) {
+  return a.to.radar == b.to.radar && a.shape == b.shape && !a.own_view && !b.own_view &&
+         longest_block(a.to) == longest_block(b.to);
+}
+
+// Adds the format of spokes to the view that the stream shows.
+UdpStream spokes_of(NetContext& context, std::size_t number) {
+  const auto& streams = context.config.streams;
+  const StreamOutputConfig& config = streams[number];
+  const auto* native = std::get_if<NativeShape>(&config.shape);
+  const auto* cat240 = std::get_if<Cat240StreamShape>(&config.shape);
+  UdpStream stream{.cut = cut_of(config), .format = {}, .view = 0};
+  if (const auto fault = native != nullptr ? fault_of(*native) : fault_of(*cat240)) {
+    fail_stream(config.to, stream, *fault);
+  }
+  const auto name = [&](std::size_t of) {
+    return fmt::format("stream {} ({})", of + 1, native != nullptr ? "native" : "cat240");
+  };
+  const VideoChannelPtr shared = context.host.find_channel(config.to.radar, 0);
+  if (config.own_view) {
+    stream.format = name(number);
+    const auto view = context.host.open_view(config.to.radar, 0, false, [&](VideoChannel& channel) {
+      channel.add_format(kNativeFormat, native_encoder());  // for consoles and the recorder
+      channel.add_format(stream.format, encoder_of(config));
+    });
+    if (!view) {
+      fail_stream(config.to, stream, "the radar has as many views as it may; leave out an output");
+    }
+    stream.view = *view;
+  } else if (native != nullptr && *native == NativeShape{}) {
+    stream.format = kNativeFormat;
+  } else {
+    // Streams of equal bytes are encoded once.
+    const auto equal = std::find_if(streams.begin(), streams.end(), [&](const auto& other) {
+      return have_equal_bytes(other, config);
+    });
+    const auto first = static_cast<std::size_t>(equal - streams.begin());
+    stream.format = name(first);
+    if (first == number) shared->add_format(stream.format, encoder_of(config));
+  }
+  return stream;
+}
+
 }  // namespace
 
-UdpStream open_stream(NetContext& context, const StreamOutputConfig& config, std::size_t number) {
-  const bool native = std::holds_alternative<NativeShape>(config.shape);
-  const std::string name = fmt::format("stream {} ({})", number + 1, native ? "native" : "cat240");
-  const auto fail = [&](const std::string& reason) {
-    throw std::runtime_error(name + ": " + reason);
-  };
-  const auto fault = std::visit([](const auto& shape) { return fault_of(shape); }, config.shape);
-  if (fault) fail(*fault);
-  const VideoChannelPtr shared = context.host.find_channel(config.to.radar, 0);
-  if (shared == nullptr) {
-    fail(fmt::format("there is no radar {}; there are {}, counted from 0", config.to.radar,
-                     context.host.radar_count()));
+std::unique_ptr<UdpSender> open_stream(NetContext& context, std::size_t number) {
+  const StreamOutputConfig& config = context.config.streams[number];
+  const UdpDestination& to = config.to;
+  const bool records = std::holds_alternative<BoardRecords>(config.shape);
+  UdpStream stream{.cut = cut_of(config), .format = kRecordsFormat, .view = 0};
+  if (context.host.find_channel(to.radar, 0) == nullptr) {
+    fail_stream(to, stream,
+                fmt::format("there is no such radar; there are {}, counted from 0",
+                            context.host.radar_count()));
   }
-  UdpStream stream{
-      .cut = native ? UdpStream::Cut::native : UdpStream::Cut::cat240, .format = name, .view = 0};
-  if (!config.own_view) {
-    shared->add_format(name, encoder_of(config));
-    return stream;
+  if (records && context.host.find_board(to.radar) == nullptr) {
+    fail_stream(to, stream, "that radar has no interface board");
   }
-  const auto view = context.host.open_view(config.to.radar, 0, false, [&](VideoChannel& channel) {
-    channel.add_format(kNativeFormat, native_encoder());  // as it is looked at and recorded
-    channel.add_format(name, encoder_of(config));
-  });
-  if (!view) {
-    fail(fmt::format("radar {} has as many views as it may; leave out an output", config.to.radar));
-  }
-  stream.view = *view;
-  return stream;
+  if (!records) stream = spokes_of(context, number);
+  return std::make_unique<UdpSender>(context, to, stream);
 }
 
 }  // namespace skerry::server

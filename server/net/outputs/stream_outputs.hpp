@@ -2,16 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "server/net/common/net_context.hpp"
 #include "server/net/outputs/udp_sender.hpp"
 
 namespace skerry::server {
 
-// Adds the stream's format to the view it shows, which it opens if it is one of its own, and says
-// what a UdpSender needs to know of it.  `number`: of the stream in the configuration, from 0.
-// Before the radars start.  Error: std::runtime_error naming the stream and the reason: no such
-// radar, no view left, a shape that the protocol does not have.
-UdpStream open_stream(NetContext& context, const StreamOutputConfig& config, std::size_t number);
+// The sender of context.config.streams[number].  Adds the stream's format to the view that it
+// shows, and opens that view if it is one of its own.  Call it before the radars start.
+// Error: std::runtime_error naming the destination and the reason: no such radar or board, no view
+// left, a shape that the protocol does not have, as UdpSender's.
+std::unique_ptr<UdpSender> open_stream(NetContext& context, std::size_t number);
 
 }  // namespace skerry::server

@@ -17,12 +17,6 @@ namespace {
 
 constexpr std::size_t kCat240BlockHeader = 3;  // category, length in two bytes
 
-[[noreturn]] void fail_stream(const UdpDestination& to, const UdpStream& stream,
-                              const std::string& reason) {
-  throw std::runtime_error(fmt::format("{} datagrams of radar {} to {} port {}: {}", stream.name(),
-                                       to.radar, to.address, to.port, reason));
-}
-
 void check_destination(const UdpDestination& to, const UdpStream& stream) {
   if (to.port == 0) fail_stream(to, stream, "the port must be 1 to 65535");
   if (to.multicast_ttl < 0 || to.multicast_ttl > 255) {
@@ -36,6 +30,11 @@ void check_destination(const UdpDestination& to, const UdpStream& stream) {
 }
 
 }  // namespace
+
+void fail_stream(const UdpDestination& to, const UdpStream& stream, const std::string& reason) {
+  throw std::runtime_error(fmt::format("{} datagrams of radar {} to {} port {}: {}", stream.name(),
+                                       to.radar, to.address, to.port, reason));
+}
 
 std::string UdpStream::name() const {
   switch (cut) {
@@ -56,14 +55,6 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const UdpStr
       max_datagram_(to.max_datagram),
       socket_(context.io) {
   check_destination(to, stream);
-  if (context.host.find_channel(to.radar, stream.view) == nullptr) {
-    fail_stream(to, stream,
-                fmt::format("there is no such radar; there are {}, counted from 0",
-                            context.host.radar_count()));
-  }
-  if (stream.cut == UdpStream::Cut::records && context.host.find_board(to.radar) == nullptr) {
-    fail_stream(to, stream, "that radar has no interface board");
-  }
   error_code error;
   const auto address = asio::ip::make_address(to.address, error);
   if (error) fail_stream(to, stream, "the address must be an IPv4 or IPv6 literal");

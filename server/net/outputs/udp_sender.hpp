@@ -30,13 +30,18 @@ struct UdpStream {
   std::string name() const;  // "udp", "sweeps", "cat240": of a transport, for the status
 };
 
+// Error: std::runtime_error naming the stream, its destination and the reason.
+[[noreturn]] void fail_stream(const UdpDestination& to, const UdpStream& stream,
+                              const std::string& reason);
+
 // Sends as soon as sectors are published and never waits: what the socket does not take at once is
 // dropped, and its spokes count as lost.
 // Thread: constructed anywhere, then net-0.
 class UdpSender final : public FeedReader {
  public:
-  // Error: std::runtime_error naming destination and reason: no such radar or view, no literal
-  // address, a port, TTL or datagram size out of range, no such interface.
+  // Requires that the radar has the view or board of the stream.
+  // Error: fail_stream(): no literal address, a port, TTL or datagram size out of range, no such
+  // interface.
   UdpSender(NetContext& context, const UdpDestination& to, const UdpStream& stream);
 
   void start();  // net-0: from now on it sends

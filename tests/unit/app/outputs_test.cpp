@@ -142,7 +142,7 @@ TEST(Outputs, KeysOfAnotherKindAreRefusedByName) {
   EXPECT_THAT(
       refusal("native:compressed=true"),
       HasSubstr("outputs[0] (native): 'compressed' is not a key of this kind; it takes kind, "
-                "radar, interface_address, ttl, view, address, port, max_datagram, spokes, "
+                "radar, interface_address, ttl, address, port, max_datagram, view, spokes, "
                 "cells, bits. 'compressed' is a key of cat240"));
   EXPECT_THAT(refusal("navico_4g:radar_b=1"), HasSubstr("add dual_range: true"));
   EXPECT_THAT(refusal("navico_4g:radar=one"), HasSubstr("radar"));

@@ -143,10 +143,18 @@ TEST_F(Boards, TheRingIsLentAsLongAsTheConnectionLives) {
   EXPECT_EQ(reply.text(), "no memory left");
 }
 
-TEST_F(Boards, DatagramsOfARadarWithoutABoardAreRefused) {
-  host_.board = nullptr;
-  EXPECT_THROW(server_->add_sweeps_destination({.radar = 0, .address = "127.0.0.1", .port = 4000}),
-               std::runtime_error);
+TEST(BoardDatagrams, OfARadarWithoutABoardAreRefused) {
+  FakeHost host;
+  NetConfig config = test_config();
+  config.streams = {{.to = {.port = 4000}, .shape = BoardRecords{}}};
+  try {
+    NetServer(host, config, {});
+    ADD_FAILURE() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "sweeps datagrams of radar 0 to 127.0.0.1 port 4000: that radar has no interface "
+                 "board");
+  }
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ class Session : public testing::Test {
     EXPECT_EQ(line_.transports, 0);
   }
   void begin(NetConfig config = test_config()) {
-    add_network_formats(*host_.find_channel(0, 0), {});
+    host_.find_channel(0, 0)->add_format(kNativeFormat, native_encoder());
     context_ = std::make_unique<NetContext>(host_, std::move(config));
     NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, line_),
                          context_->connections.try_enter());
@@ -311,7 +311,7 @@ TEST(SessionFaults, AFailureAtAnyOperationEndsTheSessionAndNothingElse) {
     line.fail_at = fail_at;
     line.incoming = {frame_of(subscribe_message(1, 0)), frame_of(get_status_message(2)),
                      frame_of(set_gain_message(3, 0, 9))};
-    add_network_formats(*host.find_channel(0, 0), {});
+    host.find_channel(0, 0)->add_format(kNativeFormat, native_encoder());
     NetContext context(host, test_config());
     NativeSession::begin(context, std::make_unique<FakeTransport>(context.io, line),
                          context.connections.try_enter());

@@ -16,12 +16,13 @@
 namespace skerry::server {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr std::uint32_t kLoopback = ipv4(127, 0, 0, 1);
 
 StreamOutputConfig stream_to(const DisplaySocket& receiver,
-                             std::variant<NativeShape, Cat240StreamShape> shape) {
+                             decltype(StreamOutputConfig::shape) shape) {
   StreamOutputConfig stream;
   stream.to.port = receiver.port();
   stream.shape = std::move(shape);
@@ -138,7 +139,8 @@ TEST(StreamOutputs, ShapesThatAProtocolDoesNotHaveAreRefused) {
   };
   DisplaySocket receiver({0, 0}, kLoopback);
   EXPECT_THAT(refusal(stream_to(receiver, NativeShape{.turn_spokes = 100})),
-              HasSubstr("stream 1 (native): spokes 100 is not 0 (as the radar has them) or 128"));
+              AllOf(HasSubstr("udp datagrams of radar 0 to 127.0.0.1 port "),
+                    HasSubstr(": spokes 100 is not 0 (as the radar has them) or 128")));
   EXPECT_THAT(refusal(stream_to(receiver, NativeShape{.bits = 16})),
               HasSubstr("16 bits are not 4 or 8"));
   Cat240StreamShape shape;
@@ -146,7 +148,7 @@ TEST(StreamOutputs, ShapesThatAProtocolDoesNotHaveAreRefused) {
   EXPECT_THAT(refusal(stream_to(receiver, shape)), HasSubstr("65 records to a datagram"));
   StreamOutputConfig stream = stream_to(receiver, NativeShape{});
   stream.to.radar = 1;
-  EXPECT_THAT(refusal(stream), HasSubstr("there is no radar 1"));
+  EXPECT_THAT(refusal(stream), HasSubstr("there is no such radar; there are 1"));
 }
 
 }  // namespace

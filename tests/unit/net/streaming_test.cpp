@@ -7,6 +7,7 @@
 
 #include "protocol/wire/spoke_message.hpp"
 #include "server/net/common/encoders.hpp"
+#include "server/net/signalk/signalk_encoder.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 
@@ -164,7 +165,7 @@ TEST(StreamingToMany, SixteenSessionsCostOneEncoding) {
     for (TestClient& client : clients) client.receive_spokes_until(host.published() - 1);
   }
   EXPECT_EQ(host.encoded(kNativeFormat), host.published() - first);
-  EXPECT_EQ(host.encoded(kCat240Format), 0u);
+  EXPECT_EQ(host.encoded(kSignalkFormat), 0u);
   const wire::Status status = clients.front().get_status();
   ASSERT_EQ(status.clients_size(), 16);
   for (const wire::ClientStatus& client : status.clients()) {

@@ -274,7 +274,6 @@ NetConfig test_config() {
   NetConfig config;
   config.tcp_port = 0;
   config.http_port = 0;
-  config.cat240.clear();
   return config;
 }
 

@@ -78,6 +78,10 @@ Spoke receive_spoke(UdpReceiver& receiver, DatagramReassembler& reassembler, std
   }
 }
 
+StreamOutputConfig native_to(const UdpDestination& to) {
+  return {.to = to, .shape = NativeShape{}};
+}
+
 // Senders begin on the server's thread, before anything that a client asks there later.
 void wait_for_senders(NetServer& server) { TestClient(server.tcp_port()).get_status(); }
 
@@ -89,7 +93,7 @@ TEST_P(UdpSpokes, ComeWholeInOrderWithTheirCells) {
   FakeHost host(2);
   UdpReceiver receiver;
   NetConfig config = test_config();
-  config.udp = {{.radar = 1, .port = receiver.port(), .max_datagram = GetParam()}};
+  config.streams = {native_to({.radar = 1, .port = receiver.port(), .max_datagram = GetParam()})};
   NetServer server(host, config, {});
   server.start();
   wait_for_senders(server);
@@ -120,10 +124,11 @@ TEST_P(UdpSpokes, ComeWholeInOrderWithTheirCells) {
 TEST(Udp, MulticastStaysOnThisHostUnlessConfiguredOtherwise) {
   FakeHost host;
   UdpReceiver receiver("239.255.74.10");
-  NetServer server(host, test_config(), {});
+  NetConfig config = test_config();
+  config.streams = {native_to(
+      {.address = "239.255.74.10", .port = receiver.port(), .interface_address = "127.0.0.1"})};
+  NetServer server(host, config, {});
   server.start();
-  server.add_udp_destination(
-      {.address = "239.255.74.10", .port = receiver.port(), .interface_address = "127.0.0.1"});
   wait_for_senders(server);
   host.publish();
   DatagramReassembler reassembler;
@@ -136,8 +141,8 @@ TEST(Udp, WhatCannotBeSentIsCountedAndNobodyWaits) {
   FakeHost host;
   UdpReceiver receiver;
   NetConfig config = test_config();
-  config.udp = {{.address = "255.255.255.255", .port = 9, .max_datagram = 256},
-                {.port = receiver.port()}};
+  config.streams = {native_to({.address = "255.255.255.255", .port = 9, .max_datagram = 256}),
+                    native_to({.port = receiver.port()})};
   NetServer server(host, config, {});
   server.start();
   wait_for_senders(server);
@@ -153,11 +158,12 @@ TEST(Udp, WhatCannotBeSentIsCountedAndNobodyWaits) {
 }
 
 TEST(Udp, WrongDestinationsAreNamed) {
-  FakeHost host;
-  NetServer server(host, test_config(), {});
   const auto refused = [&](const UdpDestination& to, const std::string& part) {
+    NetConfig config = test_config();
+    config.streams = {native_to(to)};
+    FakeHost host;
     try {
-      server.add_udp_destination(to);
+      NetServer(host, config, {});
       ADD_FAILURE() << "accepted: " << part;
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
@@ -177,10 +183,13 @@ TEST(Cat240, EachTurnBeginsWithASummaryAndHasAllItsSpokes) {
   constexpr int kTurns = 3;
   constexpr int kSectors = kTurns * FakeHost::kSpokesPerTurn / FakeHost::kSectorSpokes;
   FakeHost host(2);
-  UdpReceiver receiver;
+  UdpReceiver receiver, second;
   NetConfig config = test_config();
-  config.cat240_source = {.sac = 25, .sic = 10};
-  config.cat240 = {{.radar = 1, .port = receiver.port()}};
+  Cat240StreamShape shape;
+  shape.options.source = {.sac = 25, .sic = 11};
+  // Two receivers: encoded once.
+  config.streams = {{.to = {.radar = 1, .port = receiver.port()}, .shape = shape},
+                    {.to = {.radar = 1, .port = second.port()}, .shape = shape}};
   NetServer server(host, config, {});
   server.start();
   wait_for_senders(server);
@@ -191,7 +200,9 @@ TEST(Cat240, EachTurnBeginsWithASummaryAndHasAllItsSpokes) {
     const bool turn_begins = videos % FakeHost::kSpokesPerTurn == 0;
     const std::uint32_t wanted = FakeHost::kSectorSpokes + (turn_begins ? 1 : 0);
     for (std::uint32_t i = 0; i < wanted; ++i) {
-      const auto records = decode_cat240(receiver.receive());
+      const Bytes datagram = receiver.receive();
+      EXPECT_EQ(second.receive(), datagram);
+      const auto records = decode_cat240(datagram);
       ASSERT_TRUE(records.ok()) << records.error().text;
       ASSERT_EQ(records->size(), 1u) << "one record in a datagram";
       const Cat240Record& record = records->front();
@@ -210,7 +221,7 @@ TEST(Cat240, EachTurnBeginsWithASummaryAndHasAllItsSpokes) {
   }
   EXPECT_EQ(summaries, kTurns);
   EXPECT_EQ(videos, kTurns * FakeHost::kSpokesPerTurn);
-  EXPECT_EQ(host.encoded(kCat240Format, 1), host.published(1));
+  EXPECT_EQ(host.encoded("stream 1 (cat240)", 1), host.published(1));
 }
 
 }  // namespace
