@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/capi/call.hpp"
 
 namespace skerry::echo::capi {
 
 std::unique_ptr<CoastPreparer> prepared_around(const SharedChart& chart, const CoastRules& rules,
                                                GeoPoint place, double range_m) {
-  // A quarter more than the range and at least 12 NM, so that the ship sails for a while before the
-  // chart is read again.
-  const double radius = std::max(1.25 * range_m + CoastPreparer::kMaxAnchorDistance,
-                                 nautical_miles(12.0).in_metres());
-  CoastChart window = chart.load(place, metres(radius));
+  CoastChart window = chart.load(place, chart_window_for(range_m));
   return reading_chart(
       [&] { return std::make_unique<CoastPreparer>(std::move(window), place, rules); });
 }

@@ -18,27 +18,8 @@ constexpr std::uint32_t kSector = 64;
 // An index is made to serve at least this long.
 constexpr double kIndexSeconds = 0.5;
 
-PlanePoint velocity_of(const ShipMotion& ship, double true_north_deg) {
-  const SinCos course = sin_cos_degrees(ship.course_deg + true_north_deg);
-  return {ship.speed_mps * course.sin, ship.speed_mps * course.cos};
-}
-
-Hull hull_of(const TargetShip& ship, PlanePoint centre, const LocalPlane& plane) {
-  const double north = plane.true_north_degrees(ship.motion.position);
-  return {centre,
-          velocity_of(ship.motion, north),
-          ship.motion.heading_deg + north,
-          ship.motion.turn_rate_deg_s,
-          ship.length_m,
-          ship.beam_m,
-          ship.height_m,
-          ship.identity};
-}
-
-// A longer way costs each ray more, a shorter one makes indices more often.
-double index_slack(double range_m, double speed_mps) {
-  return std::max({10.0, range_m / 400.0, 4.0 * std::fabs(speed_mps)});
-}
+// Ships farther off than twice the range and this are left out: a scene lasts 10 s.
+constexpr double kReachMargin = 2000.0;  // metres
 
 PlanePoint own_ship_at(const Scene& scene, double after_s) {
   return scene.own_ship + scene.own_velocity * after_s;
@@ -72,18 +53,10 @@ Radar::View Radar::view_for(const ShipMotion& own_ship, RangeScale scale) const 
       away(*view.picture) > 0.5 * view.picture->slack_m) {
     view.picture = view.preparer->prepare(own_ship.position, resolution);
     view.resolution = resolution;
-    view.index = nullptr;
+    view.index = {};
     ++view.coasts_made;
   }
   return view;
-}
-
-// Both indices serve the same positions.
-void Radar::index(View& view, PlanePoint own_ship, double slack_m) {
-  view.index = std::make_shared<const PolarIndex>(*view.picture, own_ship, slack_m);
-  view.structures = view.picture->structures ? std::make_shared<const StructureIndex>(
-                                                   view.picture->structures, own_ship, slack_m)
-                                             : nullptr;
 }
 
 ScenePtr Radar::scene_of(const ShipPositions& positions, View& view) const {
@@ -92,27 +65,23 @@ ScenePtr Radar::scene_of(const ShipPositions& positions, View& view) const {
   auto scene = std::make_shared<Scene>();
   scene->time = positions.time;
   scene->seed = rules_.seed;
-  scene->coast = view.picture;
-  scene->own_ship_geo = own.position;
-  scene->own_ship = picture.plane.to_plane(own.position);
-  scene->true_north_deg = picture.plane.true_north_degrees(own.position);
-  scene->own_velocity = velocity_of(own, scene->true_north_deg);
-  scene->heading_deg = own.heading_deg;
-  scene->turn_rate_deg_s = own.turn_rate_deg_s;
-  if (!view.index || !view.index->serves(scene->own_ship) ||
-      !view.index->serves(own_ship_at(*scene, kIndexSeconds))) {
-    index(view, scene->own_ship, index_slack(picture.range_m, own.speed_mps));
+  lay_own_ship(own, picture.plane, *scene);
+  if (!view.index.polar || !view.index.polar->serves(scene->own_ship) ||
+      !view.index.polar->serves(own_ship_at(*scene, kIndexSeconds))) {
+    view.index =
+        index_of(picture, scene->own_ship, index_slack_for(picture.range_m, own.speed_mps));
   }
-  scene->index = view.index;
-  scene->structure_index = view.structures;
+  lay_coast(view.picture, view.index, *scene);
   scene->water_level_m = sea_.water_level_m;
   scene->wave_height_m = sea_.wave_height_m;
-  scene->ashore = is_ashore(picture, *scene->index, scene->own_ship);
   for (const TargetShip& ship : positions.targets) {
-    const PlanePoint centre = picture.plane.to_plane(ship.motion.position);
-    // Out of reach for as long as a scene lasts.
-    if (length_of(centre - scene->own_ship) > 2.0 * picture.range_m + 2000.0) continue;
-    scene->hulls.push_back(hull_of(ship, centre, picture.plane));
+    Hull hull = hull_of(ship.motion, picture.plane);
+    if (length_of(hull.centre - scene->own_ship) > 2.0 * picture.range_m + kReachMargin) continue;
+    hull.length_m = ship.length_m;
+    hull.beam_m = ship.beam_m;
+    hull.height_m = ship.height_m;
+    hull.identity = ship.identity;
+    scene->hulls.push_back(hull);
   }
   return scene;
 }
@@ -170,11 +139,11 @@ void Radar::require_served(double from_s, double to_s) const {
 void Radar::keep_indexed(double from_s, double to_s) {
   const PlanePoint from = own_ship_at(*scene_, from_s), to = own_ship_at(*scene_, to_s);
   if (scene_->index->serves(from) && scene_->index->serves(to)) return;
-  const double slack = index_slack(scene_->coast->range_m, length_of(scene_->own_velocity));
-  index(view_, (from + to) * 0.5, std::max(slack, length_of(to - from)));
+  const double slack = index_slack_for(scene_->coast->range_m, length_of(scene_->own_velocity));
+  view_.index = index_of(*view_.picture, (from + to) * 0.5, std::max(slack, length_of(to - from)));
   auto scene = std::make_shared<Scene>(*scene_);
-  scene->index = view_.index;
-  scene->structure_index = view_.structures;
+  scene->index = view_.index.polar;
+  scene->structure_index = view_.index.structures;
   scene_ = std::move(scene);
 }
 

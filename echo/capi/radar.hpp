@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/capi/coast.hpp"
 #include "echo/spoke_renderer.hpp"
 
@@ -16,15 +17,6 @@ struct RadarMount {
   RadarSet set;
   ScanGeometry geometry;
   std::uint32_t number = 0;  // tells the noise of radars apart
-};
-
-// A ship on the globe, moving on straight and turning about her middle.
-struct ShipMotion {
-  GeoPoint position;
-  double course_deg = 0.0;  // over ground, true
-  double speed_mps = 0.0;
-  double heading_deg = 0.0;
-  double turn_rate_deg_s = 0.0;
 };
 
 struct TargetShip {
@@ -81,13 +73,11 @@ class Radar {
   struct View {
     std::shared_ptr<CoastPreparer> preparer;
     CoastPicturePtr picture;
-    std::shared_ptr<const PolarIndex> index;
-    std::shared_ptr<const StructureIndex> structures;  // null: there are none in range
+    CoastIndex index;
     RadarResolution resolution;
     std::uint64_t coasts_made = 0, charts_read = 0;
   };
   View view_for(const ShipMotion& own_ship, RangeScale scale) const;
-  static void index(View& view, PlanePoint own_ship, double slack_m);
   ScenePtr scene_of(const ShipPositions& positions, View& view) const;
   void require_served(double from_s, double to_s) const;
   void keep_indexed(double from_s, double to_s);

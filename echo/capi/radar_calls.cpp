@@ -13,6 +13,7 @@ namespace {
 using namespace skerry::echo::capi;
 using skerry::RangeScale;
 using skerry::ScanGeometry;
+using skerry::echo::ShipMotion;
 
 // Layouts of version 1.0, which never change.
 static_assert(sizeof(skerry_echo_radar_options) == 88);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/coast_tool/printed_picture.hpp"
 #include "echo/returns/coast_crossings.hpp"
 #include "echo/spoke_renderer.hpp"
@@ -50,14 +51,8 @@ CoastPicturePtr FigureCoast::corrected(const CoastStyle& style) const {
 }
 
 Scan FigureCoast::scan_of(CoastPicturePtr picture) const {
-  Scene scene;
-  scene.seed = kSeed;
-  scene.coast = std::move(picture);
-  scene.own_ship_geo = place_;
-  scene.own_ship = scene.coast->centre;
-  scene.true_north_deg = scene.coast->plane.true_north_degrees(place_);
-  scene.index = std::make_shared<const PolarIndex>(*scene.coast, scene.own_ship, 1.0);
-  scene.ashore = is_ashore(*scene.coast, *scene.index, scene.own_ship);
+  const auto scene = scene_of(std::move(picture), {.position = place_}, 1.0);
+  scene->seed = kSeed;
 
   Scan scan;
   const std::uint32_t spokes = scan.geometry.spokes_per_turn;
@@ -66,7 +61,7 @@ Scan FigureCoast::scan_of(CoastPicturePtr picture) const {
   std::vector<std::uint8_t> video(std::size_t{spokes} * scan.geometry.cells);
   constexpr std::uint32_t kSector = 16;
   for (std::uint32_t first = 0; first < spokes; first += kSector) {
-    renderer.render(scene, first, kSector,
+    renderer.render(*scene, first, kSector,
                     std::span(video).subspan(std::size_t{first} * scan.geometry.cells,
                                              std::size_t{kSector} * scan.geometry.cells));
   }

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "echo/coast_tool/printed_picture.hpp"
-#include "echo/returns/coast_crossings.hpp"
 #include "echo/spoke_renderer.hpp"
 
 namespace skerry::echo {
@@ -36,14 +36,8 @@ CoastPicturePtr prepared_coast(const CoastChart& chart, const CoastStyle& style,
 const CoastStyle kStraight{.method = CoastMethod::straight, .dimension = 1.0};
 
 PictureScore picture_score_of(CoastPicturePtr picture, GeoPoint place, const JudgeRadar& radar) {
-  Scene scene;
-  scene.seed = kSceneSeed;
-  scene.coast = std::move(picture);
-  scene.own_ship_geo = place;
-  scene.own_ship = scene.coast->plane.to_plane(place);
-  scene.true_north_deg = scene.coast->plane.true_north_degrees(place);
-  scene.index = std::make_shared<const PolarIndex>(*scene.coast, scene.own_ship, 1.0);
-  scene.ashore = is_ashore(*scene.coast, *scene.index, scene.own_ship);
+  const auto scene = scene_of(std::move(picture), {.position = place}, 1.0);
+  scene->seed = kSceneSeed;
 
   RadarSet set;
   set.beam_width_deg = radar.beam_deg;
@@ -55,7 +49,7 @@ PictureScore picture_score_of(CoastPicturePtr picture, GeoPoint place, const Jud
   for (std::uint32_t first = 0; first < spokes; first += kSector) {
     // From the second turn on, so that the beam is full at the first spoke too.
     renderer.render(
-        scene, spokes + first, kSector,
+        *scene, spokes + first, kSector,
         std::span(video).subspan(std::size_t{first} * cells, std::size_t{kSector} * cells));
   }
   const PictureTurn turn{spokes,         cells, radar.geometry.cell_size(radar.scale).in_metres(),

@@ -4,10 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/chart/chart_source.hpp"
-#include "echo/scene/coast_picture.hpp"
-#include "echo/scene/polar_index.hpp"
-#include "echo/scene/structure_index.hpp"
 
 namespace skerry::server {
 
@@ -33,22 +31,12 @@ struct PictureOrigin {
 // shows.
 struct CoastInSight {
   echo::CoastPicturePtr picture;
-  std::shared_ptr<const echo::PolarIndex> index;
-  std::shared_ptr<const echo::StructureIndex> structure_index;  // null: nothing is built there
+  echo::CoastIndex index;
   PlanePoint index_centre;
   double index_slack_m = 0.0;
   PictureOrigin origin = {};
 };
 using CoastInSightPtr = std::shared_ptr<const CoastInSight>;
-
-// How far an own ship may sail before the index is made anew: a longer way costs each look-up more,
-// a shorter one than a few seconds' makes the coast thread late.
-double index_slack_for(double range_m, double speed_mps);
-
-// The index of what is built on a picture's coast, or null.
-std::shared_ptr<const echo::StructureIndex> structures_in_sight(const echo::CoastPicture& picture,
-                                                                PlanePoint own_ship,
-                                                                double slack_m);
 
 // The picture with an index around the place of the wish.
 CoastInSight seen_from(const echo::CoastPicturePtr& picture, const CoastWish& wish,

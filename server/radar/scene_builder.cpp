@@ -5,7 +5,6 @@
 
 #include "echo/beacons/far_echoes.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/returns/coast_crossings.hpp"
 #include "server/radar/scene_drift.hpp"
 
 namespace skerry::server {
@@ -19,8 +18,9 @@ constexpr double kEmitterReach = 60.0 * 1852.0;         // beyond any antenna's 
 constexpr double kDuctedEmitterReach = 150.0 * 1852.0;  // in a duct
 constexpr double kEmitterScaleNm = 12.0;  // the range scale on which targets have their radars
 
-PlanePoint velocity_of(const ShipState& ship, const echo::LocalPlane& plane) {
-  return velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.speed_mps);
+echo::ShipMotion motion_of(const ShipState& ship) {
+  return {ship.position, ship.course_over_ground_deg, ship.speed_mps, ship.heading_deg,
+          ship.rate_of_turn_deg_s};
 }
 
 }  // namespace
@@ -37,12 +37,7 @@ SceneBuilder::Reach SceneBuilder::reach_of(const WorldState& state, double range
 void SceneBuilder::lay_own_ship(const WorldState& state, const echo::LocalPlane& plane,
                                 echo::Scene& scene) const {
   const ShipState& own = state.own_ships[role_.own_ship];
-  scene.own_ship_geo = own.position;
-  scene.own_ship = plane.to_plane(own.position);
-  scene.true_north_deg = plane.true_north_degrees(own.position);
-  scene.own_velocity = velocity_of(own, plane);
-  scene.heading_deg = own.heading_deg;
-  scene.turn_rate_deg_s = own.rate_of_turn_deg_s;
+  echo::lay_own_ship(motion_of(own), plane, scene);
   scene.own_hull = {own.length_m, own.beam_m};
   scene.obstructions = role_.obstructions;
   scene.blanked = blanked_;
@@ -56,22 +51,16 @@ void SceneBuilder::lay_own_ship(const WorldState& state, const echo::LocalPlane&
 
 void SceneBuilder::find_coast(const CoastInSightPtr& coast, echo::Scene& scene) {
   const echo::CoastPicture& picture = *coast->picture;
-  scene.coast = coast->picture;
   const PlanePoint later = scene.own_ship + scene.own_velocity * kSceneLife;
   const auto serves = [&](const echo::PolarIndex& index) {
     return index.serves(scene.own_ship) && index.serves(later);
   };
-  if (coast != coast_) own_index_ = nullptr;
-  scene.index = own_index_ ? own_index_ : coast->index;
-  scene.structure_index = own_index_ ? own_structure_index_ : coast->structure_index;
-  if (!serves(*scene.index)) {
-    const double slack = index_slack_for(picture.range_m, length_of(scene.own_velocity));
-    own_index_ = std::make_shared<const echo::PolarIndex>(picture, scene.own_ship, slack);
-    own_structure_index_ = structures_in_sight(picture, scene.own_ship, slack);
-    scene.index = own_index_;
-    scene.structure_index = own_structure_index_;
+  if (coast != coast_) own_index_ = {};
+  if (!serves(own_index_.polar ? *own_index_.polar : *coast->index.polar)) {
+    const double slack = echo::index_slack_for(picture.range_m, length_of(scene.own_velocity));
+    own_index_ = echo::index_of(picture, scene.own_ship, slack);
   }
-  scene.ashore = echo::is_ashore(picture, *scene.index, scene.own_ship);
+  echo::lay_coast(coast->picture, own_index_.polar ? own_index_ : coast->index, scene);
 }
 
 void SceneBuilder::lay_ships(const WorldState& state, const echo::LocalPlane& plane,
@@ -80,13 +69,8 @@ void SceneBuilder::lay_ships(const WorldState& state, const echo::LocalPlane& pl
   const std::uint64_t first = echo::mixed(role_.seed, 0x5817);
   const auto add = [&](const ShipState& ship, std::uint64_t number) {
     if (!in_plane(plane, ship.position)) return;
-    const double north = plane.true_north_degrees(ship.position);
-    echo::Hull hull;
-    hull.centre = plane.to_plane(ship.position);
+    echo::Hull hull = echo::hull_of(motion_of(ship), plane);
     if (length_of(hull.centre - scene.own_ship) >= reach.echoes_m) return;
-    hull.velocity = velocity_of(ship, plane);
-    hull.heading_deg = ship.heading_deg + north;
-    hull.turn_rate_deg_s = ship.rate_of_turn_deg_s;
     hull.length_m = ship.length_m;
     hull.beam_m = ship.beam_m;
     hull.height_m = ship.height_m;
@@ -110,7 +94,8 @@ void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emiss
     if (band_of(emitter.frequency_hz) != role_.band || !in_plane(plane, ship.position)) return;
     emitter.place = plane.to_plane(ship.position);
     if (length_of(emitter.place - scene.own_ship) > reach.emitters_m) return;
-    emitter.velocity = velocity_of(ship, plane);
+    emitter.velocity =
+        echo::velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.speed_mps);
     // Antennas turn from the bow on; her turning since is no more than an offset.
     emitter.bearing_deg += ship.heading_deg + plane.true_north_degrees(ship.position);
     scene.emitters.push_back(emitter);

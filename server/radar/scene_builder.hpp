@@ -61,9 +61,8 @@ class SceneBuilder {
   WorldStatePtr state_;
   CoastInSightPtr coast_;
   EmissionsPtr emissions_;
-  std::shared_ptr<const echo::PolarIndex> own_index_;  // made here for coast_, or null
-  std::shared_ptr<const echo::StructureIndex> own_structure_index_;  // the same
-  std::optional<LaidFixtures> fixtures_;                             // in the plane of ...
+  echo::CoastIndex own_index_;            // made here for coast_, or empty
+  std::optional<LaidFixtures> fixtures_;  // in the plane of ...
   GeoPoint fixtures_anchor_;
   echo::ScenePtr scene_;
 };

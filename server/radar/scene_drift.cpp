@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "echo/kernel/exact_math.hpp"
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "server/radar/laid_fixtures.hpp"
 
@@ -12,12 +12,6 @@ namespace {
 constexpr double kSartOnShipM = 4.0;  // over the water: on a wing of the bridge or held by hand
 
 }  // namespace
-
-PlanePoint velocity_in(const echo::LocalPlane& plane, GeoPoint place, double course_deg,
-                       double speed_mps) {
-  const echo::SinCos course = echo::sin_cos_degrees(course_deg + plane.true_north_degrees(place));
-  return {speed_mps * course.sin, speed_mps * course.cos};
-}
 
 void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double reach_m,
                  std::uint64_t seed, echo::Scene& scene) {
@@ -35,7 +29,8 @@ void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double 
     cell.centre = plane.to_plane(rain.centre);
     cell.radius_m = rain.cloud->radius_m;
     if (length_of(cell.centre - scene.own_ship) > reach_m + cell.radius_m) continue;
-    cell.velocity = velocity_in(plane, rain.centre, rain.cloud->course_deg, rain.cloud->speed_mps);
+    cell.velocity =
+        echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, rain.cloud->speed_mps);
     cell.rate_mm_h = rain.cloud->rate_mm_h;
     cell.identity = identity_of(seed, Fixture::rain, rain.cloud->id);
     scene.rain.push_back(cell);
@@ -52,7 +47,7 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
         point_of(state.scenario->targets(static_cast<int>(small.number)), seed, small.number));
     scene.points.back().place = place;
     scene.points.back().velocity =
-        velocity_in(plane, small.position, small.course_over_ground_deg, small.speed_mps);
+        echo::velocity_in(plane, small.position, small.course_over_ground_deg, small.speed_mps);
   }
   std::uint64_t number = 0;
   const auto add_sart = [&](GeoPoint position, double course_deg, double speed_mps,
@@ -61,8 +56,8 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
     if (!in_plane(plane, position)) return;
     const PlanePoint place = plane.to_plane(position);
     if (length_of(place - scene.own_ship) > reach_m) return;
-    scene.sarts.push_back({place, velocity_in(plane, position, course_deg, speed_mps), height_m,
-                           identity_of(seed, Fixture::sart, mine)});
+    scene.sarts.push_back({place, echo::velocity_in(plane, position, course_deg, speed_mps),
+                           height_m, identity_of(seed, Fixture::sart, mine)});
   };
   for (const SartState& sart : state.sarts) {
     add_sart(sart.position, sart.course_over_ground_deg, sart.speed_mps, sart.height_m);

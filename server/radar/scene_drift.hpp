@@ -9,10 +9,6 @@
 
 namespace skerry::server {
 
-// Metres a second in the plane of what goes that way at `place`.
-PlanePoint velocity_in(const echo::LocalPlane& plane, GeoPoint place, double course_deg,
-                       double speed_mps);
-
 // Air, sea, waves, artefact switches and rain.  Requires scene.own_ship_geo and own_ship.
 void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double reach_m,
                  std::uint64_t seed, echo::Scene& scene);

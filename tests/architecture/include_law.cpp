@@ -92,6 +92,9 @@ const std::vector<Room>& table() {
       // Single pulses, for interface boards.
       {"echo/sweeps",
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/", "echo/receiver/"}},
+      // Scenes out of plain values.
+      {"echo/assembly",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/scene/", "echo/returns/"}},
       {"echo", {"protocol/quantity/", "protocol/video/", "echo/"}},
       // The echo for other programs: a C library, and the tool that fits and judges coasts.
       {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},

@@ -2,32 +2,22 @@
 
 #include <numbers>
 
+#include "echo/assembly/scene_maker.hpp"
 #include "echo/kernel/exact_math.hpp"
-#include "echo/returns/coast_crossings.hpp"
 
 namespace skerry::scenes {
 
 echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale scale,
                         const ScanGeometry& geometry, std::vector<echo::Hull> hulls,
                         double heading_deg, const echo::CoastRules& rules) {
-  auto scene = std::make_shared<echo::Scene>();
   echo::CoastPreparer preparer(std::move(chart), own_ship, rules);
-  scene->coast =
+  auto scene = echo::scene_of(
       preparer.prepare(own_ship, {scale.length().in_metres(), geometry.cell_size(scale).in_metres(),
-                                  360.0 / geometry.spokes_per_turn});
+                                  360.0 / geometry.spokes_per_turn}),
+      {.position = own_ship, .heading_deg = heading_deg}, 50.0);
   scene->seed = 20261121;
-  scene->own_ship_geo = own_ship;
-  scene->own_ship = scene->coast->plane.to_plane(own_ship);
-  scene->true_north_deg = scene->coast->plane.true_north_degrees(own_ship);
-  scene->heading_deg = heading_deg;
   const echo::SinCos course = echo::sin_cos_degrees(heading_deg);
   scene->own_velocity = {6.0 * course.sin, 6.0 * course.cos};
-  scene->index = std::make_shared<const echo::PolarIndex>(*scene->coast, scene->own_ship, 50.0);
-  if (scene->coast->structures) {
-    scene->structure_index = std::make_shared<const echo::StructureIndex>(scene->coast->structures,
-                                                                          scene->own_ship, 50.0);
-  }
-  scene->ashore = echo::is_ashore(*scene->coast, *scene->index, scene->own_ship);
   scene->hulls = std::move(hulls);
   return scene;
 }
