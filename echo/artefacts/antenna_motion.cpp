@@ -56,10 +56,10 @@ Motion AntennaMotionModel::at(const Scene& scene, const SpokeAim& aim) const {
 
   const SinCos roll = sin_cos(motion.roll_rad), pitch = sin_cos(motion.pitch_rad);
   const SinCos shown = sin_cos_units(aim.relative_units);
-  // What lies on the horizon in the fan's plane, ahead and to starboard.
+  // The point of the horizon in the fan's plane, ahead and to starboard.
   const double ahead = shown.cos * roll.cos;
   const double starboard = shown.sin * pitch.cos - shown.cos * pitch.sin * roll.sin;
-  // By the difference, not by two angles that may lie on either side of half a turn.
+  // From the difference: two angles may lie on either side of half a turn.
   const double error = exact_atan2(starboard * shown.cos - ahead * shown.sin,
                                    ahead * shown.cos + starboard * shown.sin);
   motion.bearing_error_units = static_cast<std::int32_t>(error * kUnitsPerRadian);

@@ -89,10 +89,10 @@ void add_indirect_echoes(const Scene& scene, std::uint32_t bow_units, const Bear
 
 namespace {
 
-// Of the beam width, as wide as the uniform beam that gathers as much (SOURCES.md "Sets").
+// Width of the uniform beam that gathers as much, in beam widths (SOURCES.md "Sets").
 constexpr double kEffective = 0.7527;
 
-// Where a ray meets a wall, metres; 0 where it does not.
+// Range at which a ray meets a wall, metres; 0 if it does not.
 double range_to(const Wall& wall, PlanePoint own_ship, SinCos ray) {
   const PlanePoint a = wall.from - own_ship, along = wall.to - wall.from;
   const double crossing = right_of(ray, along);

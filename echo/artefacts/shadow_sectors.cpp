@@ -52,7 +52,7 @@ void OwnShipGain::lay_shadows() {
     const std::uint32_t middle = off_bow_units(obstruction.bearing_deg);
     for (std::uint32_t i = 0; i < kSize; ++i) {
       const SinCos off = sin_cos_units((i << kFraction) - middle);
-      // Where its line passes the strip's plane, if it does.
+      // The point where its line passes the strip's plane, if it does.
       if (off.cos * shadow.reach_m() <= obstruction.distance_m * std::max(off.sin, -off.sin))
         continue;
       gain[i] *= shadow.one_way(obstruction.distance_m * off.sin / off.cos);

@@ -25,7 +25,7 @@ Emitter emitter_of(const RadarSet& set, const Pulse& pulse, const EmitterState& 
   out.pulse_s = pulse.length_s;
   out.prf_hz = pulse.prf_hz * (1.0 + spread.prf * drawn(1));
   out.rpm = set.rpm;
-  // Where the beam was at time 0, had it turned then: what it has turned since is taken off.
+  // Bearing of the beam at time 0, had it turned then: its bearing now less its turn since.
   const std::uint32_t turned = beam_units(0.0, set.rpm, state.antenna_start);
   const double bearing = state.bow_deg - turned * kDegreesPerUnit;
   out.bearing_deg = bearing < -360.0 ? bearing + 360.0 : bearing;

@@ -9,7 +9,7 @@
 
 namespace skerry::echo {
 
-// Where a radar is and when its antenna began to turn.
+// A radar's place, and the time when its antenna began to turn.
 struct EmitterState {
   PlanePoint place;
   PlanePoint velocity;

@@ -23,7 +23,7 @@ class MainLobe {
   static constexpr double kEnd = 1.25;
   MainLobe() {
     for (std::size_t i = 0; i < table_.size(); ++i) {
-      // Of a beam so narrow that sine and angle agree.
+      // For a beam so narrow that sine and angle agree.
       const double voltage =
           cosine_taper_voltage(static_cast<double>(i) * kEnd / kSteps * 0.01, 0.01);
       table_[i] = static_cast<float>(voltage * voltage);

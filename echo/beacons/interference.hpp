@@ -34,9 +34,9 @@ float emitter_beam(std::uint32_t off_units, double beam_width_deg, float side_lo
 // at fewer pulses than spokes some spokes have none.
 class Interference {
  public:
-  // What is put into one sector at most; beyond, later emitters of the scene are left out.
+  // The most that one sector gets; beyond that, later emitters of the scene are left out.
   static constexpr std::size_t kMostDots = 32768;
-  // What land between leaves of a pulse, by choice: a sharp ridge costs about 30 dB.
+  // Part of a pulse that land between lets through, by choice: a sharp ridge costs 30 dB.
   static constexpr double kBehindLand = 1e-3;
 
   // Range, bearing and propagation are worked out at multiples of this after the scene's time, and
@@ -74,7 +74,7 @@ class Interference {
     double units_rate = 0.0;  // of the bearing, per second
     double power = 0.0;       // both on their axes
   };
-  // What stations were fixed for.
+  // The state for which stations were fixed.
   struct Fix {
     ScenarioTime time{};
     PlanePoint own_ship, own_velocity;

@@ -1,4 +1,4 @@
-// What the own radar brings to a sector, for all that answers or sends.
+// Own radar's part in a sector, for everything that answers or sends.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline constexpr double kLeastHeard = 0.01;
 // Powers are cut to this, far over any receiver's saturation.
 inline constexpr double kMostHeard = 1e15;
 
-// Of one sector; refers to what lives while it is prepared.
+// For one sector; its references live only while the sector is prepared.
 struct Listening {
   const Scene& scene;
   const RadarModel& model;

@@ -18,10 +18,10 @@ class OneWayLink {
 
   explicit OneWayLink(const RadarModel& model);
 
-  // What the own receiver gets over its noise, on the antenna's axis, of a sender of that EIRP.
+  // Signal over noise on own antenna's axis, from a sender of that EIRP.
   double received(double eirp_w, double range_m) const;
   double received_at_1m(double eirp_w) const { return eirp_w * received_1m_; }
-  // What an isotropic antenna takes in there on the own beam's axis, watts.
+  // Power that an isotropic antenna takes in there, on own beam's axis, watts.
   double sent_watts(double range_m) const;
 
  private:

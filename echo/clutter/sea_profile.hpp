@@ -26,7 +26,7 @@ class SeaProfile {
     double row_share = 0.0;                                  // between its rows, of that
     std::uint32_t row_spokes = 1;
   };
-  // Nothing for sea state 0.
+  // Empty for sea state 0.
   SeaProfile(const RadarModel& model, const Atmosphere& atmosphere, const SeaSurface& sea,
              const Sampling& sampling);
   SeaProfile() = default;

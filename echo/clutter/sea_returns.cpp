@@ -104,7 +104,7 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
     lay_row(scene, (first_row_ + r) * texture_spokes_, laid_[r],
             std::span(rows_).subspan(r * pitch_, profile_.reach()));
   }
-  // What the next sector goes on with.
+  // The next sector continues from these.
   std::erase_if(nodes_, [&](const Node& n) { return n.used_for != last_row * texture_spokes_; });
 }
 

@@ -59,7 +59,7 @@ class SeaReturns {
   const SeaProfile& profile() const { return profile_; }
 
  private:
-  // Of kSamplesPerLaw samples, those that are laid.
+  // Samples in use, of kSamplesPerLaw.
   static constexpr std::size_t kMostBlocks = Speckle::kLongestRow / kSamplesPerLaw + 1;
   using Blocks = std::bitset<kMostBlocks>;
 
@@ -77,7 +77,7 @@ class SeaReturns {
     std::uint64_t seed = 0;
   };
   bool unchanged(const Scene& scene) const;
-  // What a row of a spoke is made of; refers to nodes_ and looks_.
+  // The parts of a row of a spoke; refers to nodes_ and looks_.
   struct RowParts {
     TextureMix mix;
     const SeaProfile::Look* look = nullptr;

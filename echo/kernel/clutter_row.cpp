@@ -176,7 +176,7 @@ inline __attribute__((always_inline)) void speckled_part(const float* __restrict
   }
 }
 
-// By whole blocks from a line's beginning; the rest, where the row ends within one, by cells.
+// Works in whole blocks from a line's beginning, and cell by cell in the last, partial one.
 SKERRY_KERNEL_BODY speckled_body(const float* __restrict first, const float* __restrict second,
                                  float share, const float* __restrict speckle,
                                  float* __restrict power, std::size_t begin, std::size_t end,

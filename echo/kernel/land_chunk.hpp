@@ -61,12 +61,12 @@ struct LandChunk {
   const float* broad = nullptr;
   const float* fine = nullptr;
   std::int32_t coarse_shift = 0;
-  // What the fine noise has between those.
+  // Values of the fine noise between those.
   const OctavePath* octaves = nullptr;
   std::size_t octave_count = 0;
 };
 
-// What the chunk leaves behind, by cell.
+// The chunk's results, by cell.
 struct LandChunkOut {
   float height[kLandChunk];  // over the water
   float shadow[kLandChunk];  // slope below which all nearer land hides, before the cell

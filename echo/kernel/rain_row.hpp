@@ -1,4 +1,4 @@
-// What rain does along a spoke, at knots and between them.
+// Rain along a spoke: its effect at knots and between them.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is done to a whole row of powers after all echoes are in it.
+// Losses of a whole row of powers, applied after all echoes are in it.
 #pragma once
 
 #include <cstddef>

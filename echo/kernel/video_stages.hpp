@@ -1,4 +1,4 @@
-// What a receiver does to finished 8-bit video: differentiation (FTC) and stretching of echoes.
+// Receiver stages on finished 8-bit video: differentiation (FTC) and stretching of echoes.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace skerry::echo {
 // on the left.
 using CoastPieces = std::vector<PlaneLine>;
 
-// What a coast is measured between.
+// Limits of a coast's measurement.
 struct ScoreScales {
   double smallest_m = 100.0, largest_m = 1600.0;  // boxes, doubled
   double least_depth_m = 10.0;                    // of a bay; what is less is the chart's own error
@@ -22,7 +22,7 @@ struct ScoreScales {
 // Spectrum of the offsets from the chord: half waves in a chord, by octaves: 1, 2-3, 4-7.
 inline constexpr std::size_t kSpectrumOctaves = 3;
 
-// What one coast measures.
+// Measures of one coast.
 struct CoastShape {
   double length_km = 0.0;
   std::vector<ScaleDimension> dimensions;
@@ -71,7 +71,7 @@ CoastScore score_of(const CoastPieces& real, const CoastShape& real_shape, const
 // the other is not, 0 where both are.
 double kolmogorov_smirnov(std::span<const double> a, std::span<const double> b);
 
-// Of ascending values; NaN for none.
+// Quantile of ascending values; NaN for none.
 double quantile_of(std::span<const double> ascending, double part);
 
 }  // namespace skerry::echo

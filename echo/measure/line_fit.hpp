@@ -10,7 +10,7 @@
 
 namespace skerry::echo {
 
-// Of what cannot be told.
+// Stands for an unknown value.
 inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 // y = intercept + slope x by least squares.  All NaN for fewer than two different x.
@@ -40,7 +40,7 @@ struct Interval {
   double high = 0.0;
 };
 
-// What a statistic did when the sample was drawn anew from itself.
+// Spread of a statistic when the sample is drawn anew from itself (bootstrap).
 struct Bootstrap {
   double standard_error = 0.0;
   Interval interval95;  // percentiles 2.5 and 97.5

@@ -21,7 +21,7 @@ struct PictureTurn {
   }
 };
 
-// What is looked at, and what counts as an echo there.
+// The part of the picture to measure, and the level that counts as an echo.
 struct PictureWindow {
   double from_deg = 0.0, to_deg = 360.0;  // clockwise; from > to: through 0
   double from_m = 0.0, to_m = 1e12;

@@ -21,7 +21,7 @@ constexpr float kFull = static_cast<float>(kFullDifference);
 constexpr float kFloor = static_cast<float>(kNullFloor);
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Where x lies between the nodes of an octave grid that begins at `first`.
+// Position of x between the nodes of an octave grid that begins at `first`.
 struct Between {
   std::uint32_t node;
   std::int32_t rest;  // beyond the node, times share_of_rest() the share of the way to the next

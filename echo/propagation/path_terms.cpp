@@ -162,7 +162,7 @@ PathTerms path_terms(const PathConditions& conditions, double range_m, double he
   terms.rho = path.divergence * (deviation > 0.0 ? miller_brown_roughness(g) : 1.0);
   const double clearance =
       std::sqrt(2.0 * path.difference_m / conditions.wavelength_m) / kFullClearance;
-  // What stands well clear is not worked out.
+  // No diffraction is computed for a path that is well clear.
   terms.loss_db = clearance > 2.0
                       ? -20.0 * clearance
                       : left * (1.0 - clearance) * smooth_earth(0.5 * (d / roots) * (d / roots));

@@ -52,7 +52,7 @@ double fresnel_parameter(double height_m, double to_edge_m, double beyond_m, dou
 double smooth_earth_loss_db(double range_m, double antenna_height_m, double target_height_m,
                             double wavelength_m, double effective_earth_m);
 
-// What a radar and its weather make of a path.
+// Conditions of a path: the radar and its weather.
 struct PathConditions {
   double wavelength_m = 0.0319;
   double antenna_height_m = 20.0;

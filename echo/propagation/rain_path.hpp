@@ -70,7 +70,7 @@ class RainPath {
   std::size_t first_ = 0, end_ = 0;  // wet cells
   std::size_t step_ = 1;             // cells from knot to knot
   bool any_ = false;
-  // Of the radar last seen.
+  // For the radar last used.
   double frequency_hz_ = 0.0, cell_m_ = 1.0;
   Polarisation polarisation_ = Polarisation::hh;
   float alpha_ = 1.0f, log2_octaves_ = 0.0f;  // lost in a cell of 1 mm/h

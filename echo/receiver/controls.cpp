@@ -36,7 +36,7 @@ std::optional<std::string> first_control_fault(const std::array<Named, N>& all) 
 // 3 dB more than the side lobes themselves.
 constexpr double kAutoSideLobes = 62.0;
 
-// What a mode sets; gain is automatic in all but two.
+// Settings of a picture mode; gain is automatic in all but two.
 struct ModeSettings {
   bool gain_auto, sea_auto;
   double gain, sea, rain, interference_rejection, echo_stretch, integration, noise_rejection,

@@ -12,7 +12,7 @@
 
 namespace skerry::echo {
 
-// What is on the air, common to all views.
+// Controls of the transmitter and antenna, common to all views.
 struct RadarControls {
   bool transmit = true;
   PulseChoice pulse = PulseChoice::automatic;
@@ -25,7 +25,7 @@ struct RadarControls {
   friend bool operator==(const RadarControls&, const RadarControls&) = default;
 };
 
-// What becomes of the samples of a cell that holds more than one.
+// How a cell that holds several samples combines them.
 enum class Decimation : std::uint8_t { peak, mean };
 
 // Which cells are coloured by their radial speed.
@@ -56,7 +56,7 @@ struct ViewControls {
   DopplerMode doppler = DopplerMode::off;
   double doppler_threshold_mps = 2.0;  // 0.1 to 20: what is slower is not coloured
   PictureMode mode = PictureMode::custom;
-  // Where the last cell ends; 0: at the range scale.  See reach_of.
+  // Range at which the last cell ends; 0: the range scale.  See reach_of.
   double instrumented_range_m = 0.0;
   friend bool operator==(const ViewControls&, const ViewControls&) = default;
 };

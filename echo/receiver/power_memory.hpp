@@ -39,7 +39,7 @@ PowerStages power_stages(const RadarSet& set, std::uint32_t spokes_per_turn,
 // the rest alone.
 class PowerMemory {
  public:
-  // What a stage has learnt goes only when that stage changes.
+  // A stage loses what it has learnt only when that stage changes.
   void set_up(const PowerStages& stages, std::uint32_t cells, std::uint32_t spokes_per_turn);
   void forget();  // as if no spoke had been
 

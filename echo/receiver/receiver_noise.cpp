@@ -242,7 +242,7 @@ std::shared_ptr<const ReceiverNoise> receiver_noise_for(double samples, Decimati
   const double q = std::clamp(samples, ReceiverNoise::kMinSamples, ReceiverNoise::kMaxSamples);
   const int step = static_cast<int>(std::floor(exact_log2(q) * kStepsPerOctave + 0.5));
   const std::lock_guard lock(mutex);
-  // What is correlated is not decimated.
+  // Correlated noise is not decimated.
   std::weak_ptr<const ReceiverNoise>& slot =
       kept[{step, step <= 0 ? Decimation::peak : decimation}];
   std::shared_ptr<const ReceiverNoise> noise = slot.lock();

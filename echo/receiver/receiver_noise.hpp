@@ -50,7 +50,7 @@ class ReceiverNoise {
   // without a seam, and repeat after kPeriod cells.  Valid while this lives.
   NoiseRow row(NoiseKey key, std::uint32_t from = 0) const;
 
-  // What the echo's power is to be multiplied by before it meets the noise.
+  // Factor on the echo's power before the noise is added.
   float gain() const { return gain_; }
   // log2 of mean noise in a row over mean noise of one sample: 0 but for mean decimation, where the
   // row is `samples` times too strong, and that has to be taken off again behind the logarithm.

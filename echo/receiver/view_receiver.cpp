@@ -100,7 +100,7 @@ void ViewReceiver::set_up() {
   lay_offsets();
 }
 
-// By the law of the sea control, or by what the automatic one has learnt of the sector ahead.
+// From the sea control's law, or from what automatic sea has learnt in the sector ahead.
 void ViewReceiver::lay_offsets() {
   const std::uint32_t cells = model_.geometry.cells;
   const double threshold = auto_gain_ ? auto_gain_->threshold_db() : threshold_db(in_force_.gain);
@@ -123,7 +123,7 @@ void ViewReceiver::lay_offsets() {
   lay_gates();
 }
 
-// Where noise of so many decibels over its mean reads, with the STC there.
+// Reading of noise of so many decibels over its mean, with the STC there.
 void ViewReceiver::lay_gates() {
   gates_.clear();
   if (in_force_.noise_rejection <= 0.0) return;

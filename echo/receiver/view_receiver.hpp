@@ -48,7 +48,7 @@ class ViewReceiver {
   void set_controls(const ViewControls& controls);
 
   // How many cells the radar's rows have from now on, all of model.cell_m; at first the model's.
-  // What was learnt stays.
+  // Keeps what was learnt.
   void set_row_cells(std::uint32_t cells);
   // Whether the radar's rows cover the view's range; what they do not is 0.
   bool reaches() const { return resampler_.reach() == model_.geometry.cells; }

@@ -7,7 +7,7 @@
 namespace skerry::echo {
 
 enum class VideoDetector : std::uint8_t { log, linear };
-// What becomes of the codes of a group of ticks.
+// How the codes of a group of ticks are combined.
 enum class CodeDecimation : std::uint8_t { peak, mean, sum };
 
 struct SweepChannel {
@@ -34,7 +34,7 @@ class CodeGroups {
   CodeGroups(CodeDecimation mode, std::uint32_t group, std::span<std::uint16_t> out)
       : mode_(mode), group_(group), out_(out) {}
 
-  // What would not fit into `out` is dropped.
+  // Drops groups that do not fit into `out`.
   void add(std::span<const std::uint16_t> codes);
 
  private:

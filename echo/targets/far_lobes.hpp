@@ -22,7 +22,7 @@ class FarLobes {
  public:
   explicit FarLobes(const RadarModel& model);
 
-  // Of all of `strong` but the bodies `met`.  Thread: the radar's.
+  // Uses all of `strong` except the bodies `met`.  Thread: the radar's.
   void prepare(const AntennaPattern& pattern, const StrongEchoes& strong,
                std::span<const std::uint32_t> met, std::uint32_t near_units, const SpokeAim& first,
                const SpokeAim& last);

@@ -15,7 +15,7 @@ struct PointEcho {
   float height_m = 0.0f;            // over the water, for shadows
 };
 
-// What stands out all round: through side lobes, by way of masts and hulls.
+// Echoes strong enough to be seen all round: through side lobes, by way of masts and hulls.
 struct StrongEchoes {
   std::vector<PointEcho> points;  // of one body together
   std::uint64_t version = 0;      // another one whenever the points are others
@@ -41,7 +41,7 @@ constexpr std::uint32_t body_of(BodyKind kind, std::uint32_t index) {
 // More than any echo: a thousand ships beside the antenna.  Keeps sums of powers below 1e30.
 inline constexpr float kMaxPointPower = 1e24f;
 
-// Of the noise: what side lobes bring in weaker than this is left out.
+// Side lobe echoes weaker than this part of the noise are left out.
 inline constexpr double kLeastLobePower = 0.05;
 
 }  // namespace skerry::echo

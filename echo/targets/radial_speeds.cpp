@@ -13,7 +13,7 @@ struct Way {
   PlanePoint place, velocity;
 };
 
-// Of a body that moves by itself; nothing for all others.
+// For a body that moves by itself; nothing for all others.
 const Way* way_of(const Scene& scene, std::uint32_t body, Way& way) {
   const std::uint32_t index = body & kIndex;
   if (body == body_of(BodyKind::ship, index) && index < scene.hulls.size()) {

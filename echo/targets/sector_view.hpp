@@ -12,7 +12,7 @@
 
 namespace skerry::echo {
 
-// Where something stands, seen from the antenna.
+// A place as seen from the antenna.
 struct Polar {
   double range_m = 0.0;
   std::uint32_t units = 0;  // clockwise from the plane's north, 2^32 = one turn

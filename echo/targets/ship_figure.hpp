@@ -28,7 +28,7 @@ struct ShipDetail {
 };
 inline constexpr std::uint32_t kMaxAlong = 64, kMaxRows = 3;
 
-// What the radar can tell apart, metres: in range (pulse or cell, the longer) and across the beam.
+// The radar's resolution, metres: in range (pulse or cell, the longer) and across the beam.
 struct ShipResolution {
   double range_m = 1.0, across_m = 1.0;
 };

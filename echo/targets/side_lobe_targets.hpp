@@ -25,7 +25,7 @@ class SideLobeTargets {
   const StrongEchoes& strong() const { return strong_; }
 
  private:
-  // What echoes as one, before anything lies between it and the radar.
+  // A target that echoes as one, before shadows and propagation.
   struct Whole {
     PlanePoint from_own_ship;
     double section_m2 = 0.0, height_m = 1.0, depth_m = 0.0;

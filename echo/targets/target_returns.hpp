@@ -32,10 +32,10 @@ class TargetReturns {
   void prepare(const Scene& scene, const SpokeAim& first, const SpokeAim& last,
                const HiddenHeight& hidden, std::vector<PointEcho>& out);
 
-  // As of the sector last prepared.  All strong targets, those of the sector too; empty if the
+  // State of the sector last prepared: all strong targets, those of the sector too; empty if the
   // scene wants neither side lobes nor multiple nor indirect echoes.
   const StrongEchoes& strong() const { return wants_strong_ ? side_lobes_.strong() : none_; }
-  // Of the sector last prepared.
+  // State of the sector last prepared.
   const ShipShadow& shadows() const { return shadows_; }
 
  private:
