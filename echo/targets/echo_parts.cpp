@@ -8,7 +8,6 @@
 #include "echo/kernel/hash.hpp"
 #include "echo/scene/plane_geometry.hpp"
 #include "echo/targets/fluctuation.hpp"
-#include "echo/targets/reflectors.hpp"
 
 namespace skerry::echo {
 
@@ -91,6 +90,10 @@ void wake_parts(const Hull& hull, double dt, std::uint64_t pass_key, std::vector
                    static_cast<float>(hash & 1023u) * 0x1p-10f});
     place = place - half;
   }
+}
+
+double wire_cross_section(double radius_m, double range_m) {
+  return std::numbers::pi * radius_m * range_m;
 }
 
 std::optional<EchoPart> cable_part(const OverheadCable& cable, PlanePoint own_ship) {

@@ -38,9 +38,14 @@ inline constexpr std::size_t kWakeParts = 64;
 // in 20 s.  Source: none that gives a level; weak against any ship, shown over a calm sea close in.
 void wake_parts(const Hull& hull, double dt, std::uint64_t pass_key, std::vector<EchoPart>& out);
 
-// Where a cable echoes: at the foot of the perpendicular from the own ship, if that lies on the
-// cable, as three steady wires of 15 mm radius (reflectors.hpp); it moves along as the own ship
-// does, always at right angles to the cable.  Source: SOURCES.md "Artefacts".
+// A wire square to the line of sight, longer than the zone that echoes in phase (sqrt(l R / 2)):
+// pi a R, m2, so that it falls as R^-3.  Physical optics of a smooth round wire; computed from the
+// width pi a of a cylinder under a spherical wave.
+double wire_cross_section(double radius_m, double range_m);
+
+// The part of a cable that echoes: the foot of the perpendicular from the own ship, if that lies on
+// the cable, as three steady wires of 15 mm radius; it moves along as the own ship does, always at
+// right angles to the cable.  Source: SOURCES.md "Artefacts".
 std::optional<EchoPart> cable_part(const OverheadCable& cable, PlanePoint own_ship);
 
 }  // namespace skerry::echo
