@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -28,7 +29,8 @@ SeriesPhases phases_of(scenario::CoastStyle::Phases phases) {
 
 // `style` with what the scenario says in its place.  A method is given the dimension nearest to the
 // old one that it can have, unless the scenario says which.
-CoastStyle with(const scenario::CoastStyle& said, CoastStyle style, const std::string& key) {
+// Error: std::invalid_argument for a style that cannot be.
+CoastStyle with(const scenario::CoastStyle& said, CoastStyle style) {
   if (said.has_method()) {
     // The schema's names are those of the methods (coast_rules_test).
     style.method = *echo::find_method(scenario::CoastStyle::Method_Name(said.method()));
@@ -41,8 +43,8 @@ CoastStyle with(const scenario::CoastStyle& said, CoastStyle style, const std::s
   try {
     echo::require_valid(style);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("scenario: {}: {} (method {})", key, error.what(),
-                                         echo::name_of(style.method)));
+    throw std::invalid_argument(
+        fmt::format("{} (method {})", error.what(), echo::name_of(style.method)));
   }
   return style;
 }
@@ -60,16 +62,26 @@ CoastType type_of(scenario::CoastKind kind) {
   }
 }
 
-}  // namespace
+// Told of each style that cannot be, by its key; the style is then left as it was.
+using Complain = std::function<void(const std::string& key, const std::string& text)>;
 
-echo::CoastRules coast_rules(const scenario::Scenario& scenario) {
+echo::CoastRules rules_of(const scenario::Scenario& scenario, const Complain& complain) {
+  const auto styled = [&](const scenario::CoastStyle& said, const CoastStyle& style,
+                          const std::string& key) {
+    try {
+      return with(said, style);
+    } catch (const std::invalid_argument& error) {
+      complain(key, error.what());
+      return style;
+    }
+  };
   echo::CoastRules rules;
   rules.seed = scenario.seed();
   const scenario::Coast& coast = scenario.coast();
   const auto apply = [&](CoastType type, bool said, const scenario::CoastStyle& style,
                          const char* key) {
     CoastStyle& mine = rules.styles[static_cast<std::size_t>(type)];
-    if (said) mine = with(style, mine, key);
+    if (said) mine = styled(style, mine, key);
   };
   apply(CoastType::unknown, coast.has_unknown(), coast.unknown(), "coast.unknown");
   apply(CoastType::artificial, coast.has_artificial(), coast.artificial(), "coast.artificial");
@@ -84,12 +96,26 @@ echo::CoastRules coast_rules(const scenario::Scenario& scenario) {
     if (said.has_kind()) place.type = type_of(said.kind());
     if (said.has_style()) {
       const CoastType type = place.type.value_or(CoastType::unknown);
-      place.style = with(said.style(), rules.styles[static_cast<std::size_t>(type)],
-                         fmt::format("coast.places[{}].style", i));
+      place.style = styled(said.style(), rules.styles[static_cast<std::size_t>(type)],
+                           fmt::format("coast.places[{}].style", i));
     }
     rules.places.push_back(place);
   }
   return rules;
+}
+
+}  // namespace
+
+echo::CoastRules coast_rules(const scenario::Scenario& scenario) {
+  return rules_of(scenario, [](const std::string& key, const std::string& text) {
+    throw std::runtime_error(fmt::format("scenario: {}: {}", key, text));
+  });
+}
+
+void check_coast(const scenario::Scenario& scenario, YamlSource& source) {
+  rules_of(scenario, [&](const std::string& key, const std::string& text) {
+    if (source.is_sound(key)) source.refuse(key, text);
+  });
 }
 
 }  // namespace skerry::server

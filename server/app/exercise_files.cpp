@@ -106,6 +106,15 @@ std::string scenario_text(const std::string& path) {
   return path.empty() ? default_scenario_yaml() : read_yaml_file(path);
 }
 
+scenario::Scenario exercise_scenario(const std::string& yaml, const std::string& file_name) {
+  YamlSource source(file_name);
+  scenario::Scenario scenario = read_scenario(yaml, source);
+  check_coast(scenario, source);
+  check_locks(scenario, source);
+  source.require_sound();
+  return scenario;
+}
+
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
                                                  const ChartFiles& files) {
   Json json;
@@ -144,7 +153,7 @@ ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& ins
 
 ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name) {
   ExercisePlan plan;
-  plan.scenario = parse_scenario(scenario_yaml, file_name);
+  plan.scenario = exercise_scenario(scenario_yaml, file_name);
   for (int i = 0; i < plan.scenario.own_ships_size(); ++i) {
     for (const scenario::Radar& radar : plan.scenario.own_ships(i).radars()) {
       plan.radars.push_back(radar_config(radar, static_cast<std::uint32_t>(plan.radars.size()),

@@ -7,6 +7,7 @@
 
 #include "server/core/exercise_inputs.hpp"
 #include "server/replay/exercise_replay.hpp"
+#include "server/world/scenario.pb.h"
 
 namespace skerry::server {
 
@@ -20,6 +21,10 @@ struct ChartFiles {
 // Error: ConfigError naming the file.
 std::string scenario_text(const std::string& path);
 
+// parse_scenario() and what the radars and the coast need beyond it.
+// Error: ConfigError with all that is wrong.
+scenario::Scenario exercise_scenario(const std::string& yaml, const std::string& file_name);
+
 // "scenario.yaml" and "charts.json".  The latter has path, size and a digest (SHA-256 of the size,
 // the first and the last MiB) of each chart named, and of the GSHHG file that stands behind them.
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
@@ -31,7 +36,7 @@ std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yam
 ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& instead);
 
 // What RadarServer would make of that scenario.
-// Error: as parse_scenario() and coast_rules().
+// Error: as exercise_scenario().
 ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name);
 
 }  // namespace skerry::server

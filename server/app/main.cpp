@@ -13,11 +13,9 @@
 #include <variant>
 
 #include "server/app/charts.hpp"
-#include "server/app/coast_rules.hpp"
 #include "server/app/exercise_files.hpp"
 #include "server/app/log_tap.hpp"
 #include "server/app/options.hpp"
-#include "server/app/radar_config.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
@@ -122,11 +120,9 @@ int run(const Options& options, LogTap& tap) {
   if (!options.playback.file.empty()) return run_playback(options, tap);
   const std::string yaml = scenario_text(options.scenario);
   const auto scenario =
-      parse_scenario(yaml, options.scenario.empty() ? "built-in bergen.yaml" : options.scenario);
+      exercise_scenario(yaml, options.scenario.empty() ? "built-in bergen.yaml" : options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {
-    coast_rules(scenario);
-    initial_locks(scenario);
     std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
     return 0;
   }

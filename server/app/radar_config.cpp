@@ -69,6 +69,22 @@ RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std:
   return config;
 }
 
+void check_locks(const scenario::Scenario& scenario, YamlSource& source) {
+  for (int s = 0; s < scenario.own_ships_size(); ++s) {
+    for (int r = 0; r < scenario.own_ships(s).radars_size(); ++r) {
+      const std::string path = fmt::format("own_ships[{}].radars[{}].locked", s, r);
+      if (!source.is_sound(path)) continue;
+      const auto& locked = scenario.own_ships(s).radars(r).locked();
+      for (int i = 0; i < locked.size(); ++i) {
+        if (is_control(locked[i])) continue;
+        source.refuse(fmt::format("{}[{}]", path, i),
+                      fmt::format("there is no control \"{}\"; allowed: {}",
+                                  printable(locked[i], 40), fmt::join(control_names(), ", ")));
+      }
+    }
+  }
+}
+
 std::vector<std::vector<std::string>> initial_locks(const scenario::Scenario& scenario) {
   std::vector<std::vector<std::string>> locks;
   for (const scenario::OwnShip& ship : scenario.own_ships()) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "server/config/config_error.hpp"
 #include "server/radar/radar_unit.hpp"
 #include "server/world/scenario.pb.h"
 
@@ -13,6 +14,9 @@ namespace skerry::server {
 
 RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std::size_t own_ship,
                          std::uint64_t seed);
+
+// Adds every locked name that is no control to the errors of the scenario's file.
+void check_locks(const scenario::Scenario& scenario, YamlSource& source);
 
 // The controls that are locked from the start, of each radar.
 // Error: std::runtime_error naming the key and what is no control.

@@ -55,6 +55,7 @@ class ScenarioChecker {
     }
     check_mmsi(scenario);
     fill_in_mmsi(scenario);
+    check_any_radar(scenario);
   }
 
  private:
@@ -67,15 +68,18 @@ class ScenarioChecker {
   void check_radar_count(const scenario::Scenario& scenario) const {
     if (scenario.own_ships_size() > kMaxOwnShips) return;
     int radars = 0;
-    bool known = scenario.own_ships_size() > 0;
-    for (int i = 0; i < scenario.own_ships_size(); ++i) {
-      radars += scenario.own_ships(i).radars_size();
-      known = known && source_.is_sound(fmt::format("own_ships[{}].radars", i));
-    }
-    if (radars == 0 && known) {
-      source_.refuse("own_ships", "no own ship has a radar; give one \"radars: [{}]\"");
-    }
+    for (const scenario::OwnShip& ship : scenario.own_ships()) radars += ship.radars_size();
     check_count(radars, kMaxRadars, "own_ships", "radars");
+  }
+
+  // Comes last: it refuses all own ships.
+  void check_any_radar(const scenario::Scenario& scenario) const {
+    if (scenario.own_ships().empty()) return;
+    for (int i = 0; i < scenario.own_ships_size(); ++i) {
+      if (scenario.own_ships(i).radars_size() > 0) return;
+      if (!source_.is_sound(fmt::format("own_ships[{}].radars", i))) return;
+    }
+    source_.refuse("own_ships", "no own ship has a radar; give one \"radars: [{}]\"");
   }
 
   // A name that the file does not give stands where its bearer does.

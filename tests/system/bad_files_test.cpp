@@ -6,10 +6,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tests/scenes/ten_errors.hpp"
 #include "tests/system/running_server.hpp"
 
 namespace skerry::system_test {
@@ -91,6 +93,24 @@ TEST(BadFiles, AWrongScenarioIsNamedByFileLineColumnKeyValueAndRange) {
     message.push_back(folder.path("bad.yaml") + ":");
     expect_refused({"--scenario", folder.write("bad.yaml", bad.text)}, message);
   }
+}
+
+TEST(BadFiles, AllThatIsWrongWithAScenarioIsSaidAtOnceInTheOrderOfTheText) {
+  const TempFolder folder;
+  const std::string file = folder.write("bad.yaml", scenes::kTenErrors);
+  const Ending ending = run({skerryd_program(), "--scenario", file});
+  EXPECT_EQ(ending.code, 2);
+  EXPECT_EQ(ending.out, "");
+  std::istringstream lines(ending.err);
+  std::string line;
+  for (const char* const found : scenes::kTenErrorsFound) {
+    ASSERT_TRUE(std::getline(lines, line)) << found;
+    EXPECT_THAT(line, testing::StartsWith("skerryd: " + file + found));
+  }
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(line, "skerryd: " + file + ": 10 errors");
+  EXPECT_FALSE(std::getline(lines, line)) << line;
+  EXPECT_EQ(run({skerryd_program(), "--scenario", file}).err, ending.err) << "the order is stable";
 }
 
 TEST(BadFiles, AWrongConfigurationIsNamedTheSameWay) {

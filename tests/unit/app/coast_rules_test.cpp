@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "server/app/radar_config.hpp"
 #include "server/world/scenario.hpp"
 
 namespace skerry::server {
@@ -115,6 +116,33 @@ TEST(CoastRules, NameTheKeyAndTheRangeOfWhatIsRefused) {
   EXPECT_THAT(refusal("coast: {places: [{position: {lat: 1, lon: 2}, style: {method: random_koch, "
                       "dimension: 1.3}}]}"),
               HasSubstr("coast.places[0].style"));
+}
+
+TEST(CoastRules, StylesThatCannotBeComeWithAllOtherErrorsOfTheFile) {
+  YamlSource source("coast.yaml");
+  const scenario::Scenario scenario = read_scenario(
+      "name: Coast\nown_ships:\n"
+      "  - {name: Tern, position: {lat: 95, lon: 5}, radars: [{locked: [gain, volume]}]}\n"
+      "coast:\n  rocky: {method: koch, dimension: 1.4}\n"
+      "  sandy: {method: koch, dimension: 9}\n"
+      "  places: [{position: {lat: 1, lon: 2}, style: {method: koch, dimension: 1.3}}]\n",
+      source);
+  check_coast(scenario, source);
+  check_locks(scenario, source);
+  std::string all;
+  try {
+    source.require_sound();
+  } catch (const ConfigError& error) {
+    all = error.what();
+  }
+  EXPECT_THAT(all, testing::AllOf(
+                       HasSubstr("coast.yaml:3:34: own_ships[0].position.lat: 95"),
+                       HasSubstr("\ncoast.yaml:3:72: own_ships[0].radars[0].locked[1]: there is no "
+                                 "control \"volume\""),
+                       HasSubstr("\ncoast.yaml:5:10: coast.rocky: "),
+                       HasSubstr("\ncoast.yaml:6:36: coast.sandy.dimension: 9 is out of range"),
+                       HasSubstr("\ncoast.yaml:7:48: coast.places[0].style: "),
+                       HasSubstr("\ncoast.yaml: 5 errors")));
 }
 
 }  // namespace
