@@ -20,8 +20,8 @@
 #include "server/net/http/http_session.hpp"
 #include "server/net/native/native_session.hpp"
 #include "server/net/native/tcp_transport.hpp"
-#include "server/net/navigation/navigation_desk.hpp"
-#include "server/net/outputs/display_desk.hpp"
+#include "server/net/navigation/navigation_ports.hpp"
+#include "server/net/outputs/display_outputs.hpp"
 #include "server/net/outputs/stream_outputs.hpp"
 #include "server/net/outputs/udp_sender.hpp"
 #include "server/net/signalk/signalk_service.hpp"
@@ -173,8 +173,8 @@ class NetServer::Impl {
   Timer tick_;
   int ticks_ = 0;
   std::vector<std::unique_ptr<UdpSender>> senders_;
-  std::optional<DisplayDesk> displays_;
-  std::optional<NavigationDesk> navigation_;
+  std::optional<DisplayOutputs> displays_;
+  std::optional<NavigationPorts> navigation_;
   std::optional<SignalkService> signalk_;
   std::thread thread_;
   bool closing_ = false;  // net-0

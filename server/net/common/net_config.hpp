@@ -8,11 +8,27 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/signalk/documents.hpp"
 #include "server/net/common/navigation_config.hpp"
 #include "server/net/common/output_config.hpp"
-#include "server/net/common/signalk_config.hpp"
 
 namespace skerry::server {
+
+// What the server offers to Signal K displays.
+struct SignalkConfig {
+  bool serve = true;  // beside the web console, on the HTTP port
+  signalk::Dialect dialect = signalk::Dialect::current;
+  // Tells other hosts by mDNS, through the system's Avahi, that it is there; only if the server is
+  // bound to more than loopback.
+  bool advertise = true;
+  // A Signal K server has one own ship.  That of radar 0 is at the HTTP port; others get a port of
+  // their own.
+  struct Ship {
+    std::uint32_t radar = 0;  // one of her radars
+    std::uint16_t port = 0;   // HTTP; 0: any free one
+  };
+  std::vector<Ship> further_ships;
+};
 
 struct NetConfig {
   std::string bind = "127.0.0.1";  // address for TCP and HTTP

@@ -227,7 +227,7 @@ void NativeSession::control_playback(std::uint32_t request, const wire::Playback
 
 void NativeSession::ask_board(const wire::ClientMessage& message) {
   const std::uint32_t request = message.request();
-  BoardDesk::Answer answer;
+  BoardRequests::Answer answer;
   if (message.has_board_access()) {
     const wire::BoardAccess& access = message.board_access();
     const bool writes =

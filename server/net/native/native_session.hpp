@@ -13,7 +13,7 @@
 
 #include "protocol/wire/frame.hpp"
 #include "server/net/common/net_context.hpp"
-#include "server/net/native/board_desk.hpp"
+#include "server/net/native/board_requests.hpp"
 #include "server/net/native/byte_transport.hpp"
 
 namespace skerry::server {
@@ -104,7 +104,7 @@ class NativeSession final : public Connection,
 
   std::size_t spoke_buffer_ = 0;  // of the kernel's, for spokes
 
-  BoardDesk boards_;
+  BoardRequests boards_;
 
   std::deque<SharedBytes> replies_;
   std::size_t reply_bytes_ = 0;

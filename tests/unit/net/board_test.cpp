@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "server/net/native/board_desk.hpp"
+#include "server/net/native/board_requests.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
 

@@ -1,11 +1,11 @@
-#include "server/net/outputs/display_desk.hpp"
+#include "server/net/outputs/display_outputs.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace skerry::server {
 
-DisplayDesk::DisplayDesk(NetContext& context) : timer_(context.io) {
+DisplayOutputs::DisplayOutputs(NetContext& context) : timer_(context.io) {
   std::vector<OutputClaim> claims;
   for (const DisplayOutputConfig& config : context.config.displays) {
     outputs_.push_back(std::make_unique<DisplayOutput>(context, config, outputs_.size()));
@@ -15,20 +15,20 @@ DisplayDesk::DisplayDesk(NetContext& context) : timer_(context.io) {
   for (const auto& output : outputs_) output->open();
 }
 
-void DisplayDesk::start() {
+void DisplayOutputs::start() {
   if (outputs_.empty()) return;
   for (const auto& output : outputs_) output->start();
   due_ = std::chrono::steady_clock::now();
   tick();
 }
 
-void DisplayDesk::close() {
+void DisplayOutputs::close() {
   closed_ = true;  // a tick may be on its way already
   timer_.cancel();
   for (const auto& output : outputs_) output->close();
 }
 
-void DisplayDesk::tick() {
+void DisplayOutputs::tick() {
   due_ = std::max(due_ + kTick, std::chrono::steady_clock::now());
   timer_.expires_at(due_);
   timer_.async_wait([this](error_code error) {

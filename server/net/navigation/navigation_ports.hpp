@@ -1,4 +1,4 @@
-// NavigationDesk: all navigation outputs and inputs of the server.
+// NavigationPorts: all navigation outputs and inputs of the server.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 namespace skerry::server {
 
 // Thread: constructed anywhere, then net-0.
-class NavigationDesk {
+class NavigationPorts {
  public:
   // Opens what context.config names.  Error: as of its parts.
-  explicit NavigationDesk(NetContext& context);
+  explicit NavigationPorts(NetContext& context);
 
   void start();
   void close();

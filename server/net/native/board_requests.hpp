@@ -1,4 +1,4 @@
-// BoardDesk: one native client's dealings with interface boards.
+// BoardRequests: one native client's dealings with interface boards.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace skerry::server {
 // Answers requests, holds the client's place in the stream of records it asked for, and the lease
 // of the shared ring, which ends with the connection.  Whether the client may is not asked here.
 // Thread: net-0.
-class BoardDesk {
+class BoardRequests {
  public:
   static constexpr int kMaxOperations = 256;       // of a BoardAccess
   static constexpr std::uint32_t kMaxSweeps = 64;  // of a BoardFifo
 
   // Both must outlive it; `reader` is told of new records.
-  BoardDesk(NetContext& context, FeedReader& reader) : context_(context), reader_(reader) {}
-  BoardDesk(const BoardDesk&) = delete;
-  BoardDesk& operator=(const BoardDesk&) = delete;
+  BoardRequests(NetContext& context, FeedReader& reader) : context_(context), reader_(reader) {}
+  BoardRequests(const BoardRequests&) = delete;
+  BoardRequests& operator=(const BoardRequests&) = delete;
 
   // `first`, if there is one, goes to the client right before the reply (without a request number).
   struct Answer {
@@ -33,7 +33,7 @@ class BoardDesk {
   Answer read_fifo(const wire::BoardFifo& fifo);
   Answer open_ring(const wire::BoardRing& ring);
 
-  // Ends stream and lease; needed before the end of the desk.
+  // Ends stream and lease; call it before the destructor.
   void leave();
   bool streams() const { return feed_ != nullptr; }
   // Bytes that may wait in the kernel: 100 ms of the stream, 0 without one.

@@ -1,8 +1,8 @@
-#include "server/net/navigation/navigation_desk.hpp"
+#include "server/net/navigation/navigation_ports.hpp"
 
 namespace skerry::server {
 
-NavigationDesk::NavigationDesk(NetContext& context) {
+NavigationPorts::NavigationPorts(NetContext& context) {
   for (const auto& config : context.config.navigation_outputs) {
     outputs_.push_back(std::make_unique<NavigationOutput>(context, config));
   }
@@ -11,12 +11,12 @@ NavigationDesk::NavigationDesk(NetContext& context) {
   }
 }
 
-void NavigationDesk::start() {
+void NavigationPorts::start() {
   for (const auto& output : outputs_) output->start();
   for (const auto& input : inputs_) input->start();
 }
 
-void NavigationDesk::close() {
+void NavigationPorts::close() {
   for (const auto& output : outputs_) output->close();
   for (const auto& input : inputs_) input->close();
 }

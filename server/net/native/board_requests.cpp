@@ -1,4 +1,4 @@
-#include "server/net/native/board_desk.hpp"
+#include "server/net/native/board_requests.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ wire::Reply refusal(wire::Reply::Code code, std::string text) {
   return reply;
 }
 
-BoardDesk::Answer no_board(std::uint32_t radar) {
+BoardRequests::Answer no_board(std::uint32_t radar) {
   return {std::nullopt,
           refusal(wire::Reply::UNKNOWN,
                   fmt::format("no interface board of a radar {}; Hello lists the radars and which "
@@ -26,7 +26,7 @@ BoardDesk::Answer no_board(std::uint32_t radar) {
 
 }  // namespace
 
-BoardDesk::Answer BoardDesk::access(const wire::BoardAccess& access) {
+BoardRequests::Answer BoardRequests::access(const wire::BoardAccess& access) {
   const BoardPortPtr board = context_.host.find_board(access.radar());
   if (!board) return no_board(access.radar());
   if (access.operations_size() > kMaxOperations) {
@@ -39,7 +39,7 @@ BoardDesk::Answer BoardDesk::access(const wire::BoardAccess& access) {
   return answer;
 }
 
-BoardDesk::Answer BoardDesk::stream(const wire::BoardStream& stream) {
+BoardRequests::Answer BoardRequests::stream(const wire::BoardStream& stream) {
   if (!context_.host.find_board(stream.radar())) return no_board(stream.radar());
   switch (stream.kind()) {
     case wire::BoardStream::NONE:
@@ -62,7 +62,7 @@ BoardDesk::Answer BoardDesk::stream(const wire::BoardStream& stream) {
   return {};
 }
 
-BoardDesk::Answer BoardDesk::read_fifo(const wire::BoardFifo& fifo) {
+BoardRequests::Answer BoardRequests::read_fifo(const wire::BoardFifo& fifo) {
   const BoardPortPtr board = context_.host.find_board(fifo.radar());
   if (!board) return no_board(fifo.radar());
   if (fifo.count() < 1 || fifo.count() > kMaxSweeps) {
@@ -75,7 +75,7 @@ BoardDesk::Answer BoardDesk::read_fifo(const wire::BoardFifo& fifo) {
   return answer;
 }
 
-BoardDesk::Answer BoardDesk::open_ring(const wire::BoardRing& ring) {
+BoardRequests::Answer BoardRequests::open_ring(const wire::BoardRing& ring) {
   const BoardPortPtr board = context_.host.find_board(ring.radar());
   if (!board) return no_board(ring.radar());
   auto given = board->open_ring();
@@ -86,7 +86,7 @@ BoardDesk::Answer BoardDesk::open_ring(const wire::BoardRing& ring) {
   return answer;
 }
 
-void BoardDesk::end_stream() {
+void BoardRequests::end_stream() {
   if (feed_ == nullptr) return;
   feed_->remove(reader_);
   feed_ = nullptr;
@@ -94,12 +94,12 @@ void BoardDesk::end_stream() {
   cursor_ = {};
 }
 
-void BoardDesk::leave() {
+void BoardRequests::leave() {
   end_stream();
   lease_.reset();
 }
 
-std::size_t BoardDesk::send_buffer() const {
+std::size_t BoardRequests::send_buffer() const {
   return feed_ == nullptr ? 0 : context_.board_send_buffer_for(radar_);
 }
 

@@ -1,4 +1,4 @@
-// DisplayDesk: all emulated radars of the server.
+// DisplayOutputs: all emulated radars of the server.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@
 namespace skerry::server {
 
 // Thread: constructed anywhere, then net-0.
-class DisplayDesk {
+class DisplayOutputs {
  public:
   // The period of RadarEmulation::on_time().
   static constexpr std::chrono::milliseconds kTick{10};
@@ -18,7 +18,7 @@ class DisplayDesk {
   // Opens the outputs of context.config.displays.
   // Error: std::runtime_error naming the output and the reason, among them that two of them cannot
   // be on one host (output_conflicts.hpp).
-  explicit DisplayDesk(NetContext& context);
+  explicit DisplayOutputs(NetContext& context);
 
   void start();
   void close();
