@@ -69,7 +69,8 @@ const std::vector<Room>& table() {
       // How waves travel: between equipment and whatever echoes.
       {"echo/propagation",
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/", "echo/scene/"}},
-      // What echoes: land and what stands on it, sea and rain, ships, beacons, and what is not
+      // Everything that echoes: land and what stands on it, sea and rain, ships, beacons, and what
+      // is not
       // there.
       {"echo/returns",
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/scene/",
@@ -114,7 +115,7 @@ const std::vector<Room>& table() {
       {"server/displays/navico", {"protocol/", "server/core/", "server/displays/"}},
       {"server/displays/garmin", {"protocol/", "server/core/", "server/displays/"}},
       {"server/displays/raymarine", {"protocol/", "server/core/", "server/displays/"}},
-      // What navigation data says, and what it is taken for.
+      // Navigation data, and how it is used.
       {"server/navigation", {"protocol/", "server/core/"}},
       // The network: what all speakers share, and a room for each that speaks.
       {"server/net/common",
@@ -249,7 +250,7 @@ std::string_view trimmed(std::string_view line) {
   return from == std::string_view::npos ? std::string_view{} : line.substr(from);
 }
 
-// What an #include or a .proto's import names.
+// The file that an #include or a .proto's import names.
 struct Inclusion {
   std::string_view path;
   bool quoted = false;

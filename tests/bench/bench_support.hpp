@@ -1,4 +1,4 @@
-// What the benches of the echo share.
+// Shared by the benches of the echo.
 #pragma once
 
 #include <benchmark/benchmark.h>

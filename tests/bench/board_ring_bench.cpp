@@ -106,7 +106,7 @@ double gigabytes_a_second(std::uint64_t bytes, SteadyClock::duration time) {
   return static_cast<double>(bytes) / std::chrono::duration<double>(time).count() / 1e9;
 }
 
-// As many bytes, in pieces as long, from one buffer into one as large as the ring.
+// Copies as many bytes in pieces as long, from one buffer into one as large as the ring.
 double memcpy_gigabytes(const Bytes& piece, std::size_t capacity, std::uint64_t pieces) {
   Bytes into(capacity, 1);
   std::size_t at = 0;

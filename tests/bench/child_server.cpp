@@ -16,7 +16,7 @@
 namespace skerry::bench {
 namespace {
 
-// What the server needs of 'tcp PORT http PORT'; 0 if it said something else or nothing.
+// The TCP port in 'tcp PORT http PORT'; 0 if the server said something else or nothing.
 std::uint16_t read_tcp_port(int from_server) {
   FILE* const said = ::fdopen(from_server, "r");
   if (!said) return 0;

@@ -10,8 +10,8 @@
 namespace skerry::bench {
 namespace {
 
-// As the server asks for it: a quarter more than the range and the way to the plane's end, at least
-// 12 NM.
+// The server asks for so much: a quarter more than the range and the way to the plane's end, at
+// least 12 NM.
 Length window_radius(RangeScale scale) {
   return metres(
       std::max(1.25 * scale.length().in_metres() + echo::CoastPreparer::kMaxAnchorDistance,

@@ -82,7 +82,7 @@ void add(const std::string& name, const std::vector<Sector>& turn,
 }
 
 void add_emulation(const server::EmulatedRadar& row, std::uint32_t turn_spokes) {
-  // As far as the radar's own spokes reach beyond its range.
+  // The real radar's spokes reach so far beyond its range.
   const auto emulation = row.make({});
   wire::Settings settings;
   settings.set_range_nm(3.0);

@@ -47,7 +47,7 @@ targets:
                      rpm);
 }
 
-// What of the datagrams makes the cadence.
+// The datagrams whose times are the cadence.
 enum class Beat {
   each,    // every datagram
   bursts,  // the first of those that come within 2 ms of each other

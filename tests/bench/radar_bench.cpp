@@ -267,7 +267,7 @@ void a_further_view(const scenes::NamedScene& full) {
   with("twice the range scale", [&](auto& c) { c.instrumented_range_m = 2.0 * scale_m; });
 }
 
-// What making rows costs that somebody wants more of: longer ones, or with radial speeds.
+// The cost of rows of which a view wants more: longer ones, or with radial speeds.
 void more_of_the_rows(const scenes::NamedScene& full) {
   fmt::print("\nRows of the full scene that show more\n");
   heading();

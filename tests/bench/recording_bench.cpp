@@ -97,7 +97,7 @@ std::vector<WriterOptions> all_options() {
 class Turns {
  public:
   explicit Turns(RecordedTurn turn) : turn_(std::move(turn)) {}
-  // Of one turn; the octets given.
+  // Writes one turn.  Returns the octets written.
   std::uint64_t write(RecordingWriter& writer) {
     std::uint64_t bytes = 0;
     for (RecordedTurn::Spoke& spoke : turn_.spokes) {
@@ -139,7 +139,7 @@ double best(int times, const std::function<double()>& mb_s) {
   return highest;
 }
 
-// What the machine can do with as many octets.
+// The machine's own speed with as many octets.
 void floors(const TemporaryFile& file) {
   constexpr std::size_t kBytes = 256 << 20, kBlock = 2 << 20;
   std::vector<std::uint8_t> block(kBlock, 1);
@@ -188,7 +188,7 @@ void ratios(const std::vector<RecordedTurn>& turns, const TemporaryFile& file) {
   fmt::print("\n");
 }
 
-// What it takes to find the chunks of a file that was not finished.
+// The time to find the chunks of a file that was not finished.
 void search(const TemporaryFile& file, std::uint64_t file_bytes) {
   if (::truncate(file.path().c_str(), static_cast<off_t>(file_bytes - 100)) != 0) std::abort();
   const double begun = seconds();

@@ -1,4 +1,4 @@
-// What one ray brings back: all rays of a turn are one iteration, and ns/cell is per cell of a ray.
+// The echo of one ray: all rays of a turn are one iteration, and ns/cell is per cell of a ray.
 // These scenes have one ray per spoke.
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/coast_crossings.hpp"
@@ -87,7 +87,7 @@ void bench_ray_returns(benchmark::State& state, const NamedScene& named) {
 
 }  // namespace
 
-// What has no kernel in it is the same for every instruction set, and measured once.
+// Code without a kernel is the same for every instruction set, and measured once.
 void register_returns() {
   constexpr auto kMs = benchmark::kMillisecond;
   for (const NamedScene& named : bench_scenes()) {

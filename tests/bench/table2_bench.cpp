@@ -43,7 +43,7 @@ struct Cell {
 };
 using Row = std::array<std::optional<Cell>, kRanges.size()>;  // nothing: too many points
 
-// What each row is of.
+// The method that each row shows.
 struct Printed {
   CoastMethod method;
   std::string_view name;

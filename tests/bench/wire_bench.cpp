@@ -54,7 +54,7 @@ void bench_encode_native(benchmark::State& state, const Spoke& spoke) {
   report(state, spoke, out.size());
 }
 
-// As a client does: cut out of the stream, parsed, checked.
+// Does what a client does: cuts frames out of the stream, parses and checks them.
 void bench_decode_native(benchmark::State& state, const Spoke& spoke) {
   Bytes frame;
   append_spoke_frame(frame, spoke);

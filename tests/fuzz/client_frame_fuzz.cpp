@@ -1,4 +1,4 @@
-// What a server makes of the bytes of a client.
+// A server reads any bytes of a client.
 #include "protocol/wire/radar.pb.h"
 #include "tests/fuzz/frame_properties.hpp"
 

@@ -1,4 +1,4 @@
-// Where a fuzz target's seeds are written.
+// The folder for the seeds of a fuzz target.
 #pragma once
 
 #include <cstdio>

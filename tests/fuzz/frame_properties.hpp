@@ -1,4 +1,4 @@
-// What holds for any stream of frames of messages, whoever sends them.
+// Properties of any stream of frames of messages, whoever sends them.
 #pragma once
 
 #include <google/protobuf/io/coded_stream.h>

@@ -1,4 +1,4 @@
-// What must hold for every input of a fuzz target, and numbers drawn from the input.
+// Checks for every input of a fuzz target, and numbers drawn from the input.
 #pragma once
 
 #include <cstddef>

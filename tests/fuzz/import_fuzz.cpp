@@ -15,7 +15,7 @@ void require_playable(const Spoke& spoke) {
   fuzz::require(back->cells == spoke.cells, "its cells are what was imported");
 }
 
-// What the importer does with each picture, with the spokes looked at.
+// Reads each picture as the importer does, and looks at the spokes.
 std::uint64_t spokes_of(std::span<const std::uint8_t> capture) {
   captures::Surveyor survey;
   (void)pcap::read_capture(capture, [&](const auto& each) { survey.take(each); });

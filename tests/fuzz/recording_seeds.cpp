@@ -20,7 +20,7 @@ std::vector<kit::Kept> few_items() {
   return items;
 }
 
-// Of another profile and without checksums: changes then get further.
+// The same file with another profile and without checksums: changes then get further.
 Bytes without_checksums(Bytes file) {
   const std::string profile = "skerry";
   *std::search(file.begin(), file.end(), profile.begin(), profile.end()) = 'x';

@@ -1,4 +1,4 @@
-// What a client makes of the bytes of a server, down to the spoke.
+// A client reads any bytes of a server, down to the spoke.
 #include "protocol/wire/spoke_message.hpp"
 #include "tests/fuzz/frame_properties.hpp"
 #include "tests/unit/wire/test_spoke.hpp"

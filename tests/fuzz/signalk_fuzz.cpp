@@ -1,4 +1,4 @@
-// What Signal K clients send: bodies of changes and messages of the stream.
+// Messages of Signal K clients: bodies of changes and messages of the stream.
 #include <string>
 #include <string_view>
 

@@ -24,7 +24,7 @@ std::vector<ArtefactScene> artefact_scenes();
 // One by its name.  Error: std::out_of_range.
 ArtefactScene artefact_scene(const std::string& name);
 
-// Where things of these scenes stand, metres and degrees from the own ship, for the tests.
+// Places in these scenes, metres and degrees from the own ship, for the tests.
 namespace places {
 inline constexpr double kSideLobeShip = 1500.0;
 inline constexpr double kParallelShip = 700.0;

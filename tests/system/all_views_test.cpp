@@ -1,4 +1,4 @@
-// What each console saw: a recording of every view of a running server, played again.
+// Each console's own picture: a recording of every view of a running server, played again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ class Trainee {
     });
   }
   std::uint32_t view() const { return number_; }
-  // What comes while it does not look may overtake it.
+  // Spokes that come while it does not look may overtake it.
   void see_turns(std::uint32_t turns) {
     see_until([](const Spoke&) { return true; });
     const std::uint32_t last = seen_.rbegin()->second.header.scan + turns;
@@ -86,7 +86,7 @@ std::string bytes_of(const Spoke& spoke) {
   return message.SerializeAsString();
 }
 
-// Of a view: overwritten before they were taken, on a machine that is busy.
+// Spokes of a view that were overwritten before they were taken, on a busy machine.
 std::uint64_t told_lost(const RecordingReader& reader, std::uint32_t view) {
   std::uint64_t lost = 0;
   auto cursor = reader.items({{Kind::event, 0, 0}});
@@ -99,7 +99,7 @@ std::uint64_t told_lost(const RecordingReader& reader, std::uint32_t view) {
   return lost;
 }
 
-// What was recorded has no gap that is not told, and is what the trainee was shown, bit for bit.
+// The recording has no untold gap, and is what the trainee was shown, bit for bit.
 void expect_seen(const std::vector<Spoke>& recorded, std::uint64_t lost,
                  const std::map<std::uint64_t, Spoke>& seen) {
   ASSERT_FALSE(recorded.empty());

@@ -1,4 +1,4 @@
-// What skerryd and skerry say, and with which exit code, when they are started wrongly.
+// Messages and exit codes of skerryd and skerry when they are started wrongly.
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

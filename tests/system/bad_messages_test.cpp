@@ -1,4 +1,4 @@
-// What strangers may send to the running server, and what it makes of it: an answer, a closed
+// Strangers send anything to the running server.  It answers with an error, or with a closed
 // connection, and for everybody else the next spoke.
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-// What tests do with interface boards again and again.  An answer that does not come within a
+// Steps that tests of interface boards share.  An answer that does not come within a
 // minute, or any error, is a std::runtime_error.
 #pragma once
 

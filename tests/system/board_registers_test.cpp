@@ -31,7 +31,7 @@ wire::ClientMessage access_message(std::uint32_t radar,
 
 class BoardRegisters : public testing::Test {
  protected:
-  // What the board answers; the reply after it must be OK.
+  // The board's answer; the reply after it must be OK.
   wire::BoardReply answer(const wire::ClientMessage& message) {
     wire::BoardReply board;
     client_.send(message);

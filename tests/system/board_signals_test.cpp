@@ -20,7 +20,7 @@ bool is_installed(const std::string& program) {
   return run({"/bin/sh", "-c", "command -v " + program}).code == 0;
 }
 
-// What the command says it recorded.
+// The command's own summary of what it recorded.
 struct Summary {
   double seconds = 0.0;
   unsigned long long triggers = 0, acps = 0, arps = 0, headings = 0, sweeps = 0;
@@ -89,7 +89,7 @@ TEST_F(BoardSignals, ATurnHasEveryAcpAndOneArpAsSigrokReadsIt) {
   EXPECT_EQ(summary.headings, 1u);
 }
 
-// Of the test ramp, sample i of a sweep is one more than sample i - 1, modulo 2^12; times 8.
+// In the test ramp each sample of a sweep is one more than the last, modulo 2^12; times 8.
 bool is_ramp(const std::vector<std::int16_t>& video, std::size_t begin, std::size_t count) {
   for (std::size_t i = begin + 1; i < begin + count; ++i) {
     if (((video[i] - video[i - 1]) & 0x7FFF) != 8) return false;

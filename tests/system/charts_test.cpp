@@ -88,7 +88,7 @@ TEST(Charts, AnIslandOfAGeoJsonFileEchoesWhereItIs) {
   // 0.010 deg of latitude at 30 N is 1108.5 m; a cell of 1.5 NM in 512 is 5.43 m.  The fractal
   // coast may stand out by its share of the 1 km edge's height.
   EXPECT_NEAR(leading_edge(scan, 0), 1108.5 / (1.5 * 1852.0 / 512.0), 45.0);
-  // Nothing south of the ship.
+  // South of the ship there is no echo.
   EXPECT_EQ(leading_edge(scan, 256), -1);
 }
 

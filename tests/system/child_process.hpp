@@ -40,7 +40,7 @@ std::string text_of_file(const std::string& path);
 // Standard input is empty.  Thread: one at a time.
 class ChildProcess {
  public:
-  // Nothing a test runs is silent or unfinished for so long unless it hangs; it is then killed.
+  // A program that is silent or unfinished for so long hangs; it is killed.
   static constexpr std::chrono::seconds kPatience{180};
 
   // `arguments` begin with the program's path.  Error: std::runtime_error.

@@ -1,4 +1,4 @@
-// What a radar display has on its screen, and whether that is the server's own picture.
+// The screen of a radar display, and whether it shows the server's own picture.
 #pragma once
 
 #include <cstdint>

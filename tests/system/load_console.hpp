@@ -63,7 +63,7 @@ class LoadConsole : public LoadReceiver {
   // The answer is status() once it has come; all that came before it has then been counted.
   void ask_status();
   const std::optional<wire::Status>& status() const { return status_; }
-  // As the server's Status calls this connection.
+  // The name of this connection in the server's Status.
   const std::string& name() const { return name_; }
 
   void read() override;

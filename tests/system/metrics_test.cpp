@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 constexpr char kOpenMetrics[] = "openmetrics";
 constexpr char kPrometheus[] = "prometheus";
 
-// What the parser made of a page.
+// A page as the parser read it.
 class Samples {
  public:
   explicit Samples(const std::string& lines) {
@@ -75,7 +75,7 @@ class RunningMetrics : public testing::Test {
     EXPECT_EQ(ending.code, 0) << ending.err << answer;
     return Samples(ending.out);
   }
-  // As `skerry status` has it.
+  // The status that `skerry status` prints.
   static wire::Status status(const RunningServer& server) {
     wire::Status status;
     const Ending ending = server.skerry("status", {"--json"});
@@ -103,7 +103,7 @@ double phase(const Samples& samples, const std::string& name) {
   return samples.value("skerry_recorder_phase", {{"skerry_recorder_phase", name}});
 }
 
-// What grows lies between the status before and the status after.
+// A counter lies between the status before and the status after.
 void expect_between(const wire::Status& before, const Samples& samples, const wire::Status& after) {
   const auto between = [&](auto low, auto high, const std::string& name, const Json& labels) {
     const double value = samples.value(name, labels);

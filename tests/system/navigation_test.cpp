@@ -180,7 +180,7 @@ TEST_F(NavigationOutputs, AreReadByGpsdWithTheRightValues) {
   EXPECT_NEAR(buoy.at("lon").get<double>(), 5.019, 2e-6);
   EXPECT_EQ(buoy.at("virtual_aid"), false);
 
-  // Nothing of own ship herself among the others.
+  // Own ship is not among the others.
   for (std::size_t at = text.find("$RATTM"); at != std::string::npos;
        at = text.find("$RATTM", at + 1)) {
     EXPECT_EQ(text.substr(at, text.find('\n', at) - at).find("Tern"), std::string::npos);

@@ -41,7 +41,7 @@ wire::Playback seek_to(double seconds) {
 
 class Playback : public testing::Test {
  protected:
-  // What a console that has all spokes from the n-th on must have got.
+  // Checks the spoke that a console must have got, if it has all from the n-th on.
   static void expect_spoke(const RecordedScene& scene, const Spoke& spoke, std::uint64_t n) {
     const Spoke wanted = recorded_spoke(scene, 0, 0, n);
     ASSERT_EQ(spoke.header.index, wanted.header.index) << n;

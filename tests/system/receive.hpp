@@ -1,4 +1,4 @@
-// What tests do with the native stream again and again.  An answer that does not come within a
+// Steps that tests of the native stream share.  An answer that does not come within a
 // minute, or any error, is a std::runtime_error.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What recorder_child tells of itself: memory that outlives it.
+// The report of recorder_child: memory that outlives it.
 #pragma once
 
 #include <array>

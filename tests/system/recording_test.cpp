@@ -164,7 +164,7 @@ TEST_F(RunningRecorder, RecordsAPlayback) {
   EXPECT_LT(again->summary().end, first->summary().end + std::chrono::seconds(5));
 }
 
-// What an exercise was given is enough to make its video again.
+// The inputs of an exercise are enough to make its video again.
 TEST_F(RunningRecorder, InputsAloneMakeTheVideoAgain) {
   {
     RunningServer server(arguments());

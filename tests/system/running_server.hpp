@@ -42,7 +42,7 @@ class RunningServer : public ServerProcess {
   using ServerProcess::ServerProcess;
   ~RunningServer();
 
-  // What `skerry COMMAND --port (of this server) ARGUMENTS` did.
+  // Runs `skerry COMMAND --port (of this server) ARGUMENTS`.
   Ending skerry(const std::string& command, const std::vector<std::string>& arguments = {}) const;
 };
 

@@ -8,7 +8,7 @@
 //   half.
 // - Bearing: turned against the coast by some angle, the picture fits best at none: to a quarter of
 //   the beam.
-// What the two radars make of the chart, before any video, is compared point by point.
+// The two radars' coasts are compared point by point, before any video.
 #include <gtest/gtest.h>
 
 #include <algorithm>

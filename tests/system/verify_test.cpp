@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr unsigned kChanges = 50;
 
-// Of an exercise; SKERRY_EXERCISE_S sets another.
+// Length of an exercise; SKERRY_EXERCISE_S sets another.
 double seconds_of_exercise() {
   const char* said = std::getenv("SKERRY_EXERCISE_S");
   return said != nullptr ? std::stod(said) : 6.0;

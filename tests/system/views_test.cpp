@@ -98,7 +98,7 @@ TEST_F(Views, InStandbyNoSpokesComeAndTheShipSailsOn) {
   const auto spokes_of = [&] {
     return await_status(observer, [](const wire::Status&) { return true; }).radars(0).spokes();
   };
-  // What was under way when it was switched off has been published by the time of the second.
+  // Spokes under way at the switching off are published by the time of the second message.
   await<wire::OwnShip>(console, [](const wire::OwnShip&) { return true; });
   const std::uint64_t spokes = spokes_of();
   const auto ship = await<wire::OwnShip>(console, [](const wire::OwnShip&) { return true; });

@@ -27,7 +27,7 @@ echo::PointTarget reflector_at(PlanePoint place, std::uint64_t identity) {
 // Rough enough that no target stands in a null of the sea's reflection.
 constexpr double kWaves = 1.0;
 
-// Where an echo begins, and the middle of its bearings, in a window of video.
+// The beginning of an echo and the middle of its bearings, in a window of video.
 struct Echo {
   double range_m = 0.0;
   double bearing_deg = 0.0;

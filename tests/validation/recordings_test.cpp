@@ -189,7 +189,7 @@ double correlation_of(const std::vector<std::uint8_t>& a, const std::vector<std:
                       std::size_t blind) {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    // Where the coast echoes in either turn.
+    // Counts the cells in which the coast echoes in either turn.
     if (i % 1024 < blind || (a[i] == 0 && b[i] == 0)) continue;
     const double p = a[i], q = b[i];
     n += 1.0, x += p, y += q, xx += p * p, yy += q * q, xy += p * q;

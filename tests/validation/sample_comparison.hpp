@@ -8,7 +8,7 @@
 
 namespace skerry::validation {
 
-// Of integer values, kept as a histogram.
+// Counts integer values in a histogram.
 class ValueCounts {
  public:
   void add(std::uint32_t value) {

@@ -1,4 +1,4 @@
-// Where spokes formed of a board's sweeps show things, against the rows that the spokes are made
+// Places of echoes in spokes formed of a board's sweeps, against the rows that the spokes are made
 // of.
 #include <gtest/gtest.h>
 
@@ -105,7 +105,7 @@ std::size_t highest(const Profile& profile, std::size_t begin, std::size_t end) 
 struct Extent {
   double peak = 0.0, centroid = 0.0, width = 0.0;  // spokes
 };
-// Of a profile over spokes about `middle`: its centroid above -20 dB of its top, width at -6 dB.
+// For a profile over spokes about `middle`: its centroid above -20 dB of its top, width at -6 dB.
 template <typename Profile>
 Extent extent_of(const Profile& profile, std::size_t middle) {
   Extent out;

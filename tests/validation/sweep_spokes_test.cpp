@@ -58,7 +58,7 @@ void count(Regions& regions, std::uint64_t spoke, std::size_t cell, std::uint32_
 // Bounds.  At most 5 x 65 regions a test: 5 deviations pass by chance in 2e-4 of runs, and
 // Kolmogorov and Smirnov's distance of two samples of n lies over 2.7 sqrt(2 / n) with probability
 // 1e-6.  Neighbouring samples share noise: B / fs of them are independent.
-// What is systematic where the echo of a row is taken for that of all pulses of its spoke: sea is
+// The echo of a row stands for all pulses of its spoke, with a systematic difference: sea is
 // correlated by 0.97 from row to row (speckle_lengths), and what of a pulse's echo is its
 // neighbour's, 1.4 % of the variance, is averaged.  That lifts the mean of decibels by 0.03 dB and
 // moves the distribution by 0.004.  Rain, which changes twice as fast, has a test of its own.

@@ -1,4 +1,4 @@
-// What may have failed must be looked at.
+// A result that may be an error must be looked at.
 #include "protocol/quantity/result.hpp"
 
 using namespace skerry;

@@ -10,8 +10,8 @@
 namespace skerry::bench {
 namespace {
 
-// As simulators draw coasts: every vertex goes to the spoke it is nearest to, which keeps the
-// nearest.
+// Simulators draw coasts like this: every vertex goes to the spoke it is nearest to, which keeps
+// the nearest.
 std::vector<double> nearest_vertices(const echo::CoastPicture& picture, PlanePoint own_ship,
                                      double range_m, int rays) {
   std::vector<double> edges(static_cast<std::size_t>(rays),

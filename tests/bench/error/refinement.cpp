@@ -1,4 +1,4 @@
-// Where refinement stops.
+// The knob: down to which size a coast is refined.
 #include <fmt/format.h>
 
 #include <array>

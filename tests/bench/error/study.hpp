@@ -21,7 +21,7 @@ struct ErrorRow {
   bool in_use = false;                           // what the server does
 };
 
-// Where the knobs are turned: Bergen, at a place whose coast lies near and far.
+// The place of the studies: Bergen, at a place whose coast lies near and far.
 struct ErrorStudy {
   echo::CoastChart chart;  // to 1.2 times the range at least
   GeoPoint own_ship;
@@ -46,7 +46,7 @@ void fill_errors(std::vector<double>& errors, ErrorRow& row);
 // Median seconds of `body` over `repetitions`.
 double median_seconds(int repetitions, const std::function<void()>& body);
 
-// What this thread has used of its processor so far.
+// Processor time that this thread has used so far.
 double thread_seconds();
 
 // Log-log curves, one per knob: p99 error across, time per spoke up.

@@ -38,7 +38,7 @@ export async function waitForScan(page) {
   }, [after, rangeNm], { timeout: 60000 });
 }
 
-// What the canvas shows, with the geometry it was drawn with.
+// The canvas' picture, with the geometry it was drawn with.
 export async function capture(page) {
   const { shot, ppi } = await page.evaluate(() => ({ shot: window.skerry.capture(), ppi: window.skerry.ppi }));
   return { ...ppi, width: shot.width, data: Buffer.from(shot.base64, 'base64') };

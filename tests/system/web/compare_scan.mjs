@@ -208,7 +208,7 @@ function compareEdges(canvas, truth, wide, out) {
   }
 }
 
-// What makes canvas and scan the same picture. Gives the reasons why they are not.
+// Compares canvas and scan. Gives the reasons why they are not.
 export function differences(result) {
   const allowed = Math.round(result.scanBins * 0.001);  // heading is known per turn, not per spoke
   const reasons = [];

@@ -16,7 +16,7 @@ const decompressHandlers = {
   zstd: (bytes, size) => zstd(bytes, new Uint8Array(Number(size))),
 };
 
-// By index: { reader, messages: [{ topic, schema, time, data }] in the order of time, attachments }.
+// Reads by the index: { reader, messages: [{ topic, schema, time, data }] in the order of time, attachments }.
 export async function readByIndex(path) {
   const file = await open(path);
   try {

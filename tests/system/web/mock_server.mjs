@@ -184,7 +184,7 @@ export class MockServer {
     return this.showStates();
   }
 
-  // Of recorder and playback, changed by `recorder` and `playback`.
+  // Shows the states of recorder and playback, changed by `recorder` and `playback`.
   showStates({ recorder = {}, playback = {} } = {}) {
     if (this.recorder) Object.assign(this.recorder, recorder);
     if (this.playback) Object.assign(this.playback, playback);

@@ -17,7 +17,7 @@ const near = (value, expected, tolerance, what) =>
   assert.ok(Math.abs(value - expected) <= tolerance, `${what}: ${value}, expected ${expected}`);
 
 let folder, server, plain, tagged;
-// What the parser said, by sentence or, of AIS, by context; and the lines it did not know.
+// The parser's results, by sentence or, of AIS, by context; and the lines it did not know.
 const heard = { own: {}, ais: {}, tagged: {}, unknown: new Set() };
 
 function take(parser, line, into) {

@@ -1,4 +1,4 @@
-// Where controls are decided: all or nothing, locks, followers, the log.
+// Controls are decided in one place: all or nothing, locks, followers, the log.
 #include "server/app/control_desk.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What a Set message may hold.
+// The bounds of a Set message.
 #include "server/app/control_ranges.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What a radar's scene holds of the world, and what it leaves out.
+// The part of the world that a radar's scene holds, and the part it leaves out.
 #include "server/radar/scene_builder.hpp"
 
 #include <gtest/gtest.h>

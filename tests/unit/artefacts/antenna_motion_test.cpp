@@ -64,7 +64,7 @@ TEST(AntennaMotion, IsThatOfARigidFanBeam) {
     for (double shown = 3.0; shown < 360.0; shown += 11.0) {
       const Motion motion = model.at(rolling(12.0, 6.0), aim_at(shown, seconds, 77.0));
       const double theta = shown * kDegree;
-      // What is seen lies on the horizon and in the plane of mast and axis.
+      // The place seen lies on the horizon and in the plane of mast and axis.
       const double seen = theta + error_deg(motion) * kDegree;
       const Vector mast = level(motion, {0, 0, -1});
       const Vector axis = level(motion, {std::cos(theta), std::sin(theta), 0});

@@ -211,7 +211,7 @@ TEST(IndirectEchoes, HaveThePowerOfARoundMirror) {
   for (const double off : {60.0, 110.0, 150.0, 180.0}) {
     const Detour detour = detour_by(mast, 1e6, off * kDegree);
     const auto thrown = [&](double angle) {
-      // Where the ray at `angle` off the mast's middle meets it, and where it goes.
+      // The point where the ray at `angle` off the mast's middle meets it, and its way on.
       const double r = 1.0, d = 12.0;
       const double along = d * std::cos(angle), missed = d * std::sin(angle);
       const double way = along - std::sqrt(r * r - missed * missed);

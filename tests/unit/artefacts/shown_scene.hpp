@@ -9,7 +9,7 @@
 
 namespace skerry {
 
-// Where two videos differ.
+// The differences of two videos.
 struct Difference {
   double bearing_deg = 0.0, metres = 0.0;  // of the cell's middle, from the bow
   int gained = 0;                          // steps more with the artefact than without
@@ -50,12 +50,12 @@ class ShownScene {
   std::vector<std::uint8_t> with_, without_;
 };
 
-// By how much one bearing is clockwise of another, -180 to 180.
+// Degrees that one bearing is clockwise of another, -180 to 180.
 inline double off_bearing(double bearing_deg, double from_deg) {
   return std::remainder(bearing_deg - from_deg, 360.0);
 }
 
-// Of the scene of that name; rendered once.
+// The scene of that name, rendered once.
 const ShownScene& shown(const std::string& name);
 
 }  // namespace skerry

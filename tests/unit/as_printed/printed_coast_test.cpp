@@ -82,7 +82,7 @@ TEST(PrintedCoast, KochLengthGrowsByAThirdEachIteration) {
       for (int i = 1; i <= 6; ++i) {
         const Line koch = refine(line, {.method = method, .iterations = i, .control_value_px = c});
         const double expected = std::pow(4.0 / 3.0, i);
-        // Of 4^6 n sums and differences of doubles.
+        // The rounding of 4^6 n sums and differences of doubles.
         EXPECT_NEAR(length_of(koch) / before / expected, 1.0, 1e-11);
       }
     }

@@ -1,4 +1,4 @@
-// What decode_cat240() makes of records of other makers, and of lies.
+// decode_cat240() reads records of other makers, and false ones.
 #include <gmock/gmock.h>
 
 #include "protocol/asterix/cat240.hpp"

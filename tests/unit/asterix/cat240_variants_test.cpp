@@ -210,7 +210,7 @@ TEST_F(Cat240VariantsTshark, ReadsEveryOneWithoutAFaultAndTheSameCells) {
   EXPECT_EQ(tshark("-T fields -E separator='|' -e asterix.240_020_VALUE -e asterix.240_048_RES "
                    "-e asterix.240_049_NBCELLS"),
             expected);
-  // Of one item, once for every packet: the cells themselves.
+  // The item with the cells, once for every packet.
   const std::string json = tshark("-T jsonraw");
   std::size_t at = 0;
   for (std::size_t i = 0; i < variants.size(); ++i) {

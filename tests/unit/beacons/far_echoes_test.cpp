@@ -29,7 +29,7 @@ Hull ship_at(double bearing_deg, double nm) {
   return hull;
 }
 
-// Of one turn, sector by sector.
+// Echoes of one turn, sector by sector.
 std::vector<PointEcho> echoes_of(FarEchoes& far, const RadarModel& model, const Scene& scene,
                                  const HiddenHeight& hidden = {}) {
   const Propagation propagation = propagation_of(model, scene);

@@ -30,7 +30,7 @@ Scene with_emitter(double range_m, double prf_hz) {
   return scene;
 }
 
-// Where dots begin, cells, in the order in which they are heard; parts of cells from their share.
+// Beginnings of dots, cells, in the order heard; parts of cells from their share.
 struct Heard {
   std::size_t spoke;
   double from_m;

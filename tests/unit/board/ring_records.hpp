@@ -14,7 +14,7 @@ using RingState = SweepRingReader::State;
 
 inline constexpr std::size_t kRingBytes = kRingHeader + kLeastRingCapacity;
 
-// As an encoder makes it, but of what is between header and end only the size counts.
+// A record as an encoder makes it; between header and end only the size counts.
 inline Bytes ring_record(std::uint64_t sequence, std::size_t size) {
   Bytes bytes(size);
   for (std::size_t i = 0; i < size; ++i) {

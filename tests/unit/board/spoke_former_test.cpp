@@ -43,7 +43,7 @@ TEST(SpokeFormer, GivesTheMeanOfTheNearestPulsesRoundedHalfUp) {
   constexpr std::uint32_t kSpokes = 2048;
   SpokeFormer former(kSpokes);
   Spokes spokes;
-  // What each spoke should be, by rounding azimuths of whole ticks.
+  // The spokes expected, by rounding azimuths of whole ticks.
   struct Expected {
     std::uint32_t pulses = 0;
     std::array<std::uint64_t, 64> sums = {};

@@ -26,7 +26,7 @@ struct Antenna {
   std::uint64_t acp(std::uint64_t k) const {
     return (tick_of(2 * k, clock_hz * 60, rpm * acps) + 1) / 2;
   }
-  // What the board latches at a trigger in that tick, from the second ACP of the first turn on.
+  // The values latched at a trigger in that tick, from the second ACP of the first turn on.
   SweepMeta at(std::uint64_t tick) const {
     auto k = static_cast<std::uint64_t>(static_cast<double>(tick) / acp_ticks());
     while (acp(k + 1) <= tick) ++k;

@@ -107,7 +107,7 @@ TEST(BoardAzimuth, UnderWowAndGustsItStaysInItsBound) {
     echoes = b.echoes[1].get();
     echoes->asked.clear();
     b.run_fresh(10s);
-    // Where it pointed is known by the rows that were asked for, to a row of 4096; and exactly by
+    // Its direction is known by the rows that were asked for, to a row of 4096; and exactly by
     // the ACP edges, between which the azimuth is that of the neighbours' mean speed.
     const auto acps = b.output.of(board::Line::acp);
     const auto arps = b.output.of(board::Line::arp);

@@ -82,7 +82,7 @@ struct Output {
     }
     return found;
   }
-  // Of kFault_raised or _cleared, those with that fault.
+  // The events (kFault_raised or _cleared) with that fault.
   std::vector<board::Event> of(std::uint32_t event, std::uint32_t fault) const {
     std::vector<board::Event> found;
     for (const board::Event& each : of(event)) {

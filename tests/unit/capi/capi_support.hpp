@@ -1,4 +1,4 @@
-// What the tests of the C interface share: owners of handles, and a chart of made-up islands that
+// Shared by the tests of the C interface: owners of handles, and a chart of made-up islands that
 // the interface and the C++ chain make alike.
 #pragma once
 
@@ -74,7 +74,7 @@ Radar radar_of(skerry_echo_coast* coast, const skerry_echo_radar_options& option
 skerry_echo_own_ship own_ship_at(GeoPoint place);
 skerry_echo_target target_at(GeoPoint place, std::uint64_t identity);
 
-// What stands for a handle but is none: other objects' addresses, small and large numbers.
+// Values given as handles that are none: other objects' addresses, small and large numbers.
 template <typename Object>
 std::vector<Object*> no_handles() {
   static std::uint64_t room[8] = {};

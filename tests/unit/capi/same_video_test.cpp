@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
 
-// What the interface promises, done by hand: the coast is made around a position that was set, when
+// The interface's promise, done by hand: the coast is made around a position that was set, when
 // half of its slack is used up or the range scale is another; the chart is read when it no longer
 // serves.  Its indices are made
 // for every scene, which must change nothing.

@@ -25,7 +25,7 @@ std::vector<BinRing> rings_of(std::vector<ShoreSegment> segments, std::uint8_t c
   return assemble_bin({0, {corners, corners, corners, corners}, std::move(segments)}, antarctic);
 }
 
-// As a part of the bin, positive counter-clockwise.
+// Area as a part of the bin, positive counter-clockwise.
 double area_of(const BinRing& r) {
   double sum = 0.0;
   for (std::size_t i = 0, n = r.points.size(); i < n; ++i) {

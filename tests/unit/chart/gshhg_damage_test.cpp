@@ -76,7 +76,7 @@ class GshhgDamage : public testing::Test {
     ASSERT_EQ(nc_close(to), NC_NOERR);
     std::filesystem::rename(anew, file_);
   }
-  // What opening the file and loading the whole Earth complains of.
+  // The error of opening the file and loading the whole Earth.
   std::string complaint() const {
     try {
       (void)GshhgReader::open(file_).load({0.0, 0.0}, metres(2.1e7));

@@ -70,7 +70,7 @@ LayeredChart over(std::unique_ptr<ChartSource> upper, std::unique_ptr<ChartSourc
   return LayeredChart(std::move(charts));
 }
 
-// What a ray along the parallel from one place to another counts over shorelines and seams: how
+// The count of a ray along the parallel over shorelines and seams: how
 // much the winding number falls.
 int counted(const CoastChart& chart, GeoPoint from, double to_longitude) {
   int sum = 0;

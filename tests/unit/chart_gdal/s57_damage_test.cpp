@@ -31,7 +31,7 @@ class S57Damage : public testing::Test {
     bytes_ = bytes_of(file_);
     ASSERT_GT(bytes_.size(), 1000u);
   }
-  // What opening these bytes complains of.
+  // The error of opening these bytes.
   std::string refusal(const std::vector<std::uint8_t>& bytes) {
     write_bytes(file_, bytes);
     return complaint_of([&] { S57Chart::open(file_, warnings_); });

@@ -29,7 +29,7 @@ void write_text(const std::filesystem::path& file, std::string_view text);
 // The NOAA cells; a test that needs one skips where it is absent.
 std::filesystem::path enc_cell(std::string_view name);
 
-// What a call that must throw std::runtime_error complains of; empty if it does not throw.
+// The text of the std::runtime_error that a call must throw; empty if it does not throw.
 template <typename Call>
 std::string complaint_of(Call&& call) {
   try {

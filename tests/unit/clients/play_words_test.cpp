@@ -1,4 +1,4 @@
-// What one says to a playback.
+// The words that control a playback.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -41,7 +41,7 @@ TEST(ClutterRow, WalksToTheNearestValues) {
       std::size_t off = 0;
       for (std::size_t i = 0; i < n; ++i)
         off += std::fabs(out[i] - exact[i]) > 0.5 * kPackedStep * (0.8 + 0.6) + 1e-5;
-      // Of a thousand places some are within 1e-3 of half-way.
+      // A few of a thousand places are within 1e-3 of half-way.
       EXPECT_LE(off, n / 100);
       if (n == 1000) {
         if (first.empty()) first = out;

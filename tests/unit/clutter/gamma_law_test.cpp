@@ -34,7 +34,7 @@ TEST(GammaLaw, IsTheQuantileWithinItsBound) {
       const double off = 3.0103 * std::fabs(octaves_of(law, x) - exact_octaves(nu, x));
       if (off > worst) worst = off, worst_nu = nu;
     }
-    // What is cut off below: -40 dB, or one of 290 000.
+    // The cut-off below: -40 dB, or one of 290 000.
     EXPECT_TRUE(law.low <= -4.4999f || octaves_of(law, law.low) < -13.3) << nu;
   }
   std::printf("worst error %.3f dB at nu %.2f\n", worst, worst_nu);

@@ -13,7 +13,7 @@
 namespace skerry::echo {
 namespace {
 
-// Of the antenna of sea_radar(), by its beam.
+// The clutter width of sea_radar()'s antenna, by its beam.
 const double kWidth = AntennaPattern(RadarSet{}).clutter_width();
 
 TEST(RainReflectivity, HasTheVectorsOfTheFacts) {

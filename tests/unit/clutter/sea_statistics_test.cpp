@@ -1,4 +1,4 @@
-// What the sea looks like, against the laws it is to follow.
+// The sea's statistics against their laws.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -70,7 +70,7 @@ std::string island(const std::string& folder, bool with_kinds) {
 
 std::string scenario_part(const std::string& out) { return out.substr(out.find("\ncoast:\n") + 1); }
 
-// As skerryd reads it, behind an own ship.
+// Rules read as skerryd reads them, behind an own ship.
 CoastRules rules_of(const std::string& coast) {
   const std::string ship =
       "name: Test\nown_ships:\n  - name: Test\n    position: {lat: 60, lon: 5}\n    radars: [{}]\n";

@@ -1,4 +1,4 @@
-// What the reader of YAML files says to a text.
+// The reader of YAML files, given a text.
 #pragma once
 
 #include <string>

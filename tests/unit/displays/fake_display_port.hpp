@@ -20,7 +20,7 @@ struct SentDatagram {
   Bytes payload;
 };
 
-// Where displays of these makers command from.
+// Addresses from which displays of these makers send commands.
 inline constexpr Ipv4Endpoint kGarminDisplay{ipv4(172, 16, 6, 37), 50101};
 inline constexpr Ipv4Endpoint kQuantumDisplay{ipv4(198, 18, 3, 108), 2575};
 

@@ -47,7 +47,7 @@ void set_like_the_capture(RadarEmulation& radar, FakeDisplayPort& port) {
   }
 }
 
-// What depends on the antenna's motion, and temperatures and voltages of that one radar.
+// Types that depend on the antenna's motion, and temperatures and voltages of that one radar.
 bool is_measured(std::uint32_t type) {
   return type == 0x921 || (type >= 0x994 && type <= 0x996) || (type >= 0x9a3 && type <= 0x9a9);
 }

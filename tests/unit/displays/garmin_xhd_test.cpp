@@ -33,7 +33,7 @@ class GarminXhdTest : public ::testing::Test {
   void wish(Type type, std::int64_t value) {
     radar_->on_datagram(0, kGarminDisplay, garmin::encode_packet(type, 4, value), now_, port_);
   }
-  // What the radar tells of it next, at most a round later.
+  // The radar's next report of that type, at most a round later.
   std::optional<std::int32_t> told(Type type, Duration within = milliseconds(2000)) {
     port_.sent.clear();
     for (Duration passed{}; passed < within; passed += milliseconds(10)) {

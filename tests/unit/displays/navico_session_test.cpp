@@ -23,7 +23,7 @@ struct Session {
   Model model;
   navico::Addresses a, b;
   bool second_range;
-  // What the recording has: so that a replay of nothing fails.
+  // Counts of the recording, so that a replay of nothing fails.
   std::size_t commands, ranges;
   std::vector<navico::RadarState> states_of_a;
 };
@@ -229,7 +229,7 @@ void NavicoSession::set_up(std::size_t channel, const navico::InstallationReport
   }
 }
 
-// By commands, so that what the recorded radar was set to before is itself a session.
+// Sets it up by commands, so that the recorded radar's earlier settings are a session too.
 void NavicoSession::set_up_as_recorded() {
   Reports first[2];
   bool transmits[2] = {false, false}, commanded = false;

@@ -210,7 +210,7 @@ TEST_P(EveryMethod, IsEquallyRoughAtAllBearings) {
   EXPECT_LT(most_length / least_length, 1.01);
 }
 
-// Of what a limit leaves unmade, how much stands out from the coast that is made.
+// The detail left out by a limit: how far it stands out from the coast that is made.
 TEST_P(EveryMethod, LeavesOutOnlyWhatIsHardlyVisible) {
   if (GetParam() == CoastMethod::straight) return;
   std::vector<double> missed;

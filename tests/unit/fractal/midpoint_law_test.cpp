@@ -169,7 +169,7 @@ TEST(MidpointLaw, HasNoCreases) {
   }
 }
 
-// By the definition, vertex by vertex from the coarser level, without windows.
+// Made by the definition, vertex by vertex from the coarser level, without windows.
 TEST(MidpointLaw, IsTheSameByTheDefinition) {
   const samples::Bridges bridges({.method = CoastMethod::midpoint, .dimension = 1.3});
   const MidpointTables& tables = bridges.midpoint();

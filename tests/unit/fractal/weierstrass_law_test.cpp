@@ -153,7 +153,7 @@ TEST(WeierstrassEdge, IsTheSameOnEveryInstructionSet) {
   force_isa(before);
 }
 
-// What the terms left out would have moved the coast by: less than kFinest_m where that ended the
+// The terms left out would have moved the coast by less than kFinest_m where that ended the
 // series; where their waves are shorter than kFinest_m no more than the bound says.
 TEST(WeierstrassEdge, TermsLeftOutStandOutByLessThanTheBound) {
   for (const double dimension : {1.05, 1.15, 1.3, 1.5}) {

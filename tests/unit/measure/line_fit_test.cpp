@@ -27,7 +27,7 @@ TEST(LineFit, FollowsThePointsThatAreSure) {
   EXPECT_NEAR(fit.slope, 1.0, 1e-6);
   EXPECT_NEAR(fit.at(2.0), 2.0, 1e-5);
   EXPECT_NEAR(fit.slope_error, 1e-3 * std::sqrt(2.0), 1e-6);
-  // Of equal weight 4 (errors 0.5) on a line: the errors count as stated.
+  // Equal weights 4 (errors 0.5) on a line: the errors count as stated.
   const std::vector<double> on = {1, 2, 3, 4}, equal = {4, 4, 4, 4}, at = {1, 2, 3, 4};
   EXPECT_NEAR(fitted_line(at, on, equal).slope_error, 0.5 / std::sqrt(5.0), 1e-12);
 }

@@ -22,7 +22,7 @@ void add(const OutlineDimension& d, double weight, OutlineDimension& sum) {
   sum.above += weight * d.above;
 }
 
-// What the default radar shows of the default coast: the mean over the places, and over an echo
+// The default radar's picture of the default coast: the mean over the places, and over an echo
 // being what reaches a quarter or a half of full scale.
 std::optional<OutlineDimensions> measured_off_bergen(double range_nm) {
   const RangeScale scale = *RangeScale::find(range_nm);
@@ -34,7 +34,8 @@ std::optional<OutlineDimensions> measured_off_bergen(double range_nm) {
     scenes::NamedScene named;
     named.scene = scenes::scene_at(std::move(*chart), place, scale, geometry);
     named.controls.range_scale = scale;
-    // As the recorded sets show theirs: few decibels of video, pulses integrated over the beam.
+    // The recorded sets show their pictures so: few decibels of video, pulses integrated over the
+    // beam.
     named.set.video_range_db = 6.0;
     named.controls.integration = 100.0;
     const auto video = scenes::render_scans(named, 1);

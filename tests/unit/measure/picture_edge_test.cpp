@@ -88,7 +88,7 @@ TEST(PictureCorrelation, OfAMovingAverageFallsInAStraightLine) {
   EXPECT_NEAR(c.spoke[3], 0.0, 0.03);
   EXPECT_NEAR(c.range[0], 0.0, 0.02);
 
-  // Where nothing echoes is not counted, and the mean of turns takes turn-to-turn noise away.
+  // Bearings without an echo are not counted, and the mean of turns takes turn-to-turn noise away.
   Video other = video;
   for (std::size_t i = 0; i < other.cells.size(); i += 3) other.cells[i] = 0;
   EXPECT_NEAR(picture_correlation(other.turn(), {}).spoke[0], 7.0 / 8.0, 0.02);

@@ -129,8 +129,8 @@ TEST_F(PictureOfARecording, HasTheOutlineDimensionPublished) {
   EXPECT_NEAR(far.below, 1.089, 0.04);
   EXPECT_NEAR(far.above, 1.261, 0.1);
 
-  // By scale, half an octave each: 7.4, 10.5, 14.8 ... 167 m.  The published ones are up to 5 %
-  // smaller, which is 0.025 in D, and one of these scatters by 0.03.
+  // Dimensions by scale, half an octave each: 7.4, 10.5, 14.8 ... 167 m.  The published ones are up
+  // to 5 % smaller, which is 0.025 in D, and one of these scatters by 0.03.
   const std::vector<double> published = {0.90, 0.95, 0.99, 1.03, 1.09,
                                          1.15, 1.21, 1.28, 1.35, 1.44};
   ASSERT_GE(halo.local.size(), published.size());

@@ -27,7 +27,7 @@ struct Written {
   bool halo;
 };
 
-// As navico/README.md has them; spaces left out.
+// The examples of navico/README.md; spaces left out.
 const std::vector<Written>& written() {
   using K = CommandKind;
   static const std::vector<Written> all = {
@@ -143,7 +143,7 @@ TEST(NavicoReport, OfEveryKindComesBackForEveryModel) {
       EXPECT_EQ(*read, each) << name_of(model) << " report " << each.index();
       for (std::size_t size = 0; size < octets.size(); ++size) {
         const auto cut = decode_report(std::span(octets).first(size));
-        // Of 08C4 there are four lengths.
+        // 08C4 has four lengths.
         if (octets[0] == 0x08 && (size == 18 || size == 21)) continue;
         ASSERT_FALSE(cut.ok()) << size;
         EXPECT_LE(cut.error().offset, size);
@@ -211,7 +211,7 @@ TEST(NavicoLocator, ThatLiesAboutItsServicesIsRefused) {
   EXPECT_EQ(decode_locator(encode_locator_question()).error().kind, WireErrorKind::unknown_kind);
 }
 
-// What a display computes from a header (navico/README.md), written out once more.
+// The reach that a display computes from a header (navico/README.md), written out again.
 double display_reach_m(Model model, const SpokeRange& range) {
   Bytes header(kSpokeHeader);
   std::copy(range.at_4.begin(), range.at_4.end(), header.begin() + 4);

@@ -37,7 +37,7 @@ DisplayOutputConfig radar_at(std::uint32_t address, std::uint32_t radar = 0,
   return config;
 }
 
-// What a display has of one radar.
+// The state that a display keeps of one radar.
 struct Display {
   explicit Display(std::uint32_t address, const TestRadarOptions& options = {})
       : at(address),

@@ -57,7 +57,7 @@ class FakeHost : public RadarHost {
     const auto found = channels.find(view);
     return found == channels.end() ? nullptr : found->second;
   }
-  // As many as kMaxViews, 0 among them, numbered upwards.
+  // At most so many views, 0 among them, numbered upwards.
   static constexpr std::size_t kMaxViews = 3;
   std::optional<std::uint32_t> open_view(
       std::uint32_t radar, std::uint32_t, bool,
@@ -96,19 +96,19 @@ class FakeHost : public RadarHost {
     return radars_[radar]->channels.size();
   }
 
-  // Of radar 0, if the test gives it one.
+  // The board of radar 0, if the test gives it one.
   std::shared_ptr<FakeBoard> board;
   BoardPortPtr find_board(std::uint32_t radar) override { return radar == 0 ? board : nullptr; }
 
   UtcTime begin_utc{std::chrono::seconds(1'795'000'000)};  // of spoke 0
 
-  // What records and plays, if the test has something that does.
+  // The recorder and player, if the test has one.
   RecordingPort* recorder = nullptr;
   PlaybackPort* player = nullptr;
   RecordingPort* recording() override { return recorder; }
   PlaybackPort* playback() override { return player; }
 
-  // What traffic() tells; not to be changed while the server runs.
+  // The answer of traffic(); not to be changed while the server runs.
   std::vector<TrafficItem> traffic_items;
   std::vector<TrafficItem> traffic() const override { return traffic_items; }
 

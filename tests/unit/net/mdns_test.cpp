@@ -1,4 +1,4 @@
-// What is announced by mDNS, as a browser of services finds it: with a D-Bus and an Avahi of the
+// mDNS announcements as a browser of services finds them: with a D-Bus and an Avahi of the
 // test's own, confined to the loopback interface.
 #include <avahi-client/client.h>
 #include <avahi-client/lookup.h>
@@ -81,7 +81,7 @@ class Mdns : public testing::Test {
   }
 
  private:
-  // What is missing here; empty if all came up.
+  // The program that is missing here; empty if all came up.
   static std::string start() {
     if (geteuid() != 0) return "an Avahi of one's own needs root";
     std::string name = (fs::temp_directory_path() / "skerry_mdns_XXXXXX").string();

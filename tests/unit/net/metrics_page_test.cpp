@@ -1,4 +1,4 @@
-// What of a status message stands at /metrics, and what does not.
+// The parts of a status message that stand at /metrics, and those that do not.
 #include "server/net/http/metrics_page.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ std::string page_of(const wire::Status& status, const ClientTotalsByTransport& c
   return metrics_page(status, clients, MetricsFormat::openmetrics);
 }
 
-// What stands behind the sample, which must be there once; "none" if it is not there.
+// The sample's value; it must be there once; "none" if it is not there.
 std::string value_of(const std::string& page, const std::string& sample) {
   std::istringstream lines(page);
   std::string found = "none";

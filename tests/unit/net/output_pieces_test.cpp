@@ -1,4 +1,4 @@
-// What emulated radars' outputs are made of: the gate for commands, the pace of datagrams, and
+// The parts of emulated radars' outputs: the gate for commands, the pace of datagrams, and
 // which outputs can stand beside each other.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -201,7 +201,7 @@ TEST(RecordingNews, TellsChangesAtOnceAndWhatGoesOnAtItsPace) {
   struct Count {
     int recorder = 0, playback = 0;
   };
-  // Of calls ten times a second.
+  // Counts the answers to calls ten times a second.
   const auto told_in = [&](int calls) {
     Count count;
     for (int i = 0; i < calls; ++i) {

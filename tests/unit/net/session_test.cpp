@@ -16,7 +16,7 @@
 namespace skerry::server {
 namespace {
 
-// What the test sees and steers; outlives the transport.
+// The test's end of the line; outlives the transport.
 struct Line {
   bool peer_is_loopback = true;
   std::deque<Bytes> incoming;  // one read each; when empty, a read waits

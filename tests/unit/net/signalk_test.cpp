@@ -392,7 +392,7 @@ TEST(SignalkSectors, APlaceStaysWhereADisplayPutIt) {
   EXPECT_EQ(state_of("noTransmitSector3").enabled, false);
 }
 
-// What every control says comes back as it was said.
+// Every control's value comes back as it was given.
 TEST(SignalkControls, EveryControlReachesSetAndComesBackFromSettings) {
   for (const signalk::ControlDefinition& definition : signalk::control_definitions()) {
     if (definition.kind == signalk::ControlKind::text ||

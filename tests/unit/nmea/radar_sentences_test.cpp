@@ -25,7 +25,7 @@ TEST(Rsd, HasTheRangeInItsEleventhField) {
 TEST(Osd, IsAsWritten) {
   const std::string line = encode(Osd{.heading_deg = 35.1, .course_deg = 36.0, .speed_kn = 10.2});
   EXPECT_EQ(body(line), "$RAOSD,35.1,A,36.0,P,10.20,P,,,N");
-  // As a Furuno FAR-21x7 says it.
+  // The sentence of a Furuno FAR-21x7.
   const auto osd =
       decode_osd(parse_sentence(with_checksum("RAOSD,35.1,A,36.0,P,10.2,P,15.3,0.1,N")).value());
   ASSERT_TRUE(osd) << osd.error().text;

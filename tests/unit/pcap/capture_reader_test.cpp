@@ -235,7 +235,7 @@ struct Recording {
   std::size_t datagrams, incomplete;
 };
 
-// As counted by an independent reader of the same files.
+// Counts of an independent reader of the same files.
 TEST(CaptureReader, ReadsEveryRecordingOfARealRadar) {
   if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
   for (const Recording& each :

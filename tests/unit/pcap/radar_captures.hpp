@@ -30,7 +30,7 @@ struct CapturedDatagram {
 // All whole UDP datagrams of it, in order.  Error: std::runtime_error.
 std::vector<CapturedDatagram> read_radar_capture(const std::string& file);
 
-// What a test of that file may be called: its name without ending and dashes.
+// A name for the test of that file: its name without ending and dashes.
 std::string test_name_of(const std::string& file);
 
 // One line of expected_decode.csv.
@@ -60,7 +60,7 @@ class DecodedCells {
   std::uint64_t value_sum() const { return value_sum_; }
   std::uint64_t nonzero() const { return nonzero_; }
   unsigned max() const { return max_; }
-  // Of all cells added so far, in hexadecimal digits.
+  // SHA-1 of all cells added so far, in hexadecimal digits.
   std::string sha1() const;
 
  private:

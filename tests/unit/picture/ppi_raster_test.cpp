@@ -18,7 +18,7 @@ struct PixelPlace {
   int x, y;
 };
 
-// Where a direction clockwise from the top and a fraction of the range scale lie, by trigonometry.
+// The pixel of a direction clockwise from the top and a fraction of the scale, by trigonometry.
 PixelPlace pixel_of(const PpiFrame& frame, double from_top_deg, double fraction) {
   return {static_cast<int>(std::floor(frame.size / 2.0 +
                                       frame.radius * fraction * std::sin(from_top_deg * kDegree))),

@@ -83,7 +83,7 @@ class Played {
     request.set_step_turns(turns);
     EXPECT_EQ(ask(request).code(), wire::Reply::OK);
   }
-  // Of the whole recording's n-th spoke on, as played: cells and place in the turn.
+  // Checks the spokes from the recording's n-th on, as played: cells and place in the turn.
   void expect_spokes(const std::vector<Spoke>& spokes, std::uint64_t from) const {
     for (std::size_t i = 0; i < spokes.size(); ++i) {
       const Spoke wanted =

@@ -38,7 +38,7 @@ wire::Hello hello_of(const RecordedScene& scene) {
   return hello;
 }
 
-// What is so at a second of the recording: gain, latitude, sea state and a target tell which.
+// Writes the state at a second of the recording: gain, latitude, sea state and a target tell which.
 void write_second(const RecordedScene& scene, int second, RecordingWriter& writer) {
   const UtcTime time = kRecordedAt + std::chrono::seconds(second);
   for (const std::uint32_t radar : scene.radars) {

@@ -1,4 +1,4 @@
-// What a playback makes of a file: radars, pieces, turns, what is in force, and what is asked of
+// A playback's reading of a file: radars, pieces, turns, what is in force, and what is asked of
 // it.
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>
@@ -233,7 +233,7 @@ TEST(TurnFinder, ATurnThatBeganInStandbyBeginsWithTheFirstVideo) {
   EXPECT_EQ(turns.turn_before(kRecordedAt + 50s), kRecordedAt + 50s) << "an empty screen";
 }
 
-// What a file may say; the build with UBSan looks on.
+// A file may hold any time; the build with UBSan looks on.
 TEST(TurnFinder, TimesBeyondAllBoundsDoNotOverflow) {
   RecordedScene scene{.spokes_per_turn = 128, .turns = 4};
   scene.change = [](Spoke& spoke) {

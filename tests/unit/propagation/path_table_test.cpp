@@ -54,7 +54,7 @@ struct Errors {
   }
 };
 
-// Nothing is seen that is that much weaker than in free space.
+// An echo so much weaker than in free space is not seen.
 constexpr double kLeast = 1e-12;
 
 // In the depth of a null, where the power is more than 30 dB below free space, an error in dB says

@@ -114,7 +114,7 @@ TEST(Propagation, GrazingAngleAndHorizon) {
   EXPECT_NEAR(p.horizon_m(), 4121.8 * std::sqrt(15.0), 0.2);
   EXPECT_NEAR(p.grazing(1852.0) / degree, 0.464 - 1852.0 / (2 * earth) / degree, 0.0011);
   for (double r : {100.0, 2000.0, 9000.0}) {
-    // By the triangle of the Earth's centre, the antenna and the sea.
+    // Expected from the triangle of the Earth's centre, the antenna and the sea.
     const long double a = earth, b = earth + 15.0;
     const long double sine = (b * b - a * a - static_cast<long double>(r) * r) / (2 * a * r);
     EXPECT_NEAR(p.grazing(r), std::asin(static_cast<double>(sine)), 1e-9);

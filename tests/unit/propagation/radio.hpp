@@ -1,4 +1,4 @@
-// What the tests of propagation measure in: metres.
+// Units of the tests of propagation: metres.
 #pragma once
 
 namespace skerry::echo {

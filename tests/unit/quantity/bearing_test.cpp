@@ -10,7 +10,7 @@
 namespace skerry {
 namespace {
 
-// What must not compile.
+// Operations that must not compile.
 static_assert(!Addable<TrueBearing, TrueBearing>);
 static_assert(!Addable<RelativeBearing, RelativeBearing>);
 static_assert(!Subtractable<TrueBearing, RelativeBearing>);

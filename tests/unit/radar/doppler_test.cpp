@@ -51,7 +51,7 @@ class Doppler : public testing::Test {
     made.doppler_threshold_mps = 2.0;
     return made;
   }
-  // Of the spokes about a bearing.
+  // Looks at the spokes about a bearing.
   Seen look(const echo::Scene& scene, double bearing_deg,
             const echo::ViewControls& controls) const {
     ViewRenderers made(echo::RadarSet{}, geometry_, echo::SpokeClock(24.0, kSpokes), 0, range_, {},

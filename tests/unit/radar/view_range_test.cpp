@@ -164,7 +164,7 @@ TEST_F(InstrumentedRange, ChangesNothingInTheViewsOfOthers) {
   EXPECT_EQ(shown(0.6), alone);
 }
 
-// What a view has learnt of the turn goes on when rows become longer for another.
+// A view keeps what it has learnt of the turn when rows become longer for another.
 TEST_F(InstrumentedRange, LongerRowsInterruptNobody) {
   const echo::ScenePtr scene = with({ship_at(0.5 * kScale)});
   echo::ViewControls summing = reaching(0.0);

@@ -30,7 +30,7 @@ TEST(AntennaPattern, IsTheCosineTaperInTheMainLobe) {
     EXPECT_EQ(pattern.one_way(0), 1.0f);
     EXPECT_NEAR(pattern.one_way(units(width / 2)), 0.5, 0.012) << width;
     for (double off = 0.0; off < 1.2 * width; off += width / 777) {
-      // By itself, with libm.
+      // The pattern computed again, with libm.
       const double mu = std::numbers::pi * 68.8 * std::sin(off * std::numbers::pi / 180.0) / width;
       const double x = 2.0 * mu / std::numbers::pi;
       const double voltage =

@@ -32,7 +32,7 @@ class QuantumCapture : public ::testing::Test {
   static std::uint32_t type_of(const CapturedDatagram& datagram) {
     return ByteReader(datagram.payload).little_endian<std::uint32_t>();
   }
-  // What the radar sent to its data group, of one type.
+  // Datagrams of one type that the radar sent to its data group.
   static std::vector<const CapturedDatagram*> of_type(std::uint32_t type) {
     std::vector<const CapturedDatagram*> found;
     for (const auto& datagram : datagrams_) {

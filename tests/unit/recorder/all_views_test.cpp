@@ -312,7 +312,7 @@ TEST_F(AllViews, FromTheStartIfConfigured) {
   expect_spokes(recorded(folder_.path(folder_.recordings().at(0))), 0, view, 0, 16);
 }
 
-// What a file says of its views is held until its end, so there is a bound.
+// A file's list of views is held until its end, so there is a bound.
 TEST(ViewReaders, TakesNoMoreViewsIntoAFileThanItMay) {
   RecordedHost host;
   ViewReaders readers(host, {{0}, true, kNativeFormat}, [] {});

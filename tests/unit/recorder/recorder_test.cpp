@@ -45,7 +45,7 @@ class Recording : public testing::Test {
   void publish(int sectors, std::uint32_t radar = 0) {
     for (int i = 0; i < sectors; ++i) {
       host_.publish(radar);
-      // As a radar does, not faster than the ring is read.
+      // Publishes like a radar, not faster than the ring is read.
       if (i % 16 != 15) continue;
       EXPECT_TRUE(comes_true([&] { return taken() + 512 > given(); }));
     }

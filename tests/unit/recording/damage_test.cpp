@@ -40,7 +40,7 @@ bool all_of(const std::vector<Kept>& read, std::vector<Kept> written) {
   });
 }
 
-// Where the chunks of a whole file end.
+// Ends of the chunks of a whole file.
 std::vector<std::size_t> chunk_ends(const Bytes& file) {
   std::vector<std::size_t> ends;
   for (std::size_t offset = 8; offset + 9 <= file.size();) {
@@ -124,7 +124,7 @@ TEST_P(CutFile, AnyOctetChangedNeverReadsAsRight) {
     ASSERT_EQ(::pwrite(written, &file[at], 1, static_cast<off_t>(at)), 1);
   }
   ::close(written);
-  // Of three chunks one at most is lost.
+  // At most one of three chunks is lost.
   EXPECT_GE(fewest, items.size() - 7);
 }
 

@@ -82,7 +82,7 @@ Bytes one_spoke(std::uint64_t time) {
   return records;
 }
 
-// What the process has held at most.  Under a sanitizer it says little: 0.
+// The most memory that the process has held.  Under a sanitizer it means little: 0.
 // The address sanitizer keeps freed memory for a while.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kPeakIsOurs = false;
@@ -101,7 +101,7 @@ long peak_kib() {
   return usage.ru_maxrss;
 }
 
-// What is read of it; a damaged chunk must be said.
+// The items read of it; a damaged chunk must be reported.
 std::vector<kit::Kept> read(const kit::Folder& folder, const Bytes& file, std::uint64_t damaged) {
   const auto reader = RecordingReader::open(folder.put("a.mcap", file));
   EXPECT_TRUE(reader.ok()) << reader.error().to_string();
@@ -213,7 +213,7 @@ TEST(HostileFile, WhoseIndexGoesInCirclesIsSearched) {
   EXPECT_EQ(kit::read_all(reader->items()).size(), 2U);
 }
 
-// What this process has read until now; nothing where the system does not tell.
+// Bytes that this process has read until now; empty where the system does not tell.
 std::optional<std::uint64_t> bytes_read() {
   std::ifstream io("/proc/self/io");
   std::string name;

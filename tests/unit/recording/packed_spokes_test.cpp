@@ -54,7 +54,7 @@ TEST(CellDifferences, AreUndoneExactly) {
   EXPECT_TRUE(out.empty());
 }
 
-// As RECORDING.md says it, octet by octet.
+// The format of RECORDING.md, octet by octet.
 TEST(CellDifferences, AreToTheMedianOfWhatTheNeighboursForetell) {
   std::mt19937 random(6);
   constexpr std::size_t kWidth = 83, kCount = 51;

@@ -1,4 +1,4 @@
-// What is written is read, byte for byte, in the order of time.
+// Everything written is read again, byte for byte, in the order of time.
 #include <gtest/gtest.h>
 
 #include <algorithm>

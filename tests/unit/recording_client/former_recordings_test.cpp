@@ -33,7 +33,7 @@ std::vector<std::string> names() {
   return names;
 }
 
-// By topic, the SHA-256 of its items in order: time and size as 8 octets each, then the bytes.
+// For each topic the SHA-256 of its items in order: time and size as 8 octets each, then the bytes.
 std::map<std::string, std::string> sums_of(const RecordingReader& reader) {
   std::map<std::string, server::Sha256> digests;
   recording::ItemCursor cursor = reader.items();

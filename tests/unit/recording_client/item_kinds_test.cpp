@@ -56,7 +56,7 @@ void fill(Message& message, int seed) {
   }
 }
 
-// What a message says in its fields `radar` and `radars`, and its lists in theirs.
+// Collects the fields `radar` and `radars` of a message and of its lists.
 void collect_radars(const Message& message, std::multiset<std::uint32_t>& radars) {
   const auto& at = *message.GetReflection();
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {

@@ -113,7 +113,7 @@ TEST_F(RecordingCli, CutAndCatByPositionsAndMarks) {
                    path("3.mcap"), "--compact", "--compression", "lz4"})
                   .out,
               HasSubstr("150 spokes"));
-  // Nothing is replaced unasked, and no source ever.
+  // No file is replaced unasked, and a source never.
   EXPECT_THAT(run({"cut", file, "--to", "5", "-o", a}).err, HasSubstr("--force"));
   EXPECT_EQ(run({"cut", file, "--to", "5", "-o", a, "--force"}).code, 0);
   EXPECT_EQ(run({"cut", file, "--to", "5", "-o", file, "--force"}).code, 1);

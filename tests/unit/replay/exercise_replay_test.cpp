@@ -1,4 +1,4 @@
-// What an exercise was given makes its video again, bit for bit.
+// An exercise's inputs make its video again, bit for bit.
 #include "server/replay/exercise_replay.hpp"
 
 #include <gtest/gtest.h>
@@ -132,7 +132,7 @@ TEST_F(Replay, MissesSpokesThatWereNeverMade) {
   EXPECT_FALSE(result.is_identical());
 }
 
-// What a radar has on the air, another may have seen before a killed recorder knew of it.
+// Another radar may have seen a radar's emission before a killed recorder knew of it.
 TEST_F(Replay, EndsWhereARadarNeedsWhatAnotherDidBeyondItsInputs) {
   std::optional<recording::Input::Taken> emitting;
   for (const std::string& bytes : parts_->inputs) {

@@ -22,7 +22,7 @@ std::string exercise_yaml(unsigned seed = 11);
 // The spokes that a server made, as a recorder takes them.
 class SpokeCollector {
  public:
-  // Of a channel that gets no video yet.
+  // Listens to a channel that gets no video yet.
   void listen(VideoChannel& channel);
   // Until `more` further spokes have come.
   void await_more(std::size_t more);
@@ -36,7 +36,7 @@ class SpokeCollector {
   std::vector<FormatRing::Registration> readers_;
 };
 
-// What a recording of it holds.
+// The parts that a recording of it holds.
 struct RecordedParts {
   std::vector<ExerciseDocument> documents;
   std::vector<std::string> inputs;  // recording::Input messages
@@ -46,8 +46,8 @@ struct RecordedParts {
 // Runs the exercise with `changes` changes of controls, world and ships; some seconds.
 RecordedParts run_exercise(unsigned changes, unsigned seed = 11);
 
-// As a file of its own in `folder`.  `checkpoints`: hashes of a hundred spokes each in the place of
-// the spokes.
+// Writes a file of its own in `folder`.  `checkpoints`: hashes of a hundred spokes each in the
+// place of the spokes.
 std::string write_recording(const std::filesystem::path& folder, const RecordedParts& parts,
                             bool checkpoints);
 

@@ -28,7 +28,7 @@ namespace {
 constexpr double kNone = 1e12;
 constexpr double kOnTheSpot = 1e-3;  // metres
 
-// Where a ray first meets land, for `count` rays a turn, each turned by `shift` of a ray.
+// First meetings with land of `count` rays a turn, each turned by `shift` of a ray.
 class LeadingEdges {
  public:
   LeadingEdges(std::uint32_t count, double shift) : shift_(shift), range_(count, kNone) {}
@@ -63,7 +63,7 @@ struct Polar {
 };
 
 // The reference coast: chart vertices by geodesic, refined in the plane of those polar coordinates.
-// Where the picture stopped splitting, it stops: the same decision, taken from the picture's plane.
+// It stops splitting where the picture did: the same decision, in the picture's plane.
 class ReferenceCoast {
  public:
   ReferenceCoast(const CoastChart& chart, const CoastPicture& picture, GeoPoint own_ship,

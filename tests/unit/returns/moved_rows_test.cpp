@@ -44,7 +44,7 @@ TEST(MovedRows, FindEachPlaceWhereItWasSeen) {
         const double north = view.moved.north_m + range * std::cos(b);
         const double row = std::atan2(east, north) / (2.0 * std::numbers::pi) * view.rows;
         const double off = std::fabs(std::remainder(part.row - row, view.rows));
-        // What bearing changes by within half of the least part.
+        // Change of bearing within half of the least part.
         const double least =
             way * kLeastPart * view.cell_m / (range * range) / (2.0 * std::numbers::pi) * view.rows;
         const double by_serving = std::fabs(aside) * way / std::max(range - way, view.cell_m) /
@@ -52,7 +52,7 @@ TEST(MovedRows, FindEachPlaceWhereItWasSeen) {
         worst_rows = std::max(worst_rows, off - least - by_serving);
         const double seen = std::hypot(east, north);
         const double error = std::fabs(range + part.shift * view.cell_m - seen);
-        // What range shifts by within the least part.
+        // Shift of range within the least part.
         const double least_m = way * way * kLeastPart * view.cell_m / (2.0 * range * range);
         worst_m = std::max(worst_m, way > 0.0 ? (error - least_m) / way : error);
         worst_cells = std::max(worst_cells, error / view.cell_m);

@@ -32,8 +32,8 @@ Voyage voyage(double nm, double speed_mps, double turn_rate = 0.0, int count = 6
   return {islands(nm, count), scenes::kBergen, model_at(nm), speed_mps, 31.0, turn_rate};
 }
 
-// Of moved rows against fresh ones, as below; echo/returns/README.md has what is measured off
-// Bergen.
+// Bounds of moved rows against fresh ones, as below; echo/returns/README.md has what is measured
+// off Bergen.
 constexpr double kMovedP50Db = 0.6, kMovedBeyondP90Db = 3.0;
 
 std::uint64_t mixed_up(std::uint64_t hash, std::uint64_t value) {

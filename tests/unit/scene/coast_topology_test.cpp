@@ -1,4 +1,4 @@
-// What refinement never does to a coast, for every method, on made-up and real charts.
+// Harm that refinement never does to a coast, for every method, on made-up and real charts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -167,7 +167,7 @@ TEST_P(RefinedCoast, IsNestedAcrossScales) {
     CoastPreparer preparer(c, centre, all_by(GetParam(), kRoughest));
     CoastPreparer straight(c, centre, all_by(CoastMethod::straight));
     const auto by_edge = [&](GeoPoint at, const RadarResolution& r) {
-      // By the chart edge's ends.
+      // Edges by the chart edge's ends.
       using At = std::pair<double, double>;
       std::map<std::pair<At, At>, std::vector<PlanePoint>> edges;
       for (Chain& chain : chains_of(*preparer.prepare(at, r), *straight.prepare(at, r))) {

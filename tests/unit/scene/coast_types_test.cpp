@@ -1,4 +1,4 @@
-// What the chart, the scenario and the coast's own shape make of an edge.
+// The type of an edge by the chart, the scenario and the coast's own shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

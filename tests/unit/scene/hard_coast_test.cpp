@@ -53,7 +53,7 @@ void expect_sound(const CoastPicture& picture, PlanePoint own_ship, const char* 
   }
 }
 
-// By every method at every range scale; in all so many edges at most.
+// Tries every method at every range scale; at most so many edges in all.
 void expect_sound_everywhere(const CoastChart& c, GeoPoint own_ship, const char* what) {
   std::uint32_t most = 0;
   for (const CoastMethod method : scenes::every_method()) {

@@ -18,7 +18,7 @@ namespace {
 
 using namespace testing_signals;
 
-// Nothing here takes so long unless it hangs.
+// A program that takes so long hangs.
 constexpr std::chrono::seconds kPatience{120};
 constexpr std::chrono::milliseconds kLook{20};
 

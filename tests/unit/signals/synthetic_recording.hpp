@@ -19,7 +19,7 @@ inline std::uint32_t dice(std::uint64_t n) {
   return static_cast<std::uint32_t>(n >> 48);
 }
 
-// What differs between the recordings of the tests.
+// The properties in which the tests' recordings differ.
 struct Plan {
   std::uint32_t clock_hz = 20'000'000;
   std::uint64_t ticks = 60'000;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing_signals;
 
-// By blocks of the lengths given by turns.
+// Fills it in blocks whose lengths are taken by turns.
 std::vector<std::int16_t> filled(Waveform& waveform, const std::vector<std::size_t>& blocks) {
   std::vector<std::int16_t> all;
   const std::size_t channels = waveform.channels().size();

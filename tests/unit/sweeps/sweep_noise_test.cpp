@@ -1,4 +1,4 @@
-// What a sweep's noise is: by law, from tick to tick and from trigger to trigger.
+// The noise of a sweep: its law, and its relation from tick to tick and from trigger to trigger.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ TEST(SweepNoise, IsUnrelatedFromTriggerToTrigger) {
   }
 }
 
-// What integration rests on: the mean of k triggers scatters by 1 / sqrt(k).
+// Integration rests on this: the mean of k triggers scatters by 1 / sqrt(k).
 TEST(SweepNoise, OfManyTriggersAveragesAsIndependentNoise) {
   SweepReceiver receiver(noise_channel(), grid_of());
   for (const std::uint32_t k : {2u, 5u, 20u}) {
@@ -162,7 +162,7 @@ double correlation_across(std::uint32_t tick, double share) {
 }
 
 TEST(SweepNoise, JoinsItsPiecesWithoutASeamOver32768Ticks) {
-  // Of 20 000 pairs, and of the torus.
+  // The scatter of 20 000 pairs, and of the torus.
   const double bound = 4.5 * (1.0 / std::sqrt(20000.0) + 1.0 / std::sqrt(3.0 * 16384.0));
   for (const std::uint32_t joint : {1024u, 4096u, 12288u, 32000u}) {
     EXPECT_NEAR(correlation_across(joint, 0.5), law(1.0, 0.5), bound) << joint;

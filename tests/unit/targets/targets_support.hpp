@@ -1,4 +1,4 @@
-// What the tests of targets share: a radar, aims and rows of power.
+// Shared by the tests of targets: a radar, aims and rows of power.
 #pragma once
 
 #include <algorithm>

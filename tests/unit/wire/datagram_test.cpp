@@ -29,7 +29,7 @@ std::vector<Bytes> cut(const DatagramSpoke& spoke, const Bytes& body, std::size_
   return datagrams;
 }
 
-// What the reassembler gives for `datagram`; nothing too if it refuses.
+// The reassembler's answer to `datagram`; empty too if it refuses.
 std::optional<Bytes> fed(DatagramReassembler& reassembler, const Bytes& datagram) {
   auto result = reassembler.feed(datagram);
   return result.ok() ? std::move(result).value() : std::nullopt;

@@ -50,7 +50,7 @@ struct Simulator {
     ship.heading_deg = place.heading_deg;
     ship.course_over_ground_deg = place.course_over_ground_deg;
   }
-  // As RMC has it: position to 1e-4 minutes, speed to 0.1 kn, course to 0.1 deg.
+  // A fix with the resolution of RMC: position to 1e-4 minutes, speed to 0.1 kn, course to 0.1 deg.
   OwnShipFix rmc() const {
     const auto rounded = [](double value, double unit) { return std::round(value / unit) * unit; };
     OwnShipFix fix;

@@ -1,4 +1,4 @@
-// What is wrong with a scenario.
+// The error that a scenario causes.
 #pragma once
 
 #include <string>
