@@ -234,7 +234,12 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
     throw std::runtime_error(std::string(error.what()) + "; see skerryd --help");
   }
   ServerConfig config;
-  if (!line.config_file.empty()) load_yaml_file(line.config_file, config);
+  if (!line.config_file.empty()) {
+    YamlSource source(line.config_file);
+    read_yaml(read_yaml_file(line.config_file), source, config);
+    check_outputs(config, source);
+    source.require_sound();
+  }
   complete(line);
   put_over(line, config);
   add_short_forms(config.udp(), Output::native, !line.no_udp, config);

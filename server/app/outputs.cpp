@@ -300,6 +300,21 @@ void add_outputs(const app::ServerConfig& file, NetConfig& net) {
   }
 }
 
+void check_outputs(const app::ServerConfig& file, YamlSource& source) {
+  NetConfig unused;
+  for (int i = 0; i < file.outputs_size(); ++i) {
+    const std::string path = fmt::format("outputs[{}]", i);
+    if (!source.is_sound(path)) continue;
+    const OutputKind& kind = kind_of(file.outputs(i));
+    try {
+      check_keys(file.outputs(i), kind, std::string(kind.name));
+      kind.add(file, i, std::string(kind.name), unused);
+    } catch (const std::runtime_error& wrong) {
+      source.refuse(path, wrong.what());
+    }
+  }
+}
+
 void add_inputs(const app::ServerConfig& file, NetConfig& net) {
   for (const app::Input& input : file.inputs()) {
     net.navigation_inputs.push_back(navigation_input_of(input));

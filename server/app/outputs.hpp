@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "server/app/config.pb.h"
+#include "server/config/config_error.hpp"
 #include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
@@ -24,6 +25,11 @@ const std::vector<OutputKind>& output_kinds();
 // Error: std::runtime_error naming the entry, the key, and what was expected; also for a key that
 // its kind does not take.
 void add_outputs(const app::ServerConfig& file, NetConfig& net);
+
+// Adds to the errors of the configuration file, for each output, the first for which add_outputs()
+// would refuse it.
+void check_outputs(const app::ServerConfig& file, YamlSource& source);
+
 void add_inputs(const app::ServerConfig& file, NetConfig& net);
 
 }  // namespace skerry::server

@@ -132,6 +132,19 @@ TEST(BadFiles, AWrongConfigurationIsNamedTheSameWay) {
   }
 }
 
+TEST(BadFiles, AllThatIsWrongWithAConfigurationIsSaidAtOnce) {
+  const TempFolder folder;
+  const std::string file =
+      folder.write("bad.yaml",
+                   "tcp_prt: 7000\nworkers: 65\noutputs:\n  - {kind: native, compressed: true}\n"
+                   "  - {kind: navico_4g, radar_b: 1}\n  - {kind: navico_4f}\n");
+  expect_refused({"--config", file},
+                 {file + ":1:1: tcp_prt: unknown key", file + ":2:10: workers: 65",
+                  file + ":4:5: outputs[0]: native: 'compressed' is not a key of this kind",
+                  file + ":5:5: outputs[1]: navico_4g: ", "add dual_range: true",
+                  file + ":6:12: outputs[2].kind: expected one of", file + ": 5 errors"});
+}
+
 TEST(BadFiles, AFileThatIsNotThereIsNamed) {
   const TempFolder folder;
   const std::string missing = folder.path("missing.yaml");
