@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <thread>
 
 namespace skerry::server {
@@ -49,13 +48,6 @@ TEST(ClientRegistry, TotalsKeepWhatClientsThatHaveGoneHad) {
   EXPECT_EQ(tcp.spokes_lost, 2u);
   EXPECT_EQ(tcp.bytes_sent, 1000u);
   EXPECT_EQ(registry.totals().at("websocket").connected, 1u);
-}
-
-TEST(ClientRegistry, AClientMayStayLongerThanTheRegistry) {
-  std::optional<ClientRegistry> registry(std::in_place);
-  const ClientPtr client = registry->add("tcp", "a:1");
-  registry.reset();
-  client->spokes_sent = 1;
 }
 
 TEST(ClientRegistry, TotalsNeverGetLessWhileClientsComeAndGo) {
