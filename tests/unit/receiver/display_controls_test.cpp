@@ -158,7 +158,6 @@ TEST(DisplayControls, TargetBoostRaisesSmallEchoesAndNotStrongOnes) {
   const double boosted = share_on(video_of(model_of(6.0), controls, silence, 400), 20);
   controls.target_boost = 0.0;
   const double plain = share_on(video_of(model_of(6.0), controls, silence, 400), 20);
-  std::printf("noise: %.3g plain, %.3g boosted\n", plain, boosted);
   EXPECT_GT(plain, 1e-3);
   EXPECT_LT(boosted, 1.1 * plain);
 }
