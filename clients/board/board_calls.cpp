@@ -58,7 +58,7 @@ NamedRegister find_named(const char* name) {
     return {low, true};
   }
   throw CallError(SKB_ERROR_UNKNOWN_REGISTER,
-                  fmt::format("the board has no register '{}'", printable(text, kLongestName)));
+                  fmt::format("the board has no register '{}'", skerry::printable(text, kLongestName)));
 }
 
 // Whether the value may be sent as 32 bits at all; what may not be written is for the board to say.
