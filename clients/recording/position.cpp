@@ -39,13 +39,13 @@ Result<UtcTime, std::string> find_position(std::string_view text,
   }
   if (const Duration length = summary.end - summary.begin; position->since_begin > length) {
     return Failure{fmt::format("position {} lies behind the end of {}, which is at {}",
-                               position_text(position->since_begin), printable(summary.file),
-                               position_text(length))};
+                               playing_time_text(position->since_begin), printable(summary.file),
+                               playing_time_text(length))};
   }
   return summary.begin + position->since_begin;
 }
 
-std::string position_text(Duration since_begin) {
+std::string playing_time_text(Duration since_begin) {
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(since_begin).count();
   const auto minutes = ms / 60'000;
   const double seconds = static_cast<double>(ms % 60'000) * 1e-3;

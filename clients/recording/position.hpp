@@ -15,6 +15,6 @@ Result<UtcTime, std::string> find_position(std::string_view text,
                                            const recording::Summary& summary);
 
 // "1:02:03.500"; below an hour "2:03.500".
-std::string position_text(Duration since_begin);
+std::string playing_time_text(Duration since_begin);
 
 }  // namespace skerry::client

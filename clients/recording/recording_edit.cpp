@@ -99,8 +99,8 @@ Result<EditReport, RecordingError> cut_recording(const RecordingReader& source, 
     return Failure{RecordingError{
         summary.file, 0,
         fmt::format("there is nothing from {} to {}; it ends at {}",
-                    position_text(from - summary.begin), position_text(to - summary.begin),
-                    position_text(summary.end - summary.begin))}};
+                    playing_time_text(from - summary.begin), playing_time_text(to - summary.begin),
+                    playing_time_text(summary.end - summary.begin))}};
   }
   copier.report().chunks_damaged = cursor.chunks_damaged();
   return copier.report();

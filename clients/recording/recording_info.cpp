@@ -95,10 +95,11 @@ Result<CheckReport, recording::RecordingError> check_recording(
 
 std::string info_text(const RecordingReader& reader, const std::optional<CheckReport>& check) {
   const Summary& summary = reader.summary();
-  std::string out = fmt::format("{}: {}, {} chunks ({})\nfrom {} to {}, {} long\n",
-                                printable(summary.file), bytes_text(summary.file_bytes),
-                                summary.chunks, packing_text(summary), utc_text(summary.begin),
-                                utc_text(summary.end), position_text(summary.end - summary.begin));
+  std::string out =
+      fmt::format("{}: {}, {} chunks ({})\nfrom {} to {}, {} long\n", printable(summary.file),
+                  bytes_text(summary.file_bytes), summary.chunks, packing_text(summary),
+                  utc_text(summary.begin), utc_text(summary.end),
+                  playing_time_text(summary.end - summary.begin));
   if (const auto hello = reader.hello()) {
     out += fmt::format(
         "made by {}{}\n", printable(hello->server()),
@@ -111,7 +112,7 @@ std::string info_text(const RecordingReader& reader, const std::optional<CheckRe
   for (const auto& [topic, count] : summary.items) out += topic_text(topic, count);
   if (!summary.marks.empty()) out += fmt::format("marks: {}\n", summary.marks.size());
   for (std::size_t i = 0; i < std::min(summary.marks.size(), kMarksListed); ++i) {
-    out += fmt::format("  {:>12} {}\n", position_text(summary.marks[i].time - summary.begin),
+    out += fmt::format("  {:>12} {}\n", playing_time_text(summary.marks[i].time - summary.begin),
                        printable(summary.marks[i].name, 100));
   }
   if (summary.marks.size() > kMarksListed) {

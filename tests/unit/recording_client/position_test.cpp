@@ -75,9 +75,9 @@ TEST(Position, BehindTheEndOrOfNoMarkIsToldWithWhatThereIs) {
 }
 
 TEST(Position, IsWrittenAsItIsRead) {
-  EXPECT_EQ(position_text(std::chrono::milliseconds(90'500)), "1:30.500");
-  EXPECT_EQ(position_text(std::chrono::milliseconds(3'723'004)), "1:02:03.004");
-  EXPECT_EQ(position_text(Duration{}), "0:00.000");
+  EXPECT_EQ(playing_time_text(std::chrono::milliseconds(90'500)), "1:30.500");
+  EXPECT_EQ(playing_time_text(std::chrono::milliseconds(3'723'004)), "1:02:03.004");
+  EXPECT_EQ(playing_time_text(Duration{}), "0:00.000");
 }
 
 }  // namespace
