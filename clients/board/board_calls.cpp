@@ -57,8 +57,8 @@ NamedRegister find_named(const char* name) {
   if (const board::RegisterInfo* const low = board::find_register(text + "_LOW")) {
     return {low, true};
   }
-  throw CallError(SKB_ERROR_UNKNOWN_REGISTER,
-                  fmt::format("the board has no register '{}'", skerry::printable(text, kLongestName)));
+  throw CallError(SKB_ERROR_UNKNOWN_REGISTER, fmt::format("the board has no register '{}'",
+                                                          skerry::printable(text, kLongestName)));
 }
 
 // Whether the value may be sent as 32 bits at all; what may not be written is for the board to say.
