@@ -114,7 +114,7 @@ std::vector<std::string> missing_names(const std::string& text) {
   return missing;
 }
 
-// Names of pages ("physics.md", "nmea/README.md") in `text` that no page has.
+// Names of pages ("unknown.md", "nmea/README.md") in `text` that no page has.
 std::vector<std::string> unknown_pages(const std::string& text,
                                        const std::set<std::string>& known) {
   std::vector<std::string> unknown;
@@ -182,7 +182,7 @@ TEST(Pages, TheChecksFindWhatIsWrong) {
                  "[a](echo/MODEL.md#no-such) [b](no.md) [c](echo/MODEL.md#1-the-way-of-a-spoke)"),
       SizeIs(2));
   EXPECT_THAT(missing_names("`echo/no_such_thing`, `server/run`, `echo/MODEL.md`"), SizeIs(1));
-  EXPECT_THAT(unknown_pages("physics.md, SOURCES.md, *.md, .mdx", known), SizeIs(1));
+  EXPECT_THAT(unknown_pages("unknown.md, SOURCES.md, *.md, .mdx", known), SizeIs(1));
   EXPECT_THAT(unknown_sections("SOURCES.md \"Sea\", SOURCES.md \"Moon\"", {"Sea"}), SizeIs(1));
 }
 
