@@ -84,12 +84,12 @@ void Meter::stop() {
 }
 
 void Meter::measure_floor() {
-  constexpr int kRows = 256;
+  constexpr int kFloorRows = 256;
   floor_.run();
   const double begun = thread_seconds();
-  for (int i = 0; i < kRows; ++i) floor_.run();
+  for (int i = 0; i < kFloorRows; ++i) floor_.run();
   floor_seconds_ += thread_seconds() - begun;
-  floor_cells_ += static_cast<double>(kRows) * floor_.cells();
+  floor_cells_ += static_cast<double>(kFloorRows) * floor_.cells();
 }
 
 const std::vector<scenes::NamedScene>& bench_scenes() {

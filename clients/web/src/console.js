@@ -19,6 +19,7 @@ export class RadarConsole {
     this.scans = new ScanTracker();
     this.spokeRate = new Rate(2);
     this.turnRate = new TurnRate();
+    this.newestScan = null;  // of the newest spoke that came, drawn or not
     this.heldAfter = null;
     this.forget();
   }
@@ -55,6 +56,7 @@ export class RadarConsole {
     const follows = this.loss.take(spoke.sequence);
     this.spokeRate.add(nowS, this.loss.received);
     this.turnRate.take(spoke);
+    this.newestScan = spoke.scan;
     if (this.heldAfter !== null && spoke.scan > this.heldAfter) return;
     this.scans.take(spoke);
     this.store.put(spoke, nowS, follows);

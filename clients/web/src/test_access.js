@@ -26,6 +26,7 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       lost: radar.loss.lost,
       restarts: radar.loss.restarts,
       scan: radar.spoke?.scan ?? null,
+      newestScan: radar.newestScan,
       index: radar.spoke?.index ?? null,
       bits: radar.spoke?.bits ?? null,
       spokesPerTurn: radar.spoke?.spokesPerTurn ?? null,

@@ -70,20 +70,25 @@ async function open(radar = 0) {
   await waitForScan(page);
 }
 
-// The canvas and the snapshot of one and the same turn.
+// The canvas and the snapshot of one and the same turn: the first from now that the console received whole. A console
+// that is given no time loses spokes, as the stream's rules have it, and a turn with a gap is no turn to compare.
 async function sameTurn(radar = 0) {
-  const scan = (await state(page)).scan + 2;
-  await page.evaluate((n) => window.skerry.holdAfter(n), scan);
-  const raw = join(folder, `${scan}.pgm`), png = join(folder, `${scan}.png`);
-  await Promise.all([
-    run(process.env.SKERRY, ['snapshot', '--port', String(ports.tcp), '--radar', String(radar), '--scan', String(scan), '--raw', raw, '-o', png]),
-    page.waitForFunction((n) => window.skerry.lastScan()?.scan === n, scan, { timeout: 60000 }),
-  ]);
-  const shot = await capture(page);
-  const { headingDeg } = await page.evaluate(() => window.skerry.lastScan());
-  await page.evaluate(() => window.skerry.holdAfter(null));
-  assert.ok(PNG.sync.read(readFileSync(png)).width > 100);
-  return { shot, headingDeg, cells: parsePgm(readFileSync(raw)) };
+  const first = (await state(page)).scan + 2;
+  for (let scan = first; scan < first + 5; scan = (await state(page)).scan + 2) {
+    await page.evaluate((n) => window.skerry.holdAfter(n), scan);
+    const raw = join(folder, `${scan}.pgm`), png = join(folder, `${scan}.png`);
+    await Promise.all([
+      run(process.env.SKERRY, ['snapshot', '--port', String(ports.tcp), '--radar', String(radar), '--scan', String(scan), '--raw', raw, '-o', png]),
+      page.waitForFunction((n) => window.skerry.state().newestScan > n, scan, { timeout: 60000 }),
+    ]);
+    const last = await page.evaluate(() => window.skerry.lastScan());
+    const shot = last?.scan === scan ? await capture(page) : null;
+    await page.evaluate(() => window.skerry.holdAfter(null));
+    if (!shot) continue;
+    assert.ok(PNG.sync.read(readFileSync(png)).width > 100);
+    return { shot, headingDeg: last.headingDeg, cells: parsePgm(readFileSync(raw)) };
+  }
+  assert.fail('the console received none of five turns whole');
 }
 
 function assertSame(t, turn, name) {
@@ -133,7 +138,7 @@ test('the picture follows range and gain, and still agrees', async (t) => {
   const full = compare(before.shot, before.cells, before.headingDeg);
   t.diagnostic(`gain ${gain} to ${less}: ${full.canvasBins} to ${result.canvasBins} echo bins`);
   assert.ok(result.canvasBins < full.canvasBins * 0.9, 'less gain shows less');
-  assert.deepEqual([result.edgesOff, result.blobsOff], [0, 0]);
+  assert.deepEqual(differences(result), []);
 
   await page.locator('#gain').fill(String(gain));
   await page.waitForFunction((old) => window.skerry.settings().gain === old, gain);
