@@ -234,7 +234,8 @@ TEST_F(Playback, AtAHundredTimesItsPaceNothingIsLostToAFile) {
   record.set_name("again");
   ASSERT_TRUE(console.record(record, kAnswerTime));
   await_status(console, [](const wire::Status& status) {
-    return status.recorder().phase() == wire::RecorderState::RECORDING;
+    return status.recorder().phase() == wire::RecorderState::RECORDING &&
+           !status.recorder().file().empty();
   });
   wire::Playback fast;
   fast.set_playing(true);
