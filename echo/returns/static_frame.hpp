@@ -1,18 +1,16 @@
 // A turn of rows of land and structures, all seen from one place.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "echo/kernel/moved_row.hpp"
 #include "echo/kernel/parallel_for.hpp"
 #include "echo/radar/radar_model.hpp"
-#include "echo/returns/hidden_water.hpp"
-#include "echo/returns/moved_rows.hpp"
+#include "echo/returns/hidden_ground.hpp"
+#include "echo/returns/packed_rows.hpp"
 #include "echo/returns/static_ray.hpp"
 #include "echo/returns/turn_crossings.hpp"
 
@@ -31,25 +29,41 @@ inline constexpr std::uint32_t kFrameMargin = 32;
 inline constexpr double kRaysPerBeam = 5.0, kRowsPerBeam = 10.0;
 FrameDetail frame_detail(const RadarModel& model);
 
-// Room for rows of packed cells, given out piece by piece and taken back all at once.
-class PackedStore {
+// The newest rays, cell by cell: those that rows still to be made are summed from.
+class RayRing {
  public:
-  void clear() { block_ = used_ = 0; }
-  // Room for `count` (<= kBlock) cells; good until clear().
-  PackedPower* take(std::size_t count);
-  std::size_t bytes() const { return blocks_.size() * kBlock * sizeof(PackedPower); }
+  struct Extent {
+    std::uint32_t first = 0, last = 0;  // cells first .. last - 1 may echo, no others
+  };
+  // `rays`: how many are kept, a power of two.
+  RayRing(std::uint32_t rays, std::uint32_t cells);
 
-  static constexpr std::size_t kBlock = 1u << 17;
+  // Forgets all rays.  Memory is taken by the first call.
+  void reset();
+  bool holds(std::uint32_t ray) const { return slot(ray).ray == ray; }
+  // Takes the place of the ray that lies `rays` before; all cells are 0, and none may echo.
+  std::span<float> begin(std::uint32_t ray);
+  void set_extent(std::uint32_t ray, Extent extent) { slots_[ray & mask_].extent = extent; }
+  Extent extent(std::uint32_t ray) const { return slot(ray).extent; }
+  const float* power(std::uint32_t ray) const { return power_.data() + (ray & mask_) * pitch_; }
+  std::size_t bytes() const { return power_.capacity() * sizeof(float); }
 
  private:
-  std::vector<std::unique_ptr<PackedPower[]>> blocks_;
-  std::size_t block_ = 0, used_ = 0;
+  struct Slot {
+    std::uint32_t ray = ~0u;
+    Extent extent;
+  };
+  const Slot& slot(std::uint32_t ray) const { return slots_[ray & mask_]; }
+
+  std::uint32_t mask_, cells_;
+  std::size_t pitch_;
+  std::vector<Slot> slots_;
+  std::vector<float> power_;
 };
 
-// Made bit by bit: first the crossings of all rays, then rows in any order, each from the rays its
-// beam covers.  Rows lie on the bearings of the plane the frame was begun in.
-// Memory: two bytes for each cell between a row's echoes' ends, gaps of kGap cells and more apart;
-// two bytes for kShadowStep cells of each ray; the crossings; the ring of rays.
+// A frame is made bit by bit: first the crossings of all rays, then rows in any order, each the sum
+// of the rays that its beam covers.  Rows lie on the bearings of the plane the frame was begun in.
+// Memory: of its rows, its rays' hidden ground, the crossings and the ring of rays.
 // Thread: one at a time; reading any, between makings.
 class StaticFrame {
  public:
@@ -72,26 +86,21 @@ class StaticFrame {
   // Requires crossings_done().
   static constexpr std::uint32_t kMostRows = 64;
   void make_rows(std::uint32_t first, std::uint32_t count, const ParallelFor& parallel);
-  // Rays the first of a sequence of rows needs before it; made beforehand, so many of them, they
-  // take nothing then.
+  // Rays to make before the first of a sequence of rows, so that this row costs no more than later
+  // ones.
   std::uint32_t lead_in() const { return 2 * reach_; }
   void make_lead_in(std::uint32_t row, std::uint32_t rays);
-  bool made(std::uint32_t row) const { return rows_[row].made; }
-  bool complete() const { return made_ == detail_.rows; }
+  bool made(std::uint32_t row) const { return rows_.made(row); }
+  bool complete() const { return rows_.made_count() == detail_.rows; }
 
-  // Appends what echoes of cells part.first .. part.last - 1 of a spoke, from where they lie in the
-  // part's row, whose range was another.
-  void find(const RowPart& part, std::vector<MovedRun>& runs) const;
+  // As PackedRows::find() does.
+  void find(const RowPart& part, std::vector<MovedRun>& runs) const { rows_.find(part, runs); }
 
-  // Runs of cells of the ray nearest to that row that are land, or water hidden behind land.
-  std::span<const CellRun> dry(std::uint32_t row) const {
-    const DryRuns& dry = dry_[ray_of(row)];
-    return {dry.runs.data(), dry.count};
+  // Both of the ray nearest to that row, as HiddenGround has them.
+  std::span<const CellRun> dry(std::uint32_t row) const { return ground_.dry(ray_of(row)); }
+  double shadow_slope(std::uint32_t row, std::uint32_t cell) const {
+    return ground_.shadow_slope(ray_of(row), cell);
   }
-  // Slope, from the antenna and less the Earth's drop, below which land hides what lies at that
-  // cell; kNothingHidden where there is none.
-  double shadow_slope(std::uint32_t row, std::uint32_t cell) const;
-  static constexpr double kNothingHidden = -1.0;
 
   const FrameDetail& detail() const { return detail_; }
   const CoastPicturePtr& picture() const { return picture_; }
@@ -101,47 +110,16 @@ class StaticFrame {
   std::size_t bytes() const;
 
  private:
-  struct EchoRun {
-    std::uint16_t first = 0, last = 0;
-    std::uint32_t at = 0;  // of the zero before cell `first` in the row's cells
-  };
-  struct Row {
-    static constexpr std::size_t kMostRuns = 8;  // more are joined to the last
-    bool made = false;
-    std::uint8_t count = 0;
-    const PackedPower* cells = nullptr;
-    std::array<EchoRun, kMostRuns> runs;
-  };
-  struct DryRuns {
-    static constexpr std::size_t kMost = 15;  // more are left out
-    std::uint16_t count = 0;
-    std::array<CellRun, kMost> runs;
-  };
-  struct RingRay {
-    std::uint32_t ray = ~0u;
-    std::uint32_t first = 0, last = 0;  // cells that may echo
-  };
-  static constexpr std::uint32_t kShadowStep = 8;
-  static constexpr std::uint32_t kGap = 48;
-  // Power over noise below which nothing is kept, 0.001 dB of what it stands in.
-  static constexpr float kLeast = 2e-4f;
-
   std::uint32_t ray_of(std::uint32_t row) const;
-  float* ring_power(std::uint32_t ray) { return ring_.data() + (ray & (ring_size_ - 1)) * pitch_; }
   void make_ray(std::uint32_t ray);
   void make_rays(std::uint32_t first, std::uint32_t last, const ParallelFor& parallel);
-  void record_ray(std::uint32_t ray, const StaticScratch& scratch, std::span<const float> power);
   void make_row(std::uint32_t row, std::vector<PackedPower>& cells);
-  static void keep(Row& row, std::uint32_t first, std::span<const float> power,
-                   std::vector<PackedPower>& cells);
 
   FrameDetail detail_;
   StaticRayModel ray_model_;
   double pulse_cells_;
   std::uint32_t reach_;                      // rays to either side of a row's own
   std::vector<std::vector<float>> weights_;  // by row % (rows / rays), of rays -reach .. +reach
-  std::uint32_t ring_size_;                  // rays kept, a power of two
-  std::size_t pitch_;
 
   CoastPicturePtr picture_;
   std::shared_ptr<const Structures> built_;
@@ -150,15 +128,10 @@ class StaticFrame {
   bool empty_ = true;
   double nearest_m_ = 0.0;
   TurnCrossings crossings_;
-  std::uint32_t made_ = 0;
-
-  std::vector<RingRay> ring_rays_;
-  std::vector<float> ring_;
-  std::vector<Row> rows_;
-  std::vector<std::int16_t> shadows_;  // by ray, kShadowStep cells each
-  std::vector<DryRuns> dry_;
-  PackedStore store_;
-  std::vector<std::vector<PackedPower>> fresh_;  // of rows just made
+  RayRing ring_;
+  HiddenGround ground_;
+  PackedRows rows_;
+  std::vector<std::vector<PackedPower>> fresh_;  // of rows just packed, each by its own thread
 };
 
 }  // namespace skerry::echo

@@ -110,7 +110,7 @@ class StaticReturns::Frames {
     if (!now_->made(index)) return 0.0f;
     const double slope =
         now_->shadow_slope(index, static_cast<std::uint32_t>(range / model_.cell_m));
-    if (slope <= StaticFrame::kNothingHidden) return 0.0f;
+    if (slope <= HiddenGround::kNothingHidden) return 0.0f;
     const double height =
         model_.set.antenna_height_m + slope * range + range * range / (2.0 * kEffectiveEarth);
     return static_cast<float>(std::max(0.0, height));
