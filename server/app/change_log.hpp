@@ -29,7 +29,7 @@ class ChangeLog {
   static constexpr std::chrono::milliseconds kLineTime{200};
   static constexpr std::size_t kMaxWaiting = 512;  // controls and origins looked at one by one
 
-  // Where lines go; the server's log by default.
+  // Takes the lines; the server's log by default.
   using Sink = std::function<void(const std::string& line)>;
   ChangeLog();
   explicit ChangeLog(Sink sink) : sink_(std::move(sink)) {}

@@ -1,4 +1,4 @@
-// What a scenario says of its coast, as the echo takes it.
+// The coast settings of a scenario, in the form that the echo takes.
 #pragma once
 
 #include "echo/scene/coast_rules.hpp"

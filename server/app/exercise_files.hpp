@@ -35,7 +35,7 @@ std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yam
 // document makes no sense.
 ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& instead);
 
-// What RadarServer would make of that scenario.
+// The plan that RadarServer makes of that scenario.
 // Error: as exercise_scenario().
 ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name);
 

@@ -148,7 +148,7 @@ int run(const Options& options, LogTap& tap) {
 
 int main(int argc, char** argv) {
   signal(SIGPIPE, SIG_IGN);
-  // What protobuf has to say of bytes from outside is in the replies and counters.
+  // Protobuf's complaints about bytes from outside are in replies and counters; they need no log.
   google::protobuf::SetLogHandler(nullptr);
   const auto tap = std::make_shared<LogTap>();
   spdlog::set_default_logger(spdlog::stderr_color_mt("skerryd"));

@@ -146,7 +146,7 @@ void complete(CommandLine& line) {
 // The command line over the configuration file: a value over a value, a list in place of a list.
 void put_over(const CommandLine& line, ServerConfig& file) {
   const app::Playback& playback = line.config.playback();
-  // What was said of another file does not hold for this one.
+  // Options given for another file do not hold for this one.
   if (playback.has_file() || line.config.has_scenario()) file.clear_playback();
   if (line.no_udp) file.clear_udp();
   if (line.no_cat240) file.clear_cat240();

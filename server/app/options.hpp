@@ -1,4 +1,5 @@
-// What skerryd was asked to do: command line over configuration file over defaults.
+// Options of skerryd: the command line overrides the configuration file, which overrides the
+// defaults.
 #pragma once
 
 #include <cstddef>

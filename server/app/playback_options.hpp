@@ -1,4 +1,4 @@
-// What skerryd was asked to play back.
+// Options of a playback.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ struct PlaybackOptions {
 // --play and what belongs to it; `line` must outlive the parsing.
 void add_playback_options(CLI::App& cli, app::Playback& line);
 
-// What is absent has its default.
+// Absent keys have their defaults.
 PlaybackOptions playback_options(const app::Playback& said);
 
 // Opens the file; searching one without an index for its parts is told on standard error.

@@ -34,7 +34,7 @@ class RadarServer : public RadarHost {
   // this host's clients know the server by.  Before start(); without, there are none.
   void name_shared_rings(std::uint16_t tcp_port, std::size_t bytes);
 
-  // What records it; before start(), and as long as this lives.
+  // Sets the recorder.  Call it before start(); the recorder must live as long as this.
   void set_recording(RecordingPort* recorder) { recorder_ = recorder; }
   RecordingPort* recording() override { return recorder_; }
 

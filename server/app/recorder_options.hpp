@@ -15,7 +15,7 @@ namespace skerry::server {
 // --record and what belongs to it; `line` must outlive the parsing.
 void add_recorder_options(CLI::App& cli, app::Recorder& line);
 
-// What is absent has its default.
+// Absent keys have their defaults.
 RecorderConfig recorder_config(const app::Recorder& said);
 
 }  // namespace skerry::server

@@ -43,7 +43,7 @@ TrafficItem item_of(const scenario::OwnShip& ship) {
   return item;
 }
 
-// Where it lies at the start.
+// The target's place at the start.
 TrafficItem item_of(const scenario::Target& target) {
   TrafficItem item;
   item.kind = kind_of(target);

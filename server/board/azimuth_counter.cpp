@@ -87,7 +87,7 @@ void AzimuthCounter::restart(const Encoder& encoder, Tick now, Tick new_now, boo
   }
   encoder_ = encoder;
   if (new_clock) {
-    // Of the ticks none is comparable; the counts are.
+    // Ticks cannot be compared here; counts can.
     PulseCounts counts;
     counts.triggers = counts_.triggers;
     counts.acps = counts_.acps;

@@ -30,7 +30,7 @@ struct PulseCounts {
   std::uint32_t ticks_since_acp(Tick now) const;
 };
 
-// As configured.
+// The encoder as configured.
 struct Encoder {
   std::uint32_t acp_per_turn = 4096;
   Tick acp_period = 12'207;  // of an antenna that turns evenly
@@ -71,8 +71,8 @@ class AzimuthCounter {
   // true to two of them, and from the second that comes to one, up to the next ARP; on a new clock
   // it is unknown up to the second.  All other counts are of pulses that came and stay.
   void restart(const Encoder& encoder, Tick now, Tick new_now, bool new_clock);
-  // As if so many good turns with that many triggers had been counted.  Ticks stay those of before,
-  // until a turn and two triggers have come.
+  // Counts so many good turns with that many triggers, without their pulses.  Ticks stay as they
+  // were until a turn and two triggers have come.
   void skip(std::uint64_t turns, std::uint64_t triggers);
 
  private:

@@ -21,14 +21,14 @@ struct RotationSettings {
   friend bool operator==(const RotationSettings&, const RotationSettings&) = default;
 };
 
-// What is still to be sent wrongly.
+// Faults still to be sent.
 struct AzimuthFaults {
   std::uint32_t missing_acp = 0, extra_acp = 0, missing_arp = 0;
   Tick stall = 0;
   bool none() const { return missing_acp == 0 && extra_acp == 0 && missing_arp == 0 && stall == 0; }
 };
 
-// What is to be sent wrongly from now on, in place of what was still to come; absent: as it is.
+// Faults to send from now on, in place of those still to come; an absent one stays as it is.
 struct AzimuthOrders {
   std::optional<std::uint32_t> missing_acp = {}, extra_acp = {}, missing_arp = {};
   std::optional<Tick> stall = {};
@@ -70,20 +70,20 @@ class AzimuthGenerator {
   const Pulse& next() const { return next_; }
   void pop();
 
-  // Where the antenna points.  Error: 2^-16 tick of time; the same however often it is asked.
+  // The antenna's direction.  Error: 2^-16 tick of time; it does not grow with the number of calls.
   Azimuth at(Tick tick) const;
   // The first tick at which it points there or further.
   Tick first_tick(Azimuth azimuth) const;
 
   // A stall in progress at `now` ends as long after it as `stall` says.
   void inject(const AzimuthOrders& orders, Tick now);
-  // Nothing wrong is to come; a stall in progress ends when it was to.
+  // Drops the faults to come; a stall in progress ends when it would have.
   void forget_faults();
   // A stall in progress counts as far as it is still to last.
   AzimuthFaults left(Tick now) const;
   bool disturbed(Tick now) const { return !faults_.none() || now < stalled_until_; }
 
-  // As if that many turns had been popped.  Requires !disturbed().
+  // Skips that many turns, as if they had been popped.  Requires !disturbed().
   void skip_turns(std::uint64_t turns);
 
  private:

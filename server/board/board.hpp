@@ -32,8 +32,8 @@ struct BoardSetup {
   // The board keeps what it got.
   std::function<std::shared_ptr<echo::SweepEchoes>(std::uint32_t radar)> echoes;
   std::function<bool(std::uint32_t radar)> has_radar;  // cheap: whether `echoes` would find it
-  // What the board's radar has on the air, asked at every step and so cheap; without, the set's
-  // first pulse.
+  // The transmission of the board's radar.  Asked at every step, so it must be cheap.  Without a
+  // radar: the set's first pulse.
   struct OnAir {
     echo::Pulse pulse;
     bool radiates = true;
@@ -41,7 +41,7 @@ struct BoardSetup {
   std::function<OnAir()> on_air = {};
 };
 
-// What a step of time brought, ready to be sent.
+// The records of one step of time, ready to be sent.
 struct BoardBatch {
   Bytes records;  // all
   Bytes signals;  // edges and events alone, with sequence numbers of their own

@@ -75,7 +75,7 @@ class BoardCore {
   bool armed_ = false, prepared_ = false;
   std::uint64_t arm_number_ = 0, fifo_epoch_ = 0;  // of the orders
   bool config_fault_ = false, overrun_ = false, late_ = false;
-  // As they were last; as the records say; raised, and events, in this step.
+  // Faults as last seen; as last recorded; raised in this step; events of this step.
   std::uint32_t seen_faults_ = 0, reported_faults_ = 0, faults_seen_ = 0, events_seen_ = 0;
   TriggerLatch latched_;
   std::uint64_t sweeps_ = 0, sweeps_late_ = 0;

@@ -15,7 +15,7 @@ struct Part {
   std::uint32_t from = 0, to = 0;
 };
 
-// What is left of a turn outside of the blanked sectors, in order.
+// The parts of a turn outside the blanked sectors, in order.
 std::vector<Part> clear_parts(const BoardSettings& settings) {
   std::vector<Part> parts;
   for (std::uint32_t place = 0; place < kPlaces; ++place) {

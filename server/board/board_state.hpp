@@ -1,4 +1,4 @@
-// What a board's thread takes from its registers and what it gives back.
+// The orders that a board's thread takes from its registers, and the state that it gives back.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct BoardOrders {
   std::optional<std::uint32_t> missing_acp, extra_acp, missing_arp, stall_ms;
 };
 
-// What was counted up to a trigger, and that trigger's place.
+// The counts up to a trigger, and the trigger's place.
 struct TriggerLatch {
   PulseCounts counts;
   std::uint32_t ticks_since_acp = 0;

@@ -16,7 +16,7 @@
 namespace skerry::server {
 namespace {
 
-// Of a frame with sweeps of the FIFO, besides them.
+// Octets of a frame of FIFO sweeps besides the sweeps.
 constexpr std::size_t kFrameRoom = 256;
 
 constexpr double kMeanSweeps = 1000.0;  // over which the cost of a sweep is averaged

@@ -33,7 +33,7 @@ class BoardUnit final : public BoardPort {
   static constexpr std::chrono::milliseconds kInterest{2000};
   // A block of records; one more record may exceed it.
   static constexpr std::size_t kBlockBytes = 64u << 10;
-  // What the network may lag behind: kRingBlocks or kRingBytes, whichever is less.
+  // The most that the network may lag behind: kRingBlocks or kRingBytes, whichever is less.
   static constexpr std::size_t kRingBlocks = 512, kRingBytes = 32u << 20;
 
   // `name` for the log.  Without a ring name there is no shared ring.

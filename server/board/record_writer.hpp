@@ -17,7 +17,7 @@ class RecordWriter {
   void sweep(const board::Sweep& sweep);
   void edge(Tick tick, board::Line line);
   void event(Tick tick, std::uint32_t event, std::uint32_t faults, std::uint32_t value);
-  // Nothing is said of the edges before `tick`.  Requires that none are gathered.
+  // Leaves out the edges before `tick`.  Requires that none are gathered.
   void restart_edges(Tick tick) { edges_.from_tick = tick; }
   // No edges before `tick` are left to come.
   void finish(Tick tick);

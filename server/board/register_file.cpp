@@ -40,7 +40,7 @@ RegisterFile::RegisterFile(Constants constants, SweepFifo& fifo)
   judge();
   for (const auto& [address, value] : constants_.initial) write(address, value);
   judge();
-  // What is on the air is not known yet; the first step latches what is wrong then.
+  // The transmission is not known yet; the first step latches the faults.
   faults_latched_ = 0;
 }
 
@@ -185,7 +185,7 @@ bool RegisterFile::captured(std::uint64_t arm_number) {
 void RegisterFile::publish(const BoardState& state) {
   const std::lock_guard lock(mutex_);
   if (reset_) {
-    // What was counted is to be forgotten at the next step, and reads so already.
+    // The next step resets the counts; they already read as reset.
     state_.clocks = state.clocks;
     state_.utc_ns = state.utc_ns;
     return;

@@ -40,11 +40,11 @@ class RegisterFile {
 
   // on_air: what pulse code 0 stands for now.
   BoardOrders take_orders(const echo::Pulse& on_air);
-  // What was armed has been captured.  False: another arming or a reset came since the orders were
-  // taken, and it does not count.
+  // The armed sweeps have been captured.  False if another arming or a reset came after the orders
+  // were taken: the capture does not count then.
   bool captured(std::uint64_t arm_number);
   void publish(const BoardState& state);
-  // Of the last step, with the fault `config`.
+  // The state after the last step, with the fault `config`.
   BoardState state() const;
   std::string fault_reason() const;
 

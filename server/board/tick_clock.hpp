@@ -7,7 +7,7 @@
 
 namespace skerry::server {
 
-// Of the sample clock, counted from scenario time 0: tick k begins at k / clock seconds.
+// A tick of the sample clock, counted from scenario time 0: tick k begins at k / clock seconds.
 using Tick = std::uint64_t;
 // Wide enough for 10,000 years of ticks times any rate.
 using Wide = __int128;

@@ -8,7 +8,8 @@ namespace skerry::server {
 struct TriggerSettings {
   std::uint32_t clock_hz = 20'000'000;
   std::uint32_t prf_millihertz = 3'000'000;
-  // Of the period.  Together below 500,000, so that triggers never change places.
+  // Parts per million of the period.  Their sum is below 500,000, so that triggers never change
+  // places.
   std::uint32_t jitter_ppm = 0, stagger_ppm = 0;
   std::uint64_t seed = 0;  // of the jitter
   friend bool operator==(const TriggerSettings&, const TriggerSettings&) = default;

@@ -35,7 +35,7 @@ class BoardPort {
   // "records": all of them; "signals": edges and events alone.
   virtual FormatRing& ring(const std::string& format) = 0;
 
-  // Of "records" at present, as measured; 0 if nothing was sent lately.
+  // The present rate of "records", as measured; 0 if nothing was sent lately.
   virtual double bytes_per_second() const = 0;
 };
 using BoardPortPtr = std::shared_ptr<BoardPort>;

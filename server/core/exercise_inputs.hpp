@@ -28,7 +28,7 @@ class ExerciseInputs {
   // since() gives from now on: ask for this after spokes were taken and before inputs are, and
   // write it behind them.
   virtual std::vector<std::string> reached() const = 0;
-  // What never changes while the server runs.
+  // Documents that never change while the server runs.
   virtual std::vector<ExerciseDocument> documents() const = 0;
 };
 

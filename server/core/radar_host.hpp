@@ -59,7 +59,7 @@ class RadarHost {
   // nothing is played back.
   virtual RecordingPort* recording() { return nullptr; }
   virtual PlaybackPort* playback() { return nullptr; }
-  // What the exercise is made of; nullptr if it is none (a playback).
+  // The inputs of the exercise; nullptr if there is none (a playback).
   virtual const ExerciseInputs* exercise() const { return nullptr; }
 
   // Checks all of `set` and applies all or nothing; the reply says which value was out of range, or

@@ -1,4 +1,4 @@
-// What moves and stands around an own ship, and how an outside simulator says where she is.
+// Ships and marks around an own ship, and the fixes by which an outside simulator drives her.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct TrafficItem {
   std::uint8_t aid_type = 0;   // as AIS message 21 has it, of aids; 0: not said
 };
 
-// What is not given stays as it was.
+// Absent members stay as they were.
 struct OwnShipFix {
   std::optional<GeoPoint> position = {};
   std::optional<double> heading_deg = {};             // true, [0, 360)

@@ -1,4 +1,4 @@
-// What text from outside is made of.
+// UTF-8 of text from outside.
 #pragma once
 
 #include <optional>

@@ -39,7 +39,7 @@ using EncodedSectorPtr = std::shared_ptr<const EncodedSector>;
 // Turns a sector into bytes.  Pure but for counters of its own (message index of CAT240).
 using SectorEncoder = std::function<EncodedSectorPtr(const Sector&)>;
 
-// What a reader remembers between two takes.
+// A reader's state between two takes.
 struct Cursor {
   std::uint64_t next = 0;           // number of the sector wanted next
   std::uint64_t spokes_before = 0;  // published before that sector: makes the loss exact
@@ -133,7 +133,7 @@ class VideoChannel {
 
   std::map<std::string, std::uint64_t> spokes_encoded() const;
 
-  // Of every format: FormatRing::hold(), and the sum of joins().
+  // For every format: FormatRing::hold(), and the sum of joins().
   void hold(std::size_t max_bytes);
   std::uint64_t joins() const;
 

@@ -1,4 +1,4 @@
-// What a display's knob does besides its own change.
+// Side effects of a display's knob.
 #pragma once
 
 #include "protocol/wire/radar.pb.h"

@@ -32,19 +32,19 @@ struct SpokeSpan {
 RangeScale scale_holding(double range_m);
 // The range of the table nearest to `range_m`.
 double nearest_range_m(const DisplayRanges& ranges, double range_m);
-// What a display shows where the scale was chosen by somebody else: the table's range of that
+// The range that a display shows for a scale that somebody else chose: the table's range of that
 // length, or the scale itself.
 double range_shown_m(const DisplayRanges& ranges, RangeScale scale);
 
-// Of a spoke at a range, which lies in rows of the range's scale or of `scale`, at most twice as
-// long as that.
+// The span of a spoke at a range.  The spoke lies in rows of the range's scale or of `scale`, at
+// most twice as long.
 SpokeSpan spoke_span(const DisplayRanges& ranges, double range_m, RangeScale scale);
 // The one whose rows reach so far, so that rows tell which range a display has chosen; rows of any
 // other length are one spoke.
 SpokeSpan span_of_rows(const DisplayRanges& ranges, RangeScale scale, double reach_m);
 
-// What a display wrote, for as long as the setting is what was made of it: it then reads back the
-// same, whatever was rounded on the way.
+// The value that a display wrote, kept while the setting is the one it was converted to.  So the
+// display reads its own value back, without the rounding of the conversion.
 template <typename Raw>
 class Remembered {
  public:

@@ -20,7 +20,7 @@ namespace skerry::server {
 // it shows is the output's affair: the emulation leaves Set.radar and Set.view alone.
 enum class RangeChannel : std::uint8_t { a = 0, b = 1 };
 
-// What an emulation does to the world, at once.
+// The actions of an emulation on the server; each takes effect at once.
 class EmulationPort {
  public:
   virtual ~EmulationPort() = default;
@@ -33,7 +33,7 @@ class EmulationPort {
   virtual void count(std::string_view kind, std::string_view detail) = 0;
 };
 
-// Where it listens.  Multicast groups are joined on the output's interface.
+// An address it listens on.  Multicast groups are joined on the output's interface.
 struct EmulationListen {
   Ipv4Endpoint at;  // address 0: any address of the output's interface; port 0: any free port
 };
@@ -69,13 +69,13 @@ class RadarEmulation {
   // antenna's angle).
   virtual SectorEncoder spoke_encoder(RangeChannel channel) const = 0;
   virtual Ipv4Endpoint data_address(RangeChannel channel) const = 0;
-  // What the view's instrumented range has to be for spokes of this channel at these settings, m.
+  // The view's instrumented range for spokes of this channel at these settings, m.
   virtual double instrumented_range_m(RangeChannel channel,
                                       const wire::Settings& settings) const = 0;
 };
 
-// What two radars of one family on one host cannot share: equal identities need different interface
-// addresses.
+// Two radars of one family on one host cannot share an identity, unless their interface addresses
+// differ.
 struct EmulationIdentity {
   std::string family;  // "Navico BR24"
   std::vector<Ipv4Endpoint> fixed_addresses;

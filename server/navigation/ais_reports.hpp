@@ -1,4 +1,4 @@
-// What the AIS of a ship or mark says, and how often.
+// AIS reports of a ship or mark, and how often each is sent.
 #pragma once
 
 #include <optional>

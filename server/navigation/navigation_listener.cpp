@@ -60,7 +60,7 @@ HeardLine NavigationListener::hear(std::string_view line, ScenarioTime now) {
     fix->course_over_ground_deg = wrapped_degrees(*fix->course_over_ground_deg);
   }
   if (fix->position) {
-    // Of two speeds the faster explains the way made.
+    // The faster of two speeds explains the distance made.
     const auto before = speed_mps_;
     if (fix->speed_mps) speed_mps_ = std::max(*fix->speed_mps, speed_mps_.value_or(0.0));
     heard.jump_m = jump(*fix->position, now);

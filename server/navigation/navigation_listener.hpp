@@ -12,7 +12,7 @@
 
 namespace skerry::server {
 
-// What came of one line.
+// The result of one line.
 struct HeardLine {
   std::optional<OwnShipFix> fix;  // only what the sentence said
   // The position is so many metres from the last one, further than her speed explains.

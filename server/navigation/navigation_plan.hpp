@@ -42,24 +42,24 @@ inline constexpr std::size_t kNavigationSentences = 16;
 std::string_view name_of(NavigationSentence sentence);
 std::optional<NavigationSentence> find_navigation_sentence(std::string_view name);
 
-// As ITU-R M.1371 has it: only for vdm, vdo and static_period.
+// The period of ITU-R M.1371; only for vdm, vdo and static_period.
 inline constexpr Duration kAsAisDoes{0};
 inline constexpr Duration kShortestNavigationPeriod = std::chrono::milliseconds(20);
 inline constexpr Duration kLongestNavigationPeriod = std::chrono::hours(1);
 
 struct NavigationPlan {
-  // What is not there is not said.  Every period: kShortestNavigationPeriod to
+  // A sentence that is not listed is not sent.  Periods: kShortestNavigationPeriod to
   // kLongestNavigationPeriod.
   std::map<NavigationSentence, Duration> periods = usual_periods();
-  // Of names and sizes in AIS (types 5 and 24).  A minute, not the six of M.1371: a display that is
-  // switched on during an exercise then soon has the names.
+  // The period of names and sizes in AIS (types 5 and 24).  One minute, not the six of M.1371, so
+  // that a display that is switched on during an exercise soon has the names.
   Duration static_period = std::chrono::minutes(1);
   std::uint32_t own_mmsi = 0;        // nine digits; 0: the one that the scenario gives own ship
   double ais_range_nm = 60.0;        // 1 .. 1000, from own ship: where VHF ends
   double tracking_range_nm = 24.0;   // 0.1 .. 120
   std::size_t tracked_targets = 40;  // 1 .. 99, the nearest; MSC.192(79) asks for 40 at most
-  // What positions call themselves: simulated ones have mode S and quality 8, and the status V that
-  // IEC 61162-1 wants of them, so most displays do not use them.
+  // Whether positions say that they are simulated: mode S, quality 8, and status V, which IEC
+  // 61162-1 then requires.  Most displays do not use such positions.
   bool says_simulated = false;
 
   static std::map<NavigationSentence, Duration> usual_periods();

@@ -14,7 +14,7 @@
 
 namespace skerry::server {
 
-// What a talker speaks of, as of now.  Asked only for what is due.
+// The present state that a talker reports.  Asked only for what is due.
 class NavigationWorld {
  public:
   virtual ~NavigationWorld() = default;

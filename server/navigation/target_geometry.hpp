@@ -1,4 +1,4 @@
-// Where a target is from own ship, and how close she will come.
+// A target's place as own ship sees it, and its closest approach.
 #pragma once
 
 #include "protocol/quantity/geo_point.hpp"

@@ -31,7 +31,7 @@ class TrackTable {
   TrackTable(double range_m, std::size_t most, Duration lost_for)
       : range_m_(range_m), most_(most), lost_for_(lost_for) {}
 
-  // By number.
+  // The tracks, ordered by number.
   std::vector<Track> update(GeoPoint own, std::span<const TrafficItem> traffic, ScenarioTime now);
 
  private:

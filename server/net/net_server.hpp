@@ -29,7 +29,7 @@ class NetServer {
   // Thread: start() and stop() from one thread.
   void stop();
 
-  // What a client gets for GetStatus.  Thread: any.
+  // The answer to GetStatus.  Thread: any.
   wire::Status status() const;
 
   std::uint16_t tcp_port() const;

@@ -37,14 +37,14 @@ class PieceReader {
 
   PieceReader(const recording::RecordingReader& reader, const RecordedRadars& radars);
 
-  // What is at `time` or later comes next.
+  // Continues with the first item at `time` or later.
   void seek(UtcTime time);
-  // Of recorded time in a piece, at most.
+  // The most recorded time in a piece.
   void set_span(Duration span) { span_ = span; }
   // The next piece that is due before `until`; nothing at the end, or if there is none.
   std::optional<Piece> next(std::optional<UtcTime> until = std::nullopt);
 
-  // What could not be read so far, in words; grows in faults().
+  // Describes the parts that could not be read so far; faults() counts them.
   std::string problem() const;
   std::uint64_t faults() const { return unreadable_ + cursor_.chunks_damaged(); }
 

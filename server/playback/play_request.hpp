@@ -1,4 +1,4 @@
-// What a client asks of a playback, checked.
+// A client's request to a playback, checked.
 #pragma once
 
 #include "protocol/quantity/result.hpp"

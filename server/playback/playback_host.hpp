@@ -20,8 +20,9 @@
 namespace skerry::server {
 
 // Construct; hand the host to a NetServer, which adds its formats to the channels; start().
-// What was recorded cannot be changed: a Set is refused unless it asks for what is so already, but
-// for the instrumented range of a view that was opened here (an output's own affair).
+// A recording cannot be changed: a Set is refused unless it asks for values that already hold.  One
+// exception: the instrumented range of a view that was opened here, which an output sets for
+// itself.
 class PlaybackHost final : public RadarHost, private PlaybackPort {
  public:
   // `server`: what Hello says of it.

@@ -73,7 +73,7 @@ TrafficItem traffic_item(const recording::Traffic::Item& said,
   return item;
 }
 
-// What consoles and displays count on: a range scale of the table.
+// Consoles and displays rely on a range scale of the table.
 void fit_range(wire::Settings& settings, const std::optional<SpokeHeader>& spoke) {
   if (!RangeScale::find(settings.range_nm())) {
     const RangeScale scale = spoke ? spoke->range_scale : RangeScale{};

@@ -20,10 +20,9 @@ namespace skerry::server {
 
 // Settings, own ships, world and traffic as the last items said, brought into range.  Between items
 // ships sail on as they did, for at most kSailsOn.
-// Where a file has no own ships, or no settings, they are what the spokes tell: position, heading,
-// range scale.
-// Radars are the playback's (they are numbered anew), views the recording's.
-// Thread: one writes (the playback), any read.
+// If a file has no own ships or no settings, position, heading and range scale come from its
+// spokes. Radars are the playback's (they are numbered anew), views the recording's. Thread: one
+// writes (the playback), any read.
 class PlayedState {
  public:
   static constexpr Duration kSailsOn = std::chrono::seconds(3);

@@ -17,7 +17,7 @@
 
 namespace skerry::server {
 
-// Where the last cell of a view is to end: so much, and on other range scales the same multiple of
+// The wanted end of a view's last cell: this length, and on other range scales the same multiple of
 // them.
 struct WantedReach {
   double range_m = 0.0;  // 0: at the range scale
@@ -44,7 +44,7 @@ class PlayedView {
   std::uint64_t spokes() const { return spokes_.load(std::memory_order_relaxed); }  // published
   std::uint32_t scan() const { return scan_.load(std::memory_order_relaxed); }      // the newest
 
-  // What was recorded, if none is wanted.
+  // The recorded reach, if none is wanted.
   void tell_reach(wire::Settings& settings) const;
 
   const std::uint32_t number, source;

@@ -166,7 +166,7 @@ void Player::step(int turns) {
   std::unique_lock lock(mutex_);
   const UtcTime here = goal_.value_or(paused_at_);
   lock.unlock();
-  // By the first radar that turns here: one in standby may be silent to the end.
+  // Counted by the first radar that turns here: one in standby may be silent to the end.
   const auto turning = std::find_if(turns_.begin(), turns_.end(),
                                     [&](TurnFinder& finder) { return finder.turns_at(here); });
   std::optional<UtcTime> found;

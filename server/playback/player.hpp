@@ -26,7 +26,7 @@ namespace skerry::server {
 inline constexpr double kSlowestRate = 0.1, kFastestRate = 100.0;
 inline constexpr int kMostSteps = 1000;  // of one order, to either side
 
-// What an operator asks of a playback; what is absent stays.  A seek comes before steps.
+// An operator's order to a playback; absent members change nothing.  A seek comes before steps.
 struct PlayOrder {
   std::optional<bool> playing = {};
   std::optional<double> rate = {};  // kSlowestRate .. kFastestRate
@@ -63,7 +63,7 @@ class Player {
   static constexpr double kCatchUp = 16.0;  // times the recorded pace
   static constexpr Duration kGiveUp = std::chrono::milliseconds(250);
   static constexpr Duration kLookAround = std::chrono::milliseconds(50);  // for readers, paused
-  // Of sectors held for readers: so much time at the present rate, within these bounds.
+  // Sectors held for readers: this much time at the present rate, within these bounds.
   static constexpr Duration kHeld = std::chrono::milliseconds(500);
   static constexpr std::size_t kLeastHeld = 1 << 20, kMostHeld = 64 << 20;  // bytes of a format
   static constexpr std::size_t kRingSectors = 4096;

@@ -16,7 +16,8 @@ struct RecordedRadar {
   std::uint32_t recorded = 0;        // its number in the file; its place in the list is the played
   std::vector<std::uint32_t> views;  // with spokes, ascending; may lack 0
   wire::RadarInfo info;              // with the played number
-  // What view 0 shows: itself, or the first there is; nothing in standby all along.
+  // The recorded view that view 0 shows: 0, or the first there is; none if the radar was in standby
+  // throughout.
   std::uint32_t shared_view() const { return views.empty() ? 0 : views.front(); }
 };
 

@@ -44,7 +44,7 @@ class Airwaves {
 
   // Never null; one entry per radar, and the same pointer while nothing has changed.
   EmissionsPtr get() const;
-  // What is on the air with it; `changed` if that is a new version.
+  // All transmissions including it; `changed` if that is a new version.
   struct Set {
     EmissionsPtr emissions;
     bool changed = false;

@@ -9,7 +9,7 @@
 
 namespace skerry::server {
 
-// What a radar wants to see: the coast around a place, as fine as it can tell apart.
+// A radar's wish: the coast around a place, as fine as the radar can tell apart.
 struct CoastWish {
   GeoPoint own_ship;
   double speed_mps = 0.0;
@@ -19,7 +19,7 @@ struct CoastWish {
   std::uint64_t tag = 0;
 };
 
-// By which wishes a picture came about: it is a function of these, chart and rules.
+// The wishes that made a picture.  The picture is a function of these, the chart and the rules.
 struct PictureOrigin {
   std::uint64_t wish = 0;  // tag of the one it was made for
   std::uint64_t laid = 0;  // tag of the one around which the chart was laid for it
@@ -52,7 +52,7 @@ class PictureMaker {
   // The chart around the wish's place.  Error: std::runtime_error if it cannot be read, and then
   // what was laid before stays.
   void lay(const CoastWish& wish);
-  // What is laid is exact there.
+  // Whether the coast is exact for that wish.
   bool serves(const CoastWish& wish) const;
   // Requires serves().
   echo::CoastPicturePtr picture(const CoastWish& wish);

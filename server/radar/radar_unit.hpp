@@ -69,19 +69,19 @@ class RadarUnit {
   void set_radar_controls(const echo::RadarControls& controls) { radar_controls_.set(controls); }
   // The set as its controls have it: rotation and antenna height.
   echo::RadarSet set_on_air() const;
-  // Of the controls at hand.
+  // The range scale of the present controls.
   RangeScale range_on_air() const { return views_.get()->front()->controls.get()->range_scale; }
   const echo::Pulse& pulse_on_air() const {
     return config_.set.pulse_for(range_on_air(), radar_controls().pulse);
   }
   RadarCounters counters() const;
 
-  // What the unit asks of the coast on that range scale at that place (SectorMaker::wish).
+  // The coast that the unit asks for on that range scale at that place (SectorMaker::wish).
   CoastWish wish(const ShipState& own_ship, RangeScale range) const;
 
  private:
   void run(const std::stop_token& stop, const Epoch& epoch);
-  // What holds now, for the sector that begins with spoke `first`.  False: the world is too far
+  // Gathers the inputs of the sector that begins with spoke `first`.  False if the world is too far
   // behind to be shown.
   bool gather(std::uint64_t first);
   // The views and their controls.
@@ -100,7 +100,7 @@ class RadarUnit {
   SectorMaker maker_;
   RadarViewList views_;
   Latest<echo::RadarControls> radar_controls_;
-  // Of the sector at hand; the unit's thread.
+  // The present sector's.  Thread: the unit's.
   std::shared_ptr<const RadarViews> shown_;  // as in given_.views
   SectorInputs given_;
   std::vector<ViewSector> made_;

@@ -27,10 +27,10 @@ struct RadarView {
         controls(view_controls) {}
 
   bool follows() const { return followed != nullptr; }
-  // What holds for this view.
+  // The controls in force for this view.
   echo::ViewControls controls_in_force() const;
-  // What is changed by it in a view that follows is changed in the one followed, but for the
-  // instrumented range, which each has for itself.
+  // In a view that follows another it changes the one followed, except for the instrumented range,
+  // which each view has for itself.
   void set_controls(const echo::ViewControls& wanted);
 
   const std::uint32_t number;

@@ -32,7 +32,7 @@ class SceneBuilder {
  public:
   explicit SceneBuilder(SceneRole role) : role_(std::move(role)) {}
 
-  // What of the rig can be changed under way; none and 0 at first.
+  // Changes the parts of the rig that can change under way; no sectors and 0 at first.
   void set_rig(const std::vector<echo::BlankedSector>& blanked, double bearing_alignment_deg);
 
   // The same scene is returned while neither state, coast, rig nor what others have on the air has

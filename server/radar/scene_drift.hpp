@@ -1,4 +1,4 @@
-// What drifts in a scene: weather, and what the sea carries.
+// Drift in a scene: weather, and things that the sea carries.
 #pragma once
 
 #include <cstdint>

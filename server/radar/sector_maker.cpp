@@ -12,7 +12,8 @@ namespace {
 
 constexpr Length kFarthestCoast = nautical_miles(RangeScale::kNauticalMiles.back());
 
-// What a view shows of a radar on `range`: view 0 is the radar's own, others show at most as far.
+// The controls of a view while the radar is on `range`: view 0 is the radar's own, others reach at
+// most as far.
 echo::ViewControls shown_by(const ViewInForce& view, RangeScale range) {
   echo::ViewControls controls = view.controls;
   if (view.number == 0 || range.index() < controls.range_scale.index())
@@ -20,8 +21,8 @@ echo::ViewControls shown_by(const ViewInForce& view, RangeScale range) {
   return controls;
 }
 
-// Where the own ship is between two places that are a sector's sailing apart: straight in latitude
-// and longitude, 1e-7 m off at 30 m/s.  A share of 0 is `from`, of 1 `to`.
+// The own ship's place between two places that are a sector's sailing apart: linear in latitude and
+// longitude. Error: 1e-7 m at 30 m/s.  A share of 0 is `from`, of 1 `to`.
 GeoPoint between(GeoPoint from, GeoPoint to, double share) {
   const double east = to.longitude_deg - from.longitude_deg;
   // Across the antimeridian, or at a pole: the nearer of the two.

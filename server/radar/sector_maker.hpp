@@ -72,10 +72,10 @@ class SectorMaker {
   void turn(std::uint64_t first, const echo::RadarControls& controls);
   const echo::SpokeClock& clock() const { return clock_; }
 
-  // What the radar has on the air with those controls.
+  // The radar's transmission with those controls.
   Emission emission(const echo::RadarControls& controls, RangeScale range) const;
 
-  // What it asks of the coast: as far as its rows reach, at most the longest range scale.
+  // The coast it asks for: as far as its rows reach, at most the longest range scale.
   CoastWish wish(const ShipState& own_ship, const std::vector<ViewInForce>& views,
                  std::uint64_t tag) const;
 

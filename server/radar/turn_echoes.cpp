@@ -71,7 +71,7 @@ void TurnEchoes::lay_grid() {
   returns_.reset();
   for (Block& block : blocks_) block.number.reset();
 
-  // As radar_model() has it, of the pulse in use.
+  // Made as radar_model() makes it, for the pulse in use.
   echo::RadarSet set = config.set;
   set.pulses = {grid_.pulse};
   const echo::RadarModel model = echo::with_cells_of(

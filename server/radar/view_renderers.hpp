@@ -21,8 +21,8 @@ class ViewRenderers {
                 const echo::SpokeClock& clock, std::uint32_t radar, RangeScale range,
                 const echo::RadarControls& controls, echo::ParallelFor parallel);
 
-  // What is on the air, and how the antenna turns.  Another clock or antenna height makes the
-  // returns anew, and no receiver forgets anything.
+  // Sets the transmission and the antenna's turning.  A new clock or antenna height makes the
+  // returns anew; receivers keep their state.
   void set_radar(RangeScale range, const echo::RadarControls& controls,
                  const echo::SpokeClock& clock);
 
@@ -40,9 +40,9 @@ class ViewRenderers {
   // echo::SpokeReturns::kMaxSector.
   void render(const echo::Scene& scene, std::uint64_t first, std::uint32_t count);
 
-  // Of a view that is there.
+  // The range scale of a view that exists.
   RangeScale range_of(std::uint32_t view) const;
-  // Where its last cell ends; 0 if that is at the range scale.
+  // The end of its last cell; 0 if that is at the range scale.
   Length instrumented_range_of(std::uint32_t view) const;
   std::span<const std::uint8_t> video(std::uint32_t view) const { return views_.at(view).video; }
   // One class per cell of video(), or empty where the view wants none.

@@ -24,7 +24,7 @@ class Checkpoints {
   // A checkpoint that this spoke ends, as it is not the next one or kTime after the first.
   std::optional<recording::Input> add(std::uint32_t radar, std::uint32_t view,
                                       const FramedSpoke& spoke);
-  // What has begun and not ended, of one view after the other.
+  // The next view's open checkpoint: begun and not ended.
   std::optional<recording::Input> take();
 
  private:

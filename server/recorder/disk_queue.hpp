@@ -81,7 +81,7 @@ class DiskQueue {
   // `file_removed`: the open file has no name any more.
   After finish(DiskJob job, Outcome outcome, bool file_removed);
 
-  // What the disk has found.
+  // Reports of the disk's thread.
   void opened(const std::string& file);
   void wrote(std::size_t bytes);
   void file_gone() { state_.file_is_gone = true; }

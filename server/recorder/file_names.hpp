@@ -16,7 +16,7 @@ inline constexpr std::string_view kFileEnding = ".mcap";
 // Why that cannot be a recording's name, if it cannot: letters of any script and digits, and within
 // them space, ".", "_" and "-".  So no name leaves its folder, hides in it or looks like another.
 std::optional<std::string> fault_in_file_name(std::string_view name);
-// Of a mark: any UTF-8 text without control characters.
+// A mark's name may be any UTF-8 text without control characters.
 std::optional<std::string> fault_in_mark_name(std::string_view name);
 
 // "2026-11-22 103000Z".

@@ -289,7 +289,7 @@ void Recorder::look_at_session(std::chrono::steady_clock::time_point now) {
   if (!starts) wanted_ = false;
 }
 
-// What was recorded is on its way to the disk, or there.
+// The recording has ended; its data is on its way to the disk, or there.
 void Recorder::look_at_disk() {
   if (!finishing_) return;
   const DiskState disk = disk_.state();

@@ -29,13 +29,13 @@ constexpr std::uint32_t kMaxNumber = 1'000'000;
   throw FolderError(what + ": " + std::strerror(error), is_want_of_room(error));
 }
 
-// What stands in a list may be anybody's: only what this recorder would itself have named so.
+// A list may hold any name; only names that this recorder gives are taken.
 bool is_recording_name(std::string_view line) {
   return line.size() > kFileEnding.size() && line.ends_with(kFileEnding) &&
          line.find('/') == std::string_view::npos && line.front() != '.';
 }
 
-// Nothing if the system does not say, or it is no plain file.
+// nullopt if the system does not say, or it is no plain file.
 std::optional<struct statx> status_of(int directory, const std::string& name, int flags) {
   struct statx status {};
   if (::statx(directory, name.c_str(), AT_SYMLINK_NOFOLLOW | flags, STATX_BASIC_STATS | STATX_BTIME,

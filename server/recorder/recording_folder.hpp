@@ -19,7 +19,7 @@ std::optional<std::uint64_t> free_bytes_at(const std::string& folder);
 // Whether an errno says that the disk, or somebody's share of it, is full.
 bool is_want_of_room(int error);
 
-// What cannot be done with a file, in words that name it.
+// An operation on a file that failed, with the file's name.
 class FolderError : public std::runtime_error {
  public:
   explicit FolderError(const std::string& text, bool for_want_of_room = false)
@@ -47,7 +47,7 @@ class RecordingFolder {
 
   // Removes files of the list, oldest first and never `present`, until all of the list have at most
   // `keep_bytes` together and none is older than `keep_time`; 0: whatever they have.
-  // What was removed.  A file that took the place of one of the list is not one of it.
+  // Returns the names removed.  A file that replaced a listed one is not removed.
   std::vector<std::string> remove_old(std::uint64_t keep_bytes, std::chrono::seconds keep_time,
                                       const std::string& present);
 
@@ -55,7 +55,7 @@ class RecordingFolder {
   bool has(const FileDescriptor& file, const std::string& name) const;
   // Bytes free for this process on the folder's disk; nothing if the system does not say.
   std::optional<std::uint64_t> free_bytes() const;
-  // What is in the folder is on the disk by name.
+  // Writes the folder's names to the disk.
   void sync() const;
 
  private:

@@ -26,7 +26,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// What time it is where the video comes from.
+// The present time of the video's source.
 UtcTime present(RadarHost& host) {
   if (const PlaybackPort* playback = host.playback()) {
     const wire::PlaybackState state = playback->state();
@@ -194,7 +194,7 @@ void RecordingSession::look_at_views() {
           },
       .closed =
           [this](RingReader& reader) {
-            // Nothing comes any more: it ends.
+            // The view is closed, so this loop ends.
             while (take_spokes(reader, kSectorsAtOnce)) continue;
             add_event(Event::OTHER, "view closed", &reader);
           },

@@ -48,16 +48,17 @@ class RecordingSession {
  private:
   SeriesWriter::Additions additions();
   void begin_file();
-  // Of an item that has none of its own: now, and where a file begins, before all that follows.
+  // The time of an item that has none of its own: now; at the begin of a file, before all that
+  // follows.
   UtcTime item_time() const;
   void look_at_views();
   bool take_spokes();
-  // What the reader's ring has, of at most so many sectors; true: more may wait.
+  // Takes the spokes of at most so many sectors from the reader's ring; true if more may wait.
   bool take_spokes(RingReader& reader, int sectors);
   void take_sector(RingReader& reader, const EncodedSector& sector);
   void add_inputs();
   void add_changes(bool all);
-  // Nothing of a view that has just been closed: its settings are no longer known.
+  // Adds nothing for a view that has just been closed: its settings are no longer known.
   void add_settings(RingReader& reader, UtcTime time);
   void add_ships();
   void add_event(recording::Event::Kind kind, std::string text, const RingReader* of = nullptr,

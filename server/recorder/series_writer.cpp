@@ -65,7 +65,7 @@ void SeriesWriter::prepare_chunk() {
     event.set_text(missing.disk_was_full ? "the disk was full" : "the disk was too slow");
     note_event(event);
   }
-  // Of what radar they were, the disk does not know.
+  // The disk does not know which radar they belong to.
   const std::uint64_t lost = disk_.state().spokes_lost;
   if (lost > lost_told_) {
     Event event;
@@ -149,7 +149,8 @@ void SeriesWriter::look_at_clock(Steady now, UtcTime now_utc) {
   const DiskState disk = disk_.state();
   if (disk.file == left_) return;  // not opened yet: files do not queue up
   const bool is_gone = now - file_begun_ >= kGoneAfter && disk.file_is_gone;
-  // What has no room would have none in the next, unless that of a file that is gone comes free.
+  // A chunk that finds no room here finds none in the next file either, unless a removed file makes
+  // room.
   if (!is_gone && ((!large && !long_enough) || disk.is_full || !flush())) return;
   if (is_gone) flush();
   left_ = disk.file;

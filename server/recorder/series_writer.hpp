@@ -32,7 +32,7 @@ class SeriesWriter {
   static constexpr std::size_t kChunkBytes = 2u << 20;  // before compression
   static constexpr std::size_t kMaxKept = 10'000;       // items that are given again
 
-  // What the recording adds by itself, with add(), keep() and attach().
+  // Callbacks in which the recording adds its own items, with add(), keep() and attach().
   struct Additions {
     std::function<void()> file_begins;  // to every file
     std::function<void()> chunk_ends;   // to every chunk
@@ -92,7 +92,8 @@ class SeriesWriter {
   std::map<View, Missing> missing_;  // not yet told in a file
   DiskWriter::Taken taken_ = DiskWriter::Taken::yes;
   std::uint64_t spokes_ = 0, dropped_ = 0;
-  // Of those that were taken and the disk lost: told in a file, and told in the chunk.
+  // Spokes that were taken and then lost by the disk: those reported in a file, and those in the
+  // chunk.
   std::uint64_t lost_told_ = 0, lost_in_chunk_ = 0;
 };
 

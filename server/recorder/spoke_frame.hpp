@@ -15,8 +15,8 @@ struct FramedSpoke {
   UtcTime utc{};
 };
 
-// Of one frame of a ServerMessage that holds a spoke, as append_spoke_frame() makes it; nothing if
-// it is none.
+// Reads one frame of a ServerMessage that holds a spoke, as append_spoke_frame() makes it; nullopt
+// if it is something else.
 std::optional<FramedSpoke> framed_spoke(std::span<const std::uint8_t> frame);
 
 }  // namespace skerry::server

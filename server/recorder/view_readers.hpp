@@ -17,7 +17,8 @@ namespace skerry::server {
 // Thread: the recorder's.
 class ViewReaders {
  public:
-  // Of all radars, in one file: what a file says of its views stays in memory until its end.
+  // Views of all radars in one file.  The file's descriptions of its views stay in memory until its
+  // end.
   static constexpr std::size_t kMaxInFile = 10'000;
 
   struct Wanted {

@@ -28,7 +28,7 @@ struct ComparisonResult {
   std::string sha256;
 
   bool is_identical() const { return different + missing + checkpoints_wrong == 0; }
-  // Nothing recorded to compare with.
+  // Whether there was no recorded video to compare with.
   bool is_empty() const { return compared + hashed == 0; }
 };
 

@@ -14,7 +14,7 @@
 
 namespace skerry::server {
 
-// What the application makes of a scenario, as RadarServer has it.
+// The parts that the application makes of a scenario, as RadarServer makes them.
 struct ExercisePlan {
   scenario::Scenario scenario;
   std::vector<RadarConfig> radars;

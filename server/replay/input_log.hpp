@@ -47,7 +47,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
   std::vector<ExerciseDocument> documents() const override { return documents_; }
 
  private:
-  // What a radar had in its last sector.
+  // The inputs of a radar's last sector.
   struct Last {
     std::optional<echo::RadarControls> radar;
     std::vector<ViewInForce> views;
@@ -58,7 +58,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
     std::uint64_t skipped_sectors = 0;
     std::atomic<std::uint64_t> reached{0};  // 1 + first spoke of the last sector; 0: none
   };
-  // What of `inputs` differs; true if anything does.
+  // Adds the members of `inputs` that differ; true if any does.
   static bool tell_differences(Last& last, const SectorInputs& inputs,
                                recording::Input::Taken& taken);
   void end_skipping(Last& last, std::uint32_t radar);

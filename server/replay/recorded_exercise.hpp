@@ -13,7 +13,7 @@
 
 namespace skerry::server {
 
-// Of one radar, by the first spoke of sectors.
+// The inputs of one radar, by the first spoke of sectors.
 struct RadarInputs {
   std::optional<recording::Input::Taken> warm_up;
   std::map<std::uint64_t, recording::Input::Taken> taken;
@@ -23,7 +23,7 @@ struct RadarInputs {
   bool is_skipped(std::uint64_t first) const;
 };
 
-// What the world was given from a tick on: Order, Fix or Environment.
+// An input of the world from a tick on: Order, Fix or Environment.
 struct WorldInput {
   std::uint64_t tick = 0;
   recording::Input input;

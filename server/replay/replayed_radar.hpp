@@ -21,7 +21,7 @@ struct ReplayError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What all radars had on the air, of every version.
+// The transmissions of all radars, every version of them.
 class EmissionHistory {
  public:
   explicit EmissionHistory(std::size_t radars) : airwaves_(radars), versions_{airwaves_.get()} {}
@@ -47,7 +47,7 @@ class ReplayedRadar {
                 const echo::ChartSource& chart, const echo::CoastRules& rules,
                 EmissionHistory& emissions);
 
-  // As RadarServer does it before the start; the world is at time 0.
+  // Asks as RadarServer does before its start; the world is at time 0.
   // Error: std::runtime_error if the chart cannot be read; ReplayError.
   void ask_for_coast(const WorldState& state);
   void warm_up(const WorldStatePtr& state);

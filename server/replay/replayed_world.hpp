@@ -24,7 +24,7 @@ class ReplayedWorld {
   ReplayedWorld(const scenario::Scenario& scenario, const std::vector<WorldInput>& inputs,
                 EnvironmentChanger changer);
 
-  // As Timeline::at(), every input given at its tick.
+  // The world at a time, as Timeline::at() has it, with every input given at its tick.
   WorldStatePtr at(ScenarioTime time);
 
   // The first input that the world refused: the recording is not of this scenario.

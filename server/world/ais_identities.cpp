@@ -43,7 +43,7 @@ void fill_in_mmsi(scenario::Scenario& scenario) {
   take(scenario.targets());
   take(scenario.racons());
   Numbers numbers(taken);
-  // By its place in the list, so that a ship keeps hers when another is added behind.
+  // Numbered by place in the list, so that a ship keeps her number when another is added behind.
   std::uint32_t place = 0;
   for (auto& ship : *scenario.mutable_own_ships()) numbers.give(ship, kOwnShips + place++);
   place = 0;

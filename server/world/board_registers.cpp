@@ -18,7 +18,7 @@ using board::Reg;
 std::uint32_t nearest(double x) { return static_cast<std::uint32_t>(std::floor(x + 0.5)); }
 std::uint32_t as_register(std::int64_t x) { return static_cast<std::uint32_t>(x); }
 
-// What the board has where the scenario gives nothing.
+// The board's value where the scenario gives none.
 std::uint32_t reset_value(Reg reg, std::uint32_t channel = 0) {
   return as_register(board::find_register(board::channel_address(reg, channel))->reset);
 }
@@ -109,7 +109,7 @@ std::string channel_key(std::size_t channel) {
   return channel == 0 ? "board.channel_a." : "board.channel_b.";
 }
 
-// What the board will judge: the map's values and over them what the scenario gives.
+// The settings that the board will check: the map's values, overridden by the scenario's.
 board::JudgedSettings judged(const scenario::Radar& radar, const echo::Pulse& pulse) {
   const std::function<std::uint32_t(const std::string&)> any = [](const std::string&) {
     return 0u;

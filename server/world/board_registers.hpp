@@ -15,8 +15,8 @@ namespace skerry::server {
 // Addresses and values (protocol/board/registers.hpp), each allowed by itself.
 using RegisterValues = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// What `radar.board` gives, and no more.  `index_of`: a radar's index in the server, by its name.
-// Requires a board without complaint.
+// The registers that `radar.board` sets, and no others.  `index_of`: a radar's index in the server,
+// by its name. Requires a board without complaint.
 RegisterValues board_registers(const scenario::Radar& radar,
                                const std::function<std::uint32_t(const std::string&)>& index_of);
 

@@ -12,7 +12,8 @@ namespace skerry::server {
 namespace {
 
 constexpr double kAtRest_mps = 0.005;
-// Of what is worked out: a new value's share where it is a second after the last.
+// Time constant of worked-out motion: sets a new value's share when it comes a second after the
+// last.
 constexpr double kMemory_s = 1.0;
 constexpr double kShortest_s = 0.02;
 

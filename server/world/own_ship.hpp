@@ -33,7 +33,7 @@ namespace skerry::server {
 // While fixes of an outside simulator come, they drive her instead (driven_motion.hpp).  After the
 // last she goes on by herself, on the heading and at the speed she had.
 //
-// Nothing is ever NaN: a time constant of 0 is an immediate response.  Thread: one at a time.
+// No value is ever NaN: a time constant of 0 is an immediate response.  Thread: one at a time.
 class OwnShip {
  public:
   // Under way on her course and speed, both ordered.

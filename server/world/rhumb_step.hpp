@@ -10,12 +10,12 @@ struct RhumbEnd {
   bool over_pole = false;  // the course is then reversed: who sails north over the pole sails south
 };
 
-// Where a ship is after `distance_m` (negative: astern) on the constant true course `course_deg`,
-// on the WGS-84 ellipsoid.  A track that reaches a pole goes on straight, down the meridian
-// opposite to the one it came on (exact for courses 000 and 180; a slanting rhumb line winds around
-// the pole without end and comes out on any meridian).
+// The place of a ship after `distance_m` (negative: astern) on the constant true course
+// `course_deg`, on the WGS-84 ellipsoid.  A track that reaches a pole goes on straight, down the
+// meridian opposite to the one it came on (exact for courses 000 and 180; a slanting rhumb line
+// winds around the pole without end and comes out on any meridian).
 //
-// No distance is no step: who lies still does not creep by roundings.
+// A distance of 0 returns `from` exactly: a ship that lies still does not creep by rounding.
 // Error: that of GeographicLib::Rhumb, under 1e-7 m, and the rounding of degrees, 3e-9 m; 36 000
 // steps of one hour add up to less than 1e-3 m.  Held by RhumbStep.AnHourOfTicksIsOneRhumbLine.
 // Always finite and within [-90, 90] and [-180, 180) for finite arguments, |distance_m| < 2e7.

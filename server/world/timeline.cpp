@@ -26,7 +26,7 @@ void Timeline::make_up_to(std::uint64_t tick) {
   const std::uint64_t last = std::min(tick, world_.tick() + most);
   while (world_.tick() < last) {
     world_.step();
-    // Of a long jump, only the end is ever looked at.
+    // Only the end of a long jump is ever read.
     if (last - world_.tick() < kKept) {
       kept_[world_.tick() % kKept] = std::make_shared<const WorldState>(world_.state());
     }

@@ -20,10 +20,10 @@ namespace skerry::server {
 class World {
  public:
   static constexpr Duration kTick = std::chrono::milliseconds(100);
-  // What may be ordered, as in scenario.proto.
+  // Limits of ordered speeds, as in scenario.proto.
   static constexpr double kMinSpeedKn = -10.0, kMaxSpeedKn = 60.0;
 
-  // What a fix may say: beyond what any ship does, so that only nonsense is refused.
+  // Limits of a fix: beyond what any ship does, so that only nonsense is refused.
   static constexpr double kMaxDrivenSpeed_mps = 100.0, kMaxDrivenTurn_deg_min = 1200.0;
 
   // Requires a scenario that load_scenario() would accept.

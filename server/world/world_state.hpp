@@ -68,8 +68,8 @@ struct WorldState {
   std::vector<RainState> rain;
   std::vector<SmallTargetState> adrift;  // small targets that make way
   std::vector<SartState> sarts;          // not those that ships carry
-  // What neither moves nor changes: small targets without way, turbines, cables, racons are read
-  // from here.  Never null.
+  // The source of everything that neither moves nor changes: small targets without way, turbines,
+  // cables, racons.  Never null.
   std::shared_ptr<const scenario::Scenario> scenario;
 };
 using WorldStatePtr = std::shared_ptr<const WorldState>;

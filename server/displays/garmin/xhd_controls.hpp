@@ -18,15 +18,15 @@ class XhdControls {
  public:
   XhdControls();
 
-  // What the command asks of the radar; nothing if it only changes what is remembered here, or is
-  // not for a view (transmit).
+  // The command as a Set; empty if it only changes a value that is remembered here, or is not for a
+  // view (transmit).
   std::optional<wire::Set> set_of(const garmin::Command& command, const wire::Settings& now) const;
   // The command took effect; `after` is what came of it.
   void accept(const garmin::Command& command, const wire::Settings& after);
   // The settings changed, by whomever: levels are kept for when sea or rain is switched off.
   void observe(const wire::Settings& now);
 
-  // What a report of that type says; nothing for types that are no settings.
+  // The value of a report of that type; empty for types that are no settings.
   std::optional<std::int64_t> report(garmin::Type type, const wire::Settings& now) const;
 
   const DisplayRanges& ranges() const { return ranges_; }

@@ -12,8 +12,8 @@
 
 namespace skerry::server {
 
-// Where the antenna pointed at the last spoke sent, of garmin::kAnglesPerTurn.  Written by the
-// radar's thread, read by net-0.
+// The antenna's angle at the last spoke sent, in units of 1 / garmin::kAnglesPerTurn of a turn.
+// Written by the radar's thread, read by net-0.
 using XhdAntenna = std::shared_ptr<std::atomic<std::uint32_t>>;
 
 // Thread: one at a time.

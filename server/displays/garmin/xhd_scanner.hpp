@@ -19,7 +19,7 @@ class XhdScanner {
   XhdScanner(const XhdScannerTimes& times, bool transmits, ScenarioTime now);
 
   void ask(bool on, ScenarioTime now);
-  // What the radar does, after anybody's change.
+  // Follows the radar's state after anybody's change.
   void follow(bool transmits, ScenarioTime now);
   // Goes on in time.  True at the moment when the radar has to go on the air; if it cannot,
   // follow() tells.
@@ -27,10 +27,10 @@ class XhdScanner {
 
   garmin::ScannerState state() const { return state_; }
   bool is_asked_for() const;
-  // What a real one counts down from ten seconds, whatever the state really takes; 0 where nothing
-  // is to change.
+  // A real radar counts down from ten seconds, however long the state takes; 0 where no change is
+  // due.
   std::uint32_t until_change_ms(ScenarioTime now) const;
-  // Of the antenna, rpm, where `full_rpm` is how fast it turns for a picture.
+  // The antenna's speed, rpm; `full_rpm` is its speed while it makes a picture.
   double rpm(ScenarioTime now, double full_rpm) const;
   // 2 stands, 0 is about to turn, 1 turns.  Reported as 0x918.
   std::uint32_t motion() const;

@@ -33,7 +33,7 @@ Duration period_of(NavicoReport report) {
                                                                             : kReportPeriod;
 }
 
-// Where a change of that kind is reported.
+// The report that holds a change of that kind.
 NavicoReport report_of(CommandKind kind) {
   switch (kind) {
     case CommandKind::range:

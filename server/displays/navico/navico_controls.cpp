@@ -15,7 +15,8 @@ using navico::Model;
 
 constexpr double kDmPerNauticalMile = 18520.0;
 constexpr std::int32_t kTurnTenths = 3600;
-// Of the scan speeds 0 .. 3, as a HALO24 turns: 23.7, 29.4, .., 51 in the recordings.
+// Antenna speeds of scan speeds 0 .. 3.  A HALO24 turns at 23.7, 29.4, .., 51 rpm in the
+// recordings.
 constexpr std::array<double, 4> kSpeeds_rpm = {24.0, 30.0, 36.0, 48.0};
 
 double from_level(std::int32_t raw) { return raw * 100.0 / 255.0; }

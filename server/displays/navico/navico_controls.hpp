@@ -12,16 +12,15 @@
 
 namespace skerry::server {
 
-// Of one range, A or B.  A value that a display set comes back exactly: levels of 0..255 and steps
-// of 0..3 are shares of 100, and what the server has no setting for (local interference, sea state,
-// parking, light) is remembered here.
+// The controls of one range, A or B.  A display reads back exactly the value it set.  Levels of
+// 0..255 and steps of 0..3 are shares of 100.  Values for which the server has no setting (local
+// interference, sea state, parking, light) are remembered here.
 class NavicoControls {
  public:
   explicit NavicoControls(navico::Model model) : model_(model) {}
 
-  // What is to be changed; nothing if the radar does not know the command or the value.  One that
-  // changes nothing but what is remembered gives an empty Set.  Not for transmit and those that
-  // ask.
+  // The command as a Set; nullopt if the radar does not know the command or the value.  A command
+  // that only changes a remembered value gives an empty Set.  Not for transmit or requests.
   std::optional<wire::Set> change(const navico::Command& command, const wire::Settings& settings);
   // Takes note of settings, by whomever they were changed.
   void observe(const wire::Settings& settings);

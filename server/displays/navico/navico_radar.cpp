@@ -21,7 +21,7 @@ using navico::Command;
 using navico::CommandKind;
 using namespace std::chrono_literals;
 
-// What the radar's own IPv4 port is said to be; nobody is known to send to it.
+// The radar's own IPv4 port as reported; no display is known to send to it.
 constexpr std::uint16_t kRadarPort = 306;
 // Answers to questions are not sent more often than this, however many ask.
 constexpr Duration kLocatorPause = 50ms;

@@ -13,8 +13,8 @@
 
 namespace skerry::server {
 
-// What net-0 tells the radar's thread: whether the range transmits, and which range the display has
-// at which range scale.  Thread: any.
+// Carries from net-0 to the radar's thread whether the range transmits, and which range the display
+// has at which range scale.  Thread: any.
 class NavicoGate {
  public:
   void open(bool on) { open_.store(on, std::memory_order_relaxed); }

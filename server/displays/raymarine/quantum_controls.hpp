@@ -18,7 +18,7 @@ class QuantumControls {
  public:
   QuantumControls();
 
-  // What the command asks of the radar; nothing if it only changes what is remembered here.
+  // The command as a Set; empty if it only changes a value that is remembered here.
   std::optional<wire::Set> set_of(const raymarine::QuantumCommand& command,
                                   const wire::Settings& now) const;
   // The command took effect; `after` is what came of it.

@@ -17,8 +17,9 @@ std::optional<std::string> control_refusal(bool peer_is_loopback, std::string_vi
 // Empty if it is none.
 std::string host_name(std::string_view authority);
 
-// What a browser may use as Host.  A page of another site whose name was made to resolve to this
-// server (DNS rebinding) still sends that name, and is refused; an IP literal cannot be rebound.
+// The Host headers that browsers may send.  A page of another site whose name was made to resolve
+// to this server (DNS rebinding) still sends that name and is refused; an IP literal cannot be
+// rebound.
 struct HostPolicy {
   std::span<const std::string> allowed_hosts;
   bool any_ip_literal = false;  // as the server is bound to more than loopback

@@ -18,7 +18,7 @@ enum class NavigationTransport : std::uint8_t {
 
 // Most plotters and OpenCPN listen there.
 inline constexpr std::uint16_t kUsualNavigationPort = 10110;
-// Of one input or output over TCP.
+// Connections of one input or output over TCP.
 inline constexpr std::size_t kMostNavigationConnections = 64;
 
 // Own ship of a radar and what is around her, as NMEA 0183.  Any number of outputs.

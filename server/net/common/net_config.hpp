@@ -14,7 +14,7 @@
 
 namespace skerry::server {
 
-// What the server offers to Signal K displays.
+// The server's offer to Signal K displays.
 struct SignalkConfig {
   bool serve = true;  // beside the web console, on the HTTP port
   signalk::Dialect dialect = signalk::Dialect::current;
@@ -39,8 +39,7 @@ struct NetConfig {
   std::vector<NavigationOutputConfig> navigation_outputs;
   std::vector<NavigationInputConfig> navigation_inputs;
 
-  // What a Set message from elsewhere than this host must carry; empty: none is accepted from
-  // there.
+  // The token that a Set from another host must carry; empty: a Set from another host is refused.
   std::string control_token;
   // Names, without port, by which browsers may address this server, besides localhost and, when
   // `bind` is no loopback address, any IP literal.

@@ -42,8 +42,8 @@ class NetContext {
   // context.
   SpokeFeed* find_feed(std::uint32_t radar, std::uint32_t view, const std::string& format);
 
-  // Of a radar's interface board, kRecordsFormat or kSignalsFormat; nullptr if it has none.  Lives
-  // as long as the context.
+  // The feed of a radar's interface board in kRecordsFormat or kSignalsFormat; nullptr if it has
+  // none.  Lives as long as the context.
   SpokeFeed* find_board_feed(std::uint32_t radar, const std::string& format);
 
   // A further view with the settings of view `like`, for native clients; nothing if the radar has

@@ -1,4 +1,4 @@
-// Where radars' pictures go besides consoles: streams of datagrams, and emulated radars of other
+// Outputs of radar pictures besides consoles: streams of datagrams, and emulated radars of other
 // makers.
 #pragma once
 
@@ -63,7 +63,7 @@ struct DisplayOutputConfig {
   // The radar's own IPv4 address: where it sends from, and whose interface it is on.
   std::string interface_address = "127.0.0.1";
   int ttl = 0;  // 0 .. 255; 0: this host, 1: this network
-  // Of range A, then of B; the last one stands for those not given.
+  // Sources of range A, then of B; the last one stands for those not given.
   std::vector<OutputSource> sources = {{}};
   bool obeys = true;  // otherwise displays only look: their commands are refused
   // The radar's spokes leave it together in bursts so long apart; 0: each when it is complete.

@@ -25,9 +25,10 @@ class RecordingNews {
   struct Frames {
     SharedBytes recorder, playback;
   };
-  // What is due.  Call it ten times a second: so often, at most, is anything told.
+  // The messages that are due.  Call it ten times a second, which is the most often that a message
+  // is sent.
   Frames due(std::chrono::steady_clock::time_point now);
-  // As of now, for a console that just came.
+  // The present state, for a console that has just connected.
   Frames all() const;
 
  private:

@@ -28,7 +28,7 @@ class FeedReader {
   virtual void on_world(const SharedBytes& /*frame*/) {}
   virtual void on_recorder(const SharedBytes& /*frame*/) {}
   virtual void on_playback(const SharedBytes& /*frame*/) {}
-  // Of a board's feed: what may wait in the kernel, now and then anew.
+  // A board's feed calls it now and then: the bytes that may wait in the kernel.
   virtual void on_send_buffer(std::size_t /*bytes*/) {}
 };
 

@@ -1,4 +1,4 @@
-// What TCP and WebSocket connections have in common: their socket's options and peer.
+// Socket options and peer of TCP and WebSocket connections.
 #pragma once
 
 #include <string>

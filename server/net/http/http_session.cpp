@@ -160,7 +160,7 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
   const HostPolicy policy{.allowed_hosts = context_.config.allowed_hosts,
                           .any_ip_literal = !error && !is_loopback(bound)};
   if (auto text = host_refusal(*host, policy)) return web_error(403, "403: " + *text);
-  // What only reads may be asked for by any page; the browser keeps the answer from it.
+  // Any page may send a request that only reads; the browser does not show it the answer.
   const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
   if (reads && !websocket::is_upgrade(request)) return std::nullopt;
   if (request.count(http::field::origin) > 1) return web_error(400, "400: more than one Origin");

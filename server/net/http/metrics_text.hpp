@@ -12,8 +12,9 @@ namespace skerry::server {
 
 enum class MetricsFormat { prometheus, openmetrics };
 
-// What an Accept header asks for (several are joined by commas): OpenMetrics where it is named and
-// not less wanted than plain text, otherwise the older format, which everything reads.
+// The format that an Accept header asks for (several headers are joined by commas): OpenMetrics
+// where it is named and not less wanted than plain text, otherwise the older format, which
+// everything reads.
 MetricsFormat metrics_format(std::string_view accept);
 std::string_view metrics_mime(MetricsFormat format);
 
@@ -41,9 +42,9 @@ class MetricsText {
 
   explicit MetricsText(MetricsFormat format) : format_(format) {}
 
-  // What comes next is of this family; without samples nothing is written of it.  `name` is without
-  // _total and _info and not used before; its last word is its unit if that is seconds, bytes or
-  // ratio.  `help` has no line breaks, quotes and backslashes.  Both outlive the family's samples.
+  // Begins a family; one without samples is not written.  `name` is new and without _total and
+  // _info; its last word is its unit if that is seconds, bytes or ratio.  `help` has no line
+  // breaks, quotes or backslashes.  Both outlive the family's samples.
   void family(std::string_view name, MetricKind kind, std::string_view help);
   // Labels that the family does not have yet; an info is 1.
   void add(std::string_view labels, MetricValue value);

@@ -1,4 +1,4 @@
-// What HTTP requests get: decided without a socket.
+// Answers to HTTP requests, decided without a socket.
 #pragma once
 
 #include <span>

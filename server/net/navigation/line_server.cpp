@@ -13,7 +13,7 @@ namespace {
 
 // How long a connection is not read from that has said too much.
 constexpr std::chrono::milliseconds kPause{100};
-// What may wait in the kernel for a slow receiver.
+// Bytes that may wait in the kernel for a slow receiver.
 constexpr std::size_t kLinesSendBuffer = 32 * 1024;
 
 }  // namespace

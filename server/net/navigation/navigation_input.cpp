@@ -16,7 +16,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// Of jumps to the log.
+// Between two lines about jumps in the log.
 constexpr std::chrono::seconds kJumpPause{1};
 
 [[noreturn]] void fail_input(const NavigationInputConfig& config, const std::string& reason) {

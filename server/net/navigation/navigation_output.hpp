@@ -25,7 +25,7 @@ class NavigationOutput {
   void start();
   void close();
 
-  // Where it sends, or listens: "127.0.0.1:10110".
+  // The address it sends to or listens on: "127.0.0.1:10110".
   std::string address() const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace skerry::server {
 
-// What one of them takes for itself.
+// An address or identity that an output takes for itself.
 struct OutputClaim {
   std::string name;  // "output 2 (navico_br24, radar 0)"
   std::string interface_address;

@@ -41,7 +41,7 @@ std::optional<std::string> fault_of(const Cat240StreamShape& shape) {
   return std::nullopt;
 }
 
-// What goes into one datagram of CAT240, if that is left to the server.
+// Octets of one datagram of CAT240, if that is left to the server.
 std::size_t longest_block(const UdpDestination& to) {
   if (to.max_datagram != 0) return to.max_datagram;
   error_code error;

@@ -21,7 +21,7 @@ struct OutgoingDatagram {
   std::uint32_t spoke = 0;  // to which of the sector's spokes it belongs
 };
 
-// What a sender sends, and how it is cut into datagrams.
+// The stream of a sender, and how it is cut into datagrams.
 struct UdpStream {
   enum class Cut { native, records, cat240 };  // cat240: one data block to a datagram
   Cut cut = Cut::native;

@@ -23,7 +23,7 @@ SectorEncoder signalk_encoder() {
           next = std::uint64_t{0}](const Sector& sector) mutable -> EncodedSectorPtr {
     const SpokeHeader& first = sector.spokes.front()->header;
     const SignalkShape shape = signalk_shape(first.geometry);
-    // What was begun before nobody looked is of another time.
+    // A spoke begun before nobody watched belongs to an earlier time.
     if (!resampler || first.sequence != next) resampler.emplace(shape.turn_spokes, shape.cells);
     next = sector.spokes.back()->header.sequence + 1;
 

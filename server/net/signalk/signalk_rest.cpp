@@ -15,7 +15,7 @@ namespace {
 using signalk::Json;
 using Parts = std::vector<std::string_view>;
 
-// Where the list of radars stands; older displays look elsewhere.
+// The path of the list of radars; older displays look elsewhere.
 struct Root {
   std::string_view path;
   bool keyed;  // answered as Dialect::keyed

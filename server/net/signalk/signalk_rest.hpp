@@ -29,7 +29,7 @@ bool is_signalk_path(std::string_view path);
 WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config,
                          std::string_view control_token, const SignalkRequest& request);
 
-// What a WebSocket at that path is: spokes of a radar, the delta stream, or nothing of Signal K.
+// The kind of WebSocket at a path: spokes of a radar, the delta stream, or not Signal K's.
 struct SignalkStream {
   SignalkSite::Mounted* spokes = nullptr;  // nullptr: deltas
 };

@@ -24,7 +24,7 @@ class SignalkService {
   // Error: std::runtime_error as Listener's, or for a radar that is not there.
   SignalkService(NetContext& context, const ServeHttp& serve);
 
-  // Of the server's HTTP port; nullptr if none is served.
+  // The site on the server's HTTP port; nullptr if none is served.
   SignalkSite* first() { return sites_.empty() ? nullptr : sites_.front().get(); }
 
   void start();

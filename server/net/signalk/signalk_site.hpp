@@ -18,7 +18,7 @@
 
 namespace skerry::server {
 
-// What became of a request: an HTTP status and why.
+// The result of a request: an HTTP status and its reason.
 struct SignalkOutcome {
   unsigned status = 200;
   std::string message = "OK";
@@ -48,7 +48,7 @@ class SignalkSite {
     SignalkTargets targets;
   };
   std::vector<Mounted>& radars() { return radars_; }
-  // By its id, or "_default": the first.  nullptr if there is none.
+  // Finds it by its id; "_default" is the first.  nullptr if there is none.
   Mounted* find(std::string_view id);
 
   const std::string& server() const { return server_; }

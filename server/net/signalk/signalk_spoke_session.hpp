@@ -13,7 +13,7 @@ namespace skerry::server {
 
 // Sends messages of kMessageSpokes spokes or more, and what is left of them ten times a second; at
 // most one is in flight.  What waits meanwhile waits in the ring, which overwrites it and counts.
-// What the client sends is read and thrown away.  Thread: net-0.
+// Bytes from the client are read and thrown away.  Thread: net-0.
 class SignalkSpokeSession final : public Connection,
                                   public FeedReader,
                                   public SignalkListener,
