@@ -221,7 +221,7 @@ test('a view of one’s own has its own gain and range, and the shared one keeps
   await openFlat({});
   await page.locator('input[name=view][value=own] + span').click();
   await page.waitForFunction(() => window.skerry.settings()?.view === 1);
-  assert.equal(await page.locator('#range option[value="12"]').isDisabled(), true, 'no farther than the radar');
+  assert.equal(await page.locator('#range option[value="12"]').evaluate((option) => option.disabled), true, 'no farther than the radar');
   await setSlider('gain', 40);
   await page.locator('#range').selectOption('3');
   await page.waitForFunction(() => window.skerry.settings().gain === 40 && window.skerry.settings().rangeNm === 3);
