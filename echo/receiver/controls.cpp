@@ -4,31 +4,29 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
+
+#include "echo/receiver/control_row.hpp"
 
 namespace skerry::echo {
 namespace {
 
-struct Named {
-  const char* name;
-  double value;
-  double least = 0.0, most = 100.0;
-  bool or_zero = false;
-};
-
-std::optional<std::string> fault(const Named& control) {
+std::optional<std::string> fault(std::string_view name, double value, double least, double most,
+                                 bool or_zero = false) {
   // Comparisons are false for NaN.
-  if (control.value >= control.least && control.value <= control.most) return std::nullopt;
-  if (control.or_zero && control.value == 0.0) return std::nullopt;
+  if ((value >= least && value <= most) || (or_zero && value == 0.0)) return std::nullopt;
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%s must lie within %g and %g%s, is %g", control.name,
-                control.least, control.most, control.or_zero ? " or be 0" : "", control.value);
+  std::snprintf(text.data(), text.size(), "%.*s must lie within %g and %g%s, is %g",
+                static_cast<int>(name.size()), name.data(), least, most, or_zero ? " or be 0" : "",
+                value);
   return std::string(text.data());
 }
 
-template <std::size_t N>
-std::optional<std::string> first_control_fault(const std::array<Named, N>& all) {
-  for (const Named& control : all) {
-    if (auto found = fault(control)) return found;
+template <typename Rows, typename Controls>
+std::optional<std::string> first_fault(const Rows& rows, const Controls& controls) {
+  for (const auto& row : rows) {
+    if (auto found = fault(row.name, row.get(controls), row.min, row.max, row.or_zero))
+      return found;
   }
   return std::nullopt;
 }
@@ -62,8 +60,6 @@ ModeSettings settings_of(PictureMode mode) {
   return {true, true, 50.0, 50.0, 10.0, 40.0, 0.0, 0.0, 30.0, 60.0, 0.0};
 }
 
-constexpr double kFarthestShown =
-    2.0 * nautical_miles(RangeScale::kNauticalMiles.back()).in_metres();
 constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;  // of the range scale
 
 }  // namespace
@@ -117,28 +113,14 @@ std::optional<std::string> fault_of(const RadarControls& controls) {
     return std::string(text.data());
   }
   for (const BlankedSector& sector : controls.blanked) {
-    if (auto found =
-            first_control_fault(std::array{Named{"blanked from", sector.from_deg, 0.0, 360.0},
-                                           Named{"blanked to", sector.to_deg, 0.0, 360.0}}))
-      return found;
+    if (auto found = fault("blanked from", sector.from_deg, 0.0, 360.0)) return found;
+    if (auto found = fault("blanked to", sector.to_deg, 0.0, 360.0)) return found;
   }
-  return first_control_fault(std::array{
-      Named{"tune", controls.tune}, Named{"rotation_rpm", controls.rotation_rpm, 10.0, 60.0, true},
-      Named{"bearing_alignment_deg", controls.bearing_alignment_deg, -180.0, 180.0},
-      Named{"antenna_height_m", controls.antenna_height_m, 1.0, 100.0, true}});
+  return first_fault(kRadarControlRows, controls);
 }
 
 std::optional<std::string> fault_of(const ViewControls& controls) {
-  return first_control_fault(std::array{
-      Named{"gain", controls.gain}, Named{"sea", controls.sea}, Named{"rain", controls.rain},
-      Named{"interference_rejection", controls.interference_rejection},
-      Named{"echo_stretch", controls.echo_stretch}, Named{"integration", controls.integration},
-      Named{"side_lobe_suppression", controls.side_lobe_suppression},
-      Named{"noise_rejection", controls.noise_rejection},
-      Named{"target_separation", controls.target_separation},
-      Named{"target_boost", controls.target_boost},
-      Named{"doppler_threshold_mps", controls.doppler_threshold_mps, 0.1, 20.0},
-      Named{"instrumented_range_m", controls.instrumented_range_m, 0.0, kFarthestShown}});
+  return first_fault(kViewControlRows, controls);
 }
 
 double tune_loss_db(const RadarControls& controls) {

@@ -35,6 +35,10 @@ enum class DopplerMode : std::uint8_t { off, both, approaching };
 // picture by itself.
 enum class PictureMode : std::uint8_t { custom, harbour, offshore, buoy, weather, bird };
 
+// The longest instrumented range: twice the longest range scale.
+inline constexpr double kFarthestShownM =
+    2.0 * nautical_miles(RangeScale::kNauticalMiles.back()).in_metres();
+
 // All but the range scale and the switches run from 0 to 100, as on a real set.
 struct ViewControls {
   RangeScale range_scale{};

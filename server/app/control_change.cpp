@@ -41,12 +41,22 @@ std::string text_of(const Message& message, const FieldDescriptor& field) {
   }
 }
 
+bool carries_fields(const FieldDescriptor& field) {
+  return field.message_type() == wire::Controls::descriptor() ||
+         field.message_type() == wire::Artefacts::descriptor();
+}
+
 // The plain fields that differ, under `prefix`.
 void add_differences(const Message& before, const Message& after, const std::string& prefix,
                      std::vector<ControlChange>& out) {
   const google::protobuf::Descriptor& type = *before.GetDescriptor();
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
+    if (carries_fields(field)) {
+      add_differences(before.GetReflection()->GetMessage(before, &field),
+                      after.GetReflection()->GetMessage(after, &field), prefix, out);
+      continue;
+    }
     if (field.is_repeated() || field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) continue;
     std::string was = text_of(before, field), is = text_of(after, field);
     if (was != is) out.push_back({prefix + field.name(), std::move(was), std::move(is)});

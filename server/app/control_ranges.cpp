@@ -11,91 +11,52 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/video/range_scale.hpp"
-
 namespace skerry::server {
 namespace {
 
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+using wire::Descriptor;
+using wire::FieldDescriptor;
+using wire::Message;
 
-struct Range {
-  std::string_view field;  // of the message
-  std::string_view name;   // in replies
-  double min, max;
-  std::string_view unit;
-};
+// The field of `set` whose type is the schema of controls; nullptr if there is none.
+const FieldDescriptor* carrier_of(const Descriptor& set, const Descriptor& controls) {
+  for (const FieldDescriptor* field : wire::fields_of(set)) {
+    if (field->message_type() == &controls) return field;
+  }
+  return nullptr;
+}
 
-// Each number of Set, BlankedSectors, WorldChange and RainChange; the ranges of the world are those
-// of scenario.proto, and an instrumented range goes to twice the longest range scale.  Held by
-// ControlRanges.EveryNumberHasARange.
-constexpr Range kRanges[] = {
-    {"course_deg", "course", 0.0, 360.0, " deg"},
-    {"speed_kn", "speed", -10.0, 60.0, " kn"},
-    {"range_nm", "range", 0.125, 96.0, " NM"},
-    {"gain", "gain", 0.0, 100.0, ""},
-    {"sea", "sea", 0.0, 100.0, ""},
-    {"rain", "rain", 0.0, 100.0, ""},
-    {"interference_rejection", "interference rejection", 0.0, 100.0, ""},
-    {"echo_stretch", "echo stretch", 0.0, 100.0, ""},
-    {"integration", "integration", 0.0, 100.0, ""},
-    {"tune", "tune", 0.0, 100.0, ""},
-    {"side_lobe_suppression", "side lobe suppression", 0.0, 100.0, ""},
-    {"noise_rejection", "noise rejection", 0.0, 100.0, ""},
-    {"target_separation", "target separation", 0.0, 100.0, ""},
-    {"target_boost", "target boost", 0.0, 100.0, ""},
-    {"doppler_threshold_mps", "doppler threshold", 0.1, 20.0, " m/s"},
-    {"instrumented_range_m", "instrumented range", 0.0, 355'584.0, " m"},
-    {"rotation_rpm", "rotation", 10.0, 60.0, " turns/min"},
-    {"bearing_alignment_deg", "bearing alignment", -180.0, 180.0, " deg"},
-    {"antenna_height_m", "antenna height", 1.0, 100.0, " m"},
-    {"from_deg", "blanked sector from", 0.0, 360.0, " deg"},
-    {"to_deg", "blanked sector to", 0.0, 360.0, " deg"},
-    {"sea_state", "sea state", 0.0, 6.0, ""},
-    {"wind_from_deg", "wind from", 0.0, 360.0, " deg"},
-    {"swell_height_m", "swell height", 0.0, 15.0, " m"},
-    {"swell_period_s", "swell period", 4.0, 25.0, " s"},
-    {"swell_from_deg", "swell from", 0.0, 360.0, " deg"},
-    {"wave_height_m", "wave height", 0.0, 15.0, " m"},
-    {"k_factor", "k factor", 0.8, 4.0, ""},
-    {"ducting", "ducting", 0.0, 1.0, ""},
-    {"latitude_deg", "rain latitude", -90.0, 90.0, " deg"},
-    {"longitude_deg", "rain longitude", -180.0, 180.0, " deg"},
-    {"radius_nm", "rain radius", 0.1, 50.0, " NM"},
-    {"rate_mm_h", "rain rate", 0.1, 100.0, " mm/h"},
-    {"drift_deg", "rain drift", 0.0, 360.0, " deg"},
-    {"drift_kn", "rain drift", 0.0, 60.0, " kn"},
-};
-
-std::string range_scales_text() {
-  return fmt::format("{}", fmt::join(RangeScale::kNauticalMiles, ", "));
+// The field of the schema that says what a number of a Set may be; nullptr if none does.
+const FieldDescriptor* ruled(const FieldDescriptor& field, const Descriptor& controls) {
+  const auto& own = wire::rule_of(field);
+  if (own.has_min() || own.has_max() || own.one_of_size() > 0) return &field;
+  return controls.FindFieldByName(field.name());
 }
 
 std::optional<wire::Reply> refusal_of_number(const FieldDescriptor& field, double value) {
-  const auto range = std::find_if(std::begin(kRanges), std::end(kRanges),
-                                  [&](const Range& r) { return r.field == field.name(); });
-  if (range == std::end(kRanges)) {
-    return refusal(wire::Reply::UNKNOWN, fmt::format("{}: has no range here", field.name()));
-  }
+  if (wire::is_allowed(field, value)) return std::nullopt;
+  const auto& rule = wire::rule_of(field);
   if (field.name() == "range_nm") {
-    if (RangeScale::find(value)) return std::nullopt;
-    return refusal(
-        wire::Reply::OUT_OF_RANGE,
-        fmt::format("range: {} NM is no range scale; allowed: {}", value, range_scales_text()));
+    return refusal(wire::Reply::OUT_OF_RANGE,
+                   fmt::format("range: {} NM is no range scale; allowed: {}", value,
+                               fmt::join(rule.one_of().begin(), rule.one_of().end(), ", ")));
   }
-  if (value >= range->min && value <= range->max) return std::nullopt;  // false for NaN
   return refusal(wire::Reply::OUT_OF_RANGE,
-                 fmt::format("{}: {} is out of range; allowed: {} to {}{}", range->name, value,
-                             range->min, range->max, range->unit));
+                 fmt::format("{}: {} is out of range; allowed: {}", wire::spoken_name(field), value,
+                             wire::allowed_by(rule)));
 }
 
-std::optional<wire::Reply> refusal_of_message(const Message& message);
+std::optional<wire::Reply> refusal_of_message(const Message& message, const Descriptor& controls);
 
-std::optional<wire::Reply> refusal_of_field(const Message& message, const FieldDescriptor& field) {
+std::optional<wire::Reply> refusal_of_field(const Message& message, const FieldDescriptor& field,
+                                            const Descriptor& controls) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
-      return refusal_of_number(field, reflection.GetDouble(message, &field));
+      if (const FieldDescriptor* const rule = ruled(field, controls)) {
+        return refusal_of_number(*rule, reflection.GetDouble(message, &field));
+      }
+      return refusal(wire::Reply::UNKNOWN, fmt::format("{}: has no range here", field.name()));
     case FieldDescriptor::CPPTYPE_ENUM: {
       const int value = reflection.GetEnumValue(message, &field);
       if (field.enum_type()->FindValueByNumber(value) != nullptr) return std::nullopt;
@@ -104,9 +65,12 @@ std::optional<wire::Reply> refusal_of_field(const Message& message, const FieldD
                                  field.enum_type()->value_count() - 1));
     }
     case FieldDescriptor::CPPTYPE_MESSAGE: {
-      if (!field.is_repeated()) return refusal_of_message(reflection.GetMessage(message, &field));
+      if (!field.is_repeated()) {
+        return refusal_of_message(reflection.GetMessage(message, &field), controls);
+      }
       for (int i = 0; i < reflection.FieldSize(message, &field); ++i) {
-        auto wrong = refusal_of_message(reflection.GetRepeatedMessage(message, &field, i));
+        auto wrong =
+            refusal_of_message(reflection.GetRepeatedMessage(message, &field, i), controls);
         if (wrong) return wrong;
       }
       return std::nullopt;
@@ -116,7 +80,7 @@ std::optional<wire::Reply> refusal_of_field(const Message& message, const FieldD
   }
 }
 
-std::optional<wire::Reply> refusal_of_message(const Message& message) {
+std::optional<wire::Reply> refusal_of_message(const Message& message, const Descriptor& controls) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   const auto& unknown = reflection.GetUnknownFields(message);
   if (!unknown.empty()) {
@@ -127,7 +91,7 @@ std::optional<wire::Reply> refusal_of_message(const Message& message) {
   std::vector<const FieldDescriptor*> fields;
   reflection.ListFields(message, &fields);
   for (const FieldDescriptor* field : fields) {
-    if (auto wrong = refusal_of_field(message, *field)) return wrong;
+    if (auto wrong = refusal_of_field(message, *field, controls)) return wrong;
   }
   return std::nullopt;
 }
@@ -135,6 +99,22 @@ std::optional<wire::Reply> refusal_of_message(const Message& message) {
 // What says where a Set goes and how, and changes nothing by itself.
 constexpr std::array<std::string_view, 6> kNotControls = {"radar", "view",   "token",
                                                           "lock",  "unlock", "instructor"};
+
+// Controls that a Set has fields of its own for do not come within `controls` as well.
+std::optional<wire::Reply> refusal_of_places(const Message& set, const Descriptor& controls) {
+  const FieldDescriptor* const outer = carrier_of(*set.GetDescriptor(), controls);
+  if (outer == nullptr) return std::nullopt;
+  const Message& inner = set.GetReflection()->GetMessage(set, outer);
+  std::vector<const FieldDescriptor*> present;
+  inner.GetReflection()->ListFields(inner, &present);
+  for (const FieldDescriptor* field : present) {
+    if (wire::place_of(*set.GetDescriptor(), *field)->outer != nullptr) continue;
+    return refusal(wire::Reply::MALFORMED,
+                   fmt::format("{}: is a field of {} itself, not of its {}", field->name(),
+                               set.GetDescriptor()->name(), outer->name()));
+  }
+  return std::nullopt;
+}
 
 std::optional<wire::Reply> refusal_of_locks(const wire::Set& set) {
   if (set.lock().empty() && set.unlock().empty()) return std::nullopt;
@@ -154,22 +134,28 @@ std::optional<wire::Reply> refusal_of_locks(const wire::Set& set) {
 
 }  // namespace
 
-std::vector<std::string> control_names() {
+std::vector<std::string> control_names(const Descriptor& set, const Descriptor& controls) {
   std::vector<std::string> names;
-  const google::protobuf::Descriptor& set = *wire::Set::descriptor();
-  for (int i = 0; i < set.field_count(); ++i) {
-    const std::string& name = set.field(i)->name();
-    if (std::find(kNotControls.begin(), kNotControls.end(), name) == kNotControls.end()) {
+  for (const FieldDescriptor* field : wire::fields_of(set)) {
+    const auto& name = field->name();
+    if (field != carrier_of(set, controls) &&
+        std::find(kNotControls.begin(), kNotControls.end(), name) == kNotControls.end()) {
       names.push_back(name);
     }
+  }
+  for (const FieldDescriptor* field : wire::fields_of(controls)) {
+    if (set.FindFieldByName(field->name()) == nullptr) names.push_back(field->name());
   }
   return names;
 }
 
+std::vector<std::string> control_names() {
+  return control_names(*wire::Set::descriptor(), *wire::Controls::descriptor());
+}
+
 bool is_control(const std::string& name) {
-  const FieldDescriptor* const field = wire::Set::descriptor()->FindFieldByName(name);
-  return field != nullptr &&
-         std::find(kNotControls.begin(), kNotControls.end(), name) == kNotControls.end();
+  const std::vector<std::string> names = control_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 wire::Reply refusal(wire::Reply::Code code, std::string text) {
@@ -179,8 +165,13 @@ wire::Reply refusal(wire::Reply::Code code, std::string text) {
   return reply;
 }
 
+std::optional<wire::Reply> refusal_of_values(const Message& set, const Descriptor& controls) {
+  if (auto wrong = refusal_of_message(set, controls)) return wrong;
+  return refusal_of_places(set, controls);
+}
+
 std::optional<wire::Reply> refusal_of(const wire::Set& set) {
-  if (auto wrong = refusal_of_message(set)) return wrong;
+  if (auto wrong = refusal_of_values(set, *wire::Controls::descriptor())) return wrong;
   if (set.blanked_sectors().sectors_size() > kMaxSectorsSet) {
     return refusal(wire::Reply::OUT_OF_RANGE,
                    fmt::format("blanked sectors: {} of them; allowed: at most {}",

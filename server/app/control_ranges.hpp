@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocol/wire/radar.pb.h"
+#include "protocol/wire/schema.hpp"
 
 namespace skerry::server {
 
@@ -15,10 +16,16 @@ namespace skerry::server {
 // the state of the radars is not looked at.
 std::optional<wire::Reply> refusal_of(const wire::Set& set);
 
+// Of that, what concerns values, for any message that carries controls of such a schema.
+std::optional<wire::Reply> refusal_of_values(const wire::Message& set,
+                                             const wire::Descriptor& controls);
+
 // As radar.proto has it.
 inline constexpr int kMaxSectorsSet = 4;
 
-// The fields of Set that change something, each of which may be locked.
+// The fields of Set, and of the controls it carries, that change something; each may be locked.
+std::vector<std::string> control_names(const wire::Descriptor& set,
+                                       const wire::Descriptor& controls);
 std::vector<std::string> control_names();
 bool is_control(const std::string& name);
 

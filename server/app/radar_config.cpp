@@ -5,25 +5,10 @@
 #include <stdexcept>
 
 #include "server/app/control_ranges.hpp"
+#include "server/radar/control_values.hpp"
 #include "server/world/radar_sets.hpp"
 
 namespace skerry::server {
-namespace {
-
-echo::PulseChoice choice_of(scenario::Radar::PulseChoice choice) {
-  switch (static_cast<int>(choice)) {
-    case 1:
-      return echo::PulseChoice::short_pulse;
-    case 2:
-      return echo::PulseChoice::medium_pulse;
-    case 3:
-      return echo::PulseChoice::long_pulse;
-    default:
-      return echo::PulseChoice::automatic;
-  }
-}
-
-}  // namespace
 
 RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std::size_t own_ship,
                          std::uint64_t seed) {
@@ -33,31 +18,9 @@ RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std:
   config.name = radar.name();
   config.set = radar_set(radar);
   config.geometry = {radar.spokes(), radar.cells(), radar.bits()};
-  config.controls.range_scale = *RangeScale::find(radar.range_nm());
-  config.controls.gain = radar.gain();
-  config.controls.sea = radar.sea();
-  config.controls.rain = radar.rain();
-  config.controls.sea_auto = radar.sea_auto();
-  config.controls.interference_rejection = radar.interference_rejection();
-  config.controls.echo_stretch = radar.echo_stretch();
-  config.controls.integration = radar.integration();
-  config.controls.stretch_bearing = radar.stretch_bearing();
-  config.controls.decimation =
-      radar.decimation() == scenario::Radar::mean ? echo::Decimation::mean : echo::Decimation::peak;
-  config.controls.gain_auto = radar.gain_auto();
-  config.controls.side_lobe_suppression = radar.side_lobe_suppression();
-  config.controls.side_lobe_auto = radar.side_lobe_auto();
-  config.controls.noise_rejection = radar.noise_rejection();
-  config.controls.target_separation = radar.target_separation();
-  config.controls.target_boost = radar.target_boost();
-  config.controls.doppler = static_cast<echo::DopplerMode>(radar.doppler());
-  config.controls.doppler_threshold_mps = radar.doppler_threshold_mps();
-  config.controls.mode = static_cast<echo::PictureMode>(radar.mode());
-  config.radar_controls.bearing_alignment_deg = radar.bearing_alignment_deg();
-  config.radar_controls.transmit = radar.transmit();
-  config.radar_controls.pulse = choice_of(radar.pulse());
-  config.radar_controls.tune_auto = radar.tune_auto();
-  config.radar_controls.tune = radar.tune();
+  config.controls.range_scale = *RangeScale::find(radar.controls().range_nm());
+  read_controls(radar.controls(), config.controls);
+  read_controls(radar.controls(), config.radar_controls);
   for (const scenario::Obstruction& said : radar.obstructions()) {
     config.obstructions.push_back(
         {said.bearing_deg(), said.width_m(), said.distance_m(), said.reflectivity()});

@@ -6,6 +6,7 @@
 
 #include "protocol/quantity/angle.hpp"
 #include "server/app/control_ranges.hpp"
+#include "server/world/artefact_switches.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/ship_units.hpp"
@@ -76,17 +77,7 @@ std::optional<wire::Reply> change_environment(const wire::WorldChange& change, S
   if (change.has_wave_height_m()) environment.wave_height_m = change.wave_height_m();
   if (change.has_k_factor()) environment.atmosphere.k_factor = change.k_factor();
   if (change.has_ducting()) environment.atmosphere.ducting = change.ducting();
-  echo::Artefacts& artefacts = environment.artefacts;
-  if (change.has_side_lobes()) artefacts.side_lobes = change.side_lobes();
-  if (change.has_multiple_echoes()) artefacts.multiple_echoes = change.multiple_echoes();
-  if (change.has_indirect_echoes()) artefacts.indirect_echoes = change.indirect_echoes();
-  if (change.has_shadow_sectors()) artefacts.shadow_sectors = change.shadow_sectors();
-  if (change.has_second_trace()) artefacts.second_trace = change.second_trace();
-  if (change.has_interference()) artefacts.interference = change.interference();
-  if (change.has_overhead_cables()) artefacts.overhead_cables = change.overhead_cables();
-  if (change.has_saturation()) artefacts.saturation = change.saturation();
-  if (change.has_minimum_range()) artefacts.minimum_range = change.minimum_range();
-  if (change.has_antenna_motion()) artefacts.antenna_motion = change.antenna_motion();
+  change_artefacts(change, environment.artefacts);
   if (auto wrong = remove_rain(change, environment)) return wrong;
   for (const wire::RainChange& rain : change.rain()) {
     if (auto wrong = change_rain(rain, now, environment)) return wrong;
@@ -116,17 +107,7 @@ wire::World world_message(const Environment& environment, ScenarioTime now) {
     cell.set_drift_deg(cloud.course_deg);
     cell.set_drift_kn(cloud.speed_mps / knots_in_mps(1.0));
   }
-  const echo::Artefacts& artefacts = environment.artefacts;
-  world.set_side_lobes(artefacts.side_lobes);
-  world.set_multiple_echoes(artefacts.multiple_echoes);
-  world.set_indirect_echoes(artefacts.indirect_echoes);
-  world.set_shadow_sectors(artefacts.shadow_sectors);
-  world.set_second_trace(artefacts.second_trace);
-  world.set_interference(artefacts.interference);
-  world.set_overhead_cables(artefacts.overhead_cables);
-  world.set_saturation(artefacts.saturation);
-  world.set_minimum_range(artefacts.minimum_range);
-  world.set_antenna_motion(artefacts.antenna_motion);
+  tell_artefacts(environment.artefacts, world);
   return world;
 }
 

@@ -151,7 +151,7 @@ float float_of(const Given& given) {
 }
 
 int enum_number_of(const Given& given) {
-  const auto* const value = given.field.enum_type()->FindValueByName(given.node.text);
+  const auto* const value = wire::value_named(given.field, given.node.text);
   if (given.node.kind != YamlNode::Kind::plain || value == nullptr) given.refuse_kind();
   return value->number();
 }
@@ -197,25 +197,6 @@ void require_readable(const FieldDescriptor& field) {
   }
 }
 
-const config::FieldRule& rule_of(const FieldDescriptor& field) {
-  return field.options().GetExtension(config::rule);
-}
-
-std::string allowed_by(const config::FieldRule& rule) {
-  std::string allowed;
-  if (rule.one_of_size() > 0) {
-    allowed = fmt::format("{}", fmt::join(rule.one_of().begin(), rule.one_of().end(), ", "));
-  } else if (rule.has_min() && rule.has_max()) {
-    allowed = fmt::format("{} to {}", rule.min(), rule.max());
-  } else if (rule.has_min()) {
-    allowed = fmt::format("at least {}", rule.min());
-  } else if (rule.has_max()) {
-    allowed = fmt::format("at most {}", rule.max());
-  }
-  if (!allowed.empty() && !rule.unit().empty()) allowed += " " + rule.unit();
-  return allowed;
-}
-
 std::string expected_by(const FieldDescriptor& field) {
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
@@ -231,7 +212,7 @@ std::string expected_by(const FieldDescriptor& field) {
     case FieldDescriptor::CPPTYPE_ENUM: {
       std::string names;
       for (int i = 0; i < field.enum_type()->value_count(); ++i) {
-        names += (i == 0 ? "one of " : ", ") + field.enum_type()->value(i)->name();
+        names += (i == 0 ? "one of " : ", ") + wire::word_of(*field.enum_type()->value(i));
       }
       return names;
     }

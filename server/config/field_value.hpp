@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "server/config/field_rules.pb.h"
+#include "protocol/wire/schema.hpp"
 #include "server/config/yaml_tree.hpp"
 
 namespace skerry::server {
@@ -17,11 +17,8 @@ inline constexpr std::size_t kMaxTextValueBytes = 4096;
 // Error: std::logic_error for a type that YAML files do not hold (bytes, maps).
 void require_readable(const google::protobuf::FieldDescriptor& field);
 
-// What the schema says of a field beyond its type.
-const config::FieldRule& rule_of(const google::protobuf::FieldDescriptor& field);
-
-// "10 to 60 turns/min", "4, 8 per cell", "at least 2 m"; empty if the rule bounds nothing.
-std::string allowed_by(const config::FieldRule& rule);
+using wire::allowed_by;
+using wire::rule_of;
 
 // "a number", "a whole number", "text", "true or false", "one of SLOW, FAST", "keys and values".
 std::string expected_by(const google::protobuf::FieldDescriptor& field);

@@ -56,6 +56,34 @@ void fill_absent(const FieldDescriptor& field, Message& out) {
   }
 }
 
+// What a map that is read into `schema` may have as keys: its fields, and those of a field that
+// stands in place, but for the ones that the schema has by that name itself or that are no keys.
+std::vector<const FieldDescriptor*> keys_of(const Descriptor& schema) {
+  std::vector<const FieldDescriptor*> keys;
+  for (const FieldDescriptor* field : wire::fields_of(schema)) {
+    if (!rule_of(*field).in_place()) {
+      keys.push_back(field);
+      continue;
+    }
+    for (const FieldDescriptor* inner : wire::fields_of(*field->message_type())) {
+      const bool own = schema.FindFieldByName(inner->name()) != nullptr;
+      if (!own && !wire::control_of(*inner).no_key()) keys.push_back(inner);
+    }
+  }
+  return keys;
+}
+
+// The message that has the field of a key: `out`, or the one in place within it.
+Message& holder_of(const FieldDescriptor& key, Message& out) {
+  if (key.containing_type() == out.GetDescriptor()) return out;
+  for (const FieldDescriptor* field : wire::fields_of(*out.GetDescriptor())) {
+    if (rule_of(*field).in_place() && field->message_type() == key.containing_type()) {
+      return *out.GetReflection()->MutableMessage(&out, field);
+    }
+  }
+  return out;
+}
+
 // Reads all that can be read; what cannot is an error in the source.
 class MessageReader {
  public:
@@ -67,27 +95,26 @@ class MessageReader {
       source_.refuse(path, "expected keys and values, given " + given_by(node));
       return;
     }
-    const Descriptor& schema = *out.GetDescriptor();
+    const std::vector<const FieldDescriptor*> known = keys_of(*out.GetDescriptor());
     std::map<const FieldDescriptor*, TextPlace> seen;
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
       const YamlNode& key = node.keys[i];
-      const FieldDescriptor* const field = field_of(key, path, schema);
+      const FieldDescriptor* const field = field_of(key, path, known);
       if (field == nullptr) continue;
       const std::string field_path = joined(path, field->name());
       const auto [earlier, first] = seen.emplace(field, key.place);
       if (first) {
-        read_field(node.items[i], *field, field_path, out);
+        read_field(node.items[i], *field, field_path, holder_of(*field, out));
       } else {
         source_.refuse(field_path,
                        fmt::format("given twice; first in line {}", earlier->second.line),
                        key.place);
       }
     }
-    for (int i = 0; i < schema.field_count(); ++i) {
-      const FieldDescriptor& field = *schema.field(i);
-      if (seen.count(&field) != 0) continue;
-      if (rule_of(field).required()) refuse_missing(node, field, path);
-      fill_absent(field, out);
+    for (const FieldDescriptor* field : known) {
+      if (seen.count(field) != 0) continue;
+      if (rule_of(*field).required()) refuse_missing(node, *field, path);
+      fill_absent(*field, holder_of(*field, out));
     }
   }
 
@@ -103,21 +130,22 @@ class MessageReader {
 
   // nullptr: there is no such field.
   const FieldDescriptor* field_of(const YamlNode& key, const std::string& path,
-                                  const Descriptor& schema) {
+                                  const std::vector<const FieldDescriptor*>& known) {
     if (key.kind != YamlNode::Kind::plain && key.kind != YamlNode::Kind::quoted) {
       source_.refuse(path, fmt::format("expected a key, given {}", given_by(key)), key.place);
       return nullptr;
     }
-    const FieldDescriptor* const field = schema.FindFieldByName(key.text);
-    if (field != nullptr) return field;
-    std::vector<std::string> known;
-    for (int i = 0; i < schema.field_count(); ++i) known.push_back(schema.field(i)->name());
-    const std::string nearest = nearest_key(key.text, known);
+    std::vector<std::string> names;
+    for (const FieldDescriptor* field : known) {
+      if (field->name() == key.text) return field;
+      names.push_back(field->name());
+    }
+    const std::string nearest = nearest_key(key.text, names);
     source_.refuse(
         joined(path, printable(key.text)),
         fmt::format("unknown key{}; known keys: {}",
                     nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest),
-                    fmt::join(known, ", ")),
+                    fmt::join(names, ", ")),
         key.place);
     return nullptr;
   }

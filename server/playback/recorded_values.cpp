@@ -1,12 +1,13 @@
 #include "server/playback/recorded_values.hpp"
 
-#include <google/protobuf/descriptor.h>
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "protocol/wire/controls.pb.h"
+#include "protocol/wire/schema.hpp"
 #include "server/playback/sendable_text.hpp"
 
 namespace skerry::server {
@@ -21,30 +22,13 @@ struct Range {
   double min, max;
 };
 
-// The numbers of Settings, OwnShip, World, Traffic and RadarInfo; as in a Set, and wider where
-// radars and ships of other makers are.
+// The numbers of Settings, OwnShip, World, Traffic and RadarInfo that are no controls; as in a Set,
+// and wider where radars and ships of other makers are.
 constexpr double kLast = 359.999999;  // [0, 360)
 constexpr Range kRanges[] = {
-    {"range_nm", 0.0, 96.0},
     {"radar_range_nm", 0.0, 96.0},
-    {"gain", 0.0, 100.0},
-    {"sea", 0.0, 100.0},
-    {"rain", 0.0, 100.0},
-    {"interference_rejection", 0.0, 100.0},
-    {"echo_stretch", 0.0, 100.0},
-    {"integration", 0.0, 100.0},
-    {"tune", 0.0, 100.0},
     {"pulse_length_us", 0.0, 1000.0},
     {"prf_hz", 0.0, 100'000.0},
-    {"side_lobe_suppression", 0.0, 100.0},
-    {"noise_rejection", 0.0, 100.0},
-    {"target_separation", 0.0, 100.0},
-    {"target_boost", 0.0, 100.0},
-    {"doppler_threshold_mps", 0.0, 20.0},
-    {"instrumented_range_m", 0.0, 355'584.0},
-    {"rotation_rpm", 0.0, 60.0},
-    {"bearing_alignment_deg", -180.0, 180.0},
-    {"antenna_height_m", 0.0, 100.0},
     {"from_deg", 0.0, 360.0},
     {"to_deg", 0.0, 360.0},
     {"scenario_s", 0.0, 1e9},
@@ -76,15 +60,24 @@ constexpr Range kRanges[] = {
     {"beam_width_deg", 0.0, 90.0},
 };
 
-const Range* range_of(std::string_view field) {
+// Controls may be 0 as well: of radars of other makers they are not known.
+std::optional<Range> range_of(const std::string& field) {
   const auto found = std::find_if(std::begin(kRanges), std::end(kRanges),
-                                  [field](const Range& range) { return range.field == field; });
-  return found == std::end(kRanges) ? nullptr : &*found;
+                                  [&](const Range& range) { return range.field == field; });
+  if (found != std::end(kRanges)) return *found;
+  const auto* const control = wire::Controls::descriptor()->FindFieldByName(field);
+  if (control == nullptr) return std::nullopt;
+  const config::FieldRule& rule = wire::rule_of(*control);
+  if (rule.one_of_size() > 0) {
+    return Range{field, 0.0, *std::max_element(rule.one_of().begin(), rule.one_of().end())};
+  }
+  if (!rule.has_max()) return std::nullopt;
+  return Range{field, std::min(rule.min(), 0.0), rule.max()};
 }
 
 double in_range(const FieldDescriptor& field, double value) {
-  const Range* range = range_of(field.name());
-  if (range == nullptr) return std::isfinite(value) ? value : 0.0;
+  const auto range = range_of(field.name());
+  if (!range) return std::isfinite(value) ? value : 0.0;
   // A NaN too fails the first comparison.
   return value > range->min ? std::min(value, range->max) : range->min;
 }
@@ -141,6 +134,6 @@ void bring_into_range(Message& message) {
   }
 }
 
-bool has_range(const std::string& field) { return range_of(field) != nullptr; }
+bool has_range(const std::string& field) { return range_of(field).has_value(); }
 
 }  // namespace skerry::server

@@ -1,32 +1,25 @@
 #include "server/playback/same_settings.hpp"
 
-#include <google/protobuf/descriptor.h>
-#include <google/protobuf/message.h>
-
-#include <string>
 #include <vector>
+
+#include "protocol/wire/schema.hpp"
 
 namespace skerry::server {
 namespace {
 
-using google::protobuf::FieldDescriptor;
+using wire::FieldDescriptor;
+using wire::Message;
 
-bool is_same(const wire::Set& set, const FieldDescriptor& asked, const wire::Settings& settings) {
-  if (asked.name() == "transmit") return set.transmit() != settings.standby();
-  const auto* is = wire::Settings::descriptor()->FindFieldByName(asked.name());
-  if (is == nullptr || is->is_repeated() || is->cpp_type() != asked.cpp_type()) return false;
-  const auto& wanted = *set.GetReflection();
-  const auto& held = *settings.GetReflection();
-  switch (asked.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return wanted.GetDouble(set, &asked) == held.GetDouble(settings, is);
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return wanted.GetBool(set, &asked) == held.GetBool(settings, is);
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return wanted.GetEnumValue(set, &asked) == held.GetEnumValue(settings, is);
-    default:
-      return false;
+// Whether all that is present in `asked`, a Set or the controls it carries, is so.
+bool is_same(const Message& asked, const wire::Settings& settings);
+
+bool is_same(const Message& asked, const FieldDescriptor& field, const wire::Settings& settings) {
+  if (field.message_type() == wire::Controls::descriptor()) {
+    return is_same(asked.GetReflection()->GetMessage(asked, &field), settings);
   }
+  const auto* const control = wire::Controls::descriptor()->FindFieldByName(field.name());
+  if (control == nullptr || control->message_type() != nullptr) return false;
+  return wire::value_of(asked, *control) == wire::value_of(settings, *control);
 }
 
 bool says_where_or_who(const FieldDescriptor& field) {
@@ -34,17 +27,20 @@ bool says_where_or_who(const FieldDescriptor& field) {
          field.name() == "token";
 }
 
+bool is_same(const Message& asked, const wire::Settings& settings) {
+  if (!asked.GetReflection()->GetUnknownFields(asked).empty()) return false;
+  std::vector<const FieldDescriptor*> present;
+  asked.GetReflection()->ListFields(asked, &present);
+  for (const FieldDescriptor* field : present) {
+    if (!says_where_or_who(*field) && !is_same(asked, *field, settings)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool is_so_already(const wire::Set& set, const wire::Settings& settings) {
-  if (!set.GetReflection()->GetUnknownFields(set).empty()) return false;
-  std::vector<const FieldDescriptor*> present;
-  set.GetReflection()->ListFields(set, &present);
-  for (const FieldDescriptor* field : present) {
-    if (says_where_or_who(*field)) continue;
-    if (field->is_repeated() || !is_same(set, *field, settings)) return false;
-  }
-  return true;
+  return is_same(set, settings);
 }
 
 }  // namespace skerry::server

@@ -101,8 +101,8 @@ echo::Pulse pulse_of(const scenario::Radar& radar) {
   const echo::RadarSet set = radar_set(radar);
   const std::uint32_t code = radar.board().pulse();
   if (code >= 1 && code <= set.pulses.size()) return set.pulses[code - 1];
-  return set.pulse_for(*RangeScale::find(radar.range_nm()),
-                       static_cast<echo::PulseChoice>(static_cast<int>(radar.pulse())));
+  return set.pulse_for(*RangeScale::find(radar.controls().range_nm()),
+                       static_cast<echo::PulseChoice>(static_cast<int>(radar.controls().pulse())));
 }
 
 std::string channel_key(std::size_t channel) {

@@ -2,6 +2,7 @@
 
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/length.hpp"
+#include "server/world/artefact_switches.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
 
@@ -26,18 +27,7 @@ Environment environment_of(const scenario::Scenario& scenario) {
     cloud.rate_mm_h = cell.rate_mm_h();
     environment.rain.push_back(cloud);
   }
-  const scenario::Artefacts& said = scenario.artefacts();
-  echo::Artefacts& artefacts = environment.artefacts;
-  artefacts.side_lobes = said.side_lobes();
-  artefacts.multiple_echoes = said.multiple_echoes();
-  artefacts.indirect_echoes = said.indirect_echoes();
-  artefacts.shadow_sectors = said.shadow_sectors();
-  artefacts.second_trace = said.second_trace();
-  artefacts.interference = said.interference();
-  artefacts.overhead_cables = said.overhead_cables();
-  artefacts.saturation = said.saturation();
-  artefacts.minimum_range = said.minimum_range();
-  artefacts.antenna_motion = said.antenna_motion();
+  change_artefacts(scenario.artefacts(), environment.artefacts);
   return environment;
 }
 

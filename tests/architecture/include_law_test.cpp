@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
              "#include <boost/asio.hpp>\n#include \"echo/kernel/hash.hpp\"\n"},
         Case{"JustShortEnough", "server/net/made_up.cpp", std::string(400, '\n')},
         Case{"ProtoImportsLower", "server/app/made_up.proto",
-             "import \"server/config/field_rules.proto\";\n"
+             "import \"protocol/wire/field_rules.proto\";\n"
              "import \"google/protobuf/descriptor.proto\";\n"}),
     name_of);
 

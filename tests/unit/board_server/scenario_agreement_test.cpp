@@ -31,7 +31,7 @@ void fill(scenario::BoardChannel& channel, Random& random) {
 scenario::Radar random_radar(Random& random) {
   scenario::Radar radar;
   const double ranges[] = {0.75, 3.0, 12.0, 48.0};
-  radar.set_range_nm(ranges[up_to(random, 3)]);
+  radar.mutable_controls()->set_range_nm(ranges[up_to(random, 3)]);
   scenario::Board& board = *radar.mutable_board();
   if (one_in(random, 2)) board.set_sample_clock_mhz(1.0 + up_to(random, 124'000) / 1000.0);
   if (one_in(random, 2)) board.set_pulse(up_to(random, 5));
@@ -51,7 +51,7 @@ bool board_has_fault(const scenario::Radar& radar) {
   setup.set = radar_set(radar);
   setup.initial = board_registers(radar, [](const std::string&) { return 0u; });
   setup.on_air = [&] {
-    return BoardSetup::OnAir{setup.set.pulse_for(*RangeScale::find(radar.range_nm())), true};
+    return BoardSetup::OnAir{setup.set.pulse_for(*RangeScale::find(radar.controls().range_nm())), true};
   };
   Board board(setup);
   BoardBatch batch;

@@ -161,7 +161,7 @@ TEST(YamlValues, OfTextAreOneLineOfBoundedLength) {
 
 TEST(YamlValues, OfSignedNumbersFloatsAndEnumsAreRead) {
   const test::EveryKind all = loaded(
-      "signed_whole: -2147483648\nsigned_big: -9223372036854775808\nsingle: -3e38\npace: FAST");
+      "signed_whole: -2147483648\nsigned_big: -9223372036854775808\nsingle: -3e38\npace: fast");
   EXPECT_EQ(all.signed_whole(), std::numeric_limits<std::int32_t>::min());
   EXPECT_EQ(all.signed_big(), std::numeric_limits<std::int64_t>::min());
   EXPECT_EQ(all.single(), -3e38f);
@@ -175,8 +175,8 @@ TEST(YamlValues, OfSignedNumbersFloatsAndEnumsAreRead) {
             "t.yaml:1:13: signed_big: -9223372036854775809 is out of range; allowed: "
             "-9223372036854775808 to 9223372036854775807");
   EXPECT_EQ(refusal("single: 4e38"), "t.yaml:1:9: single: 4e38 is out of range");
-  EXPECT_EQ(refusal("pace: fast"), "t.yaml:1:7: pace: expected one of SLOW, FAST, given fast");
-  EXPECT_EQ(refusal("pace: 1"), "t.yaml:1:7: pace: expected one of SLOW, FAST, given 1");
+  EXPECT_EQ(refusal("pace: quick"), "t.yaml:1:7: pace: expected one of slow, fast, given quick");
+  EXPECT_EQ(refusal("pace: 1"), "t.yaml:1:7: pace: expected one of slow, fast, given 1");
 }
 
 TEST(YamlValues, OfWholeNumbersMayBeHexadecimal) {
@@ -206,7 +206,7 @@ TEST(YamlValues, OfAnAbsentSectionAreItsDefaultsUnlessItIsOptional) {
   EXPECT_FALSE(all.has_own_section());
   EXPECT_FALSE(all.has_part()) << "it has a required key";
   EXPECT_FALSE(all.has_inner()) << "it holds itself";
-  const test::EveryKind given = loaded("section: {inner: {pace: SLOW}}\nown_section: {}");
+  const test::EveryKind given = loaded("section: {inner: {pace: slow}}\nown_section: {}");
   EXPECT_EQ(given.section().port(), 7410u);
   EXPECT_EQ(given.section().inner().pace(), test::SLOW);
   EXPECT_EQ(given.own_section().port(), 7410u);

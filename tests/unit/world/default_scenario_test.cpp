@@ -42,8 +42,8 @@ TEST(DefaultScenario, HasTwoOwnShipsOneOfThemWithXAndSBandAndADozenTargets) {
     EXPECT_GT(ship.position().lon(), 4.8);
     EXPECT_LT(ship.position().lon(), 5.3);
   }
-  EXPECT_EQ(bergen.own_ships(0).radars(0).range_nm(), 6.0);
-  EXPECT_EQ(bergen.own_ships(1).radars(0).range_nm(), 12.0);
+  EXPECT_EQ(bergen.own_ships(0).radars(0).controls().range_nm(), 6.0);
+  EXPECT_EQ(bergen.own_ships(1).radars(0).controls().range_nm(), 12.0);
   ASSERT_EQ(bergen.own_ships(1).radars_size(), 2);
   EXPECT_EQ(radar_set(bergen.own_ships(1).radars(1)).band(), echo::Band::s);
 }

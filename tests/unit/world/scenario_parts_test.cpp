@@ -276,11 +276,11 @@ TEST(ScenarioEquipment, StartsWithTheControlsThatDisplaysHave) {
       "gain_auto: true, side_lobe_suppression: 10, noise_rejection: 20, target_separation: 30, "
       "target_boost: 40, doppler: both, doppler_threshold_mps: 1.5, mode: harbour, "
       "bearing_alignment_deg: -3, locked: [gain, world]");
-  EXPECT_TRUE(radar.gain_auto());
-  EXPECT_EQ(radar.doppler(), scenario::Radar::both);
-  EXPECT_EQ(radar.mode(), scenario::Radar::harbour);
+  EXPECT_TRUE(radar.controls().gain_auto());
+  EXPECT_EQ(radar.controls().doppler(), wire::DOPPLER_BOTH);
+  EXPECT_EQ(radar.controls().mode(), wire::HARBOUR);
   EXPECT_EQ(radar.locked_size(), 2);
-  EXPECT_EQ(radar_of("").doppler_threshold_mps(), 2.0);
+  EXPECT_EQ(radar_of("").controls().doppler_threshold_mps(), 2.0);
   EXPECT_NE(refusal(with_radar("target_boost: 101")), "");
   EXPECT_NE(refusal(with_radar("doppler_threshold_mps: 0")), "");
 }

@@ -34,7 +34,7 @@ TEST(Scenario, FillsInDefaultsAndNames) {
   EXPECT_EQ(ship.radars(0).name(), "Frida 1");
   EXPECT_EQ(ship.radars(1).name(), "Aft");
   EXPECT_EQ(ship.radars(0).spokes(), 4096u);
-  EXPECT_EQ(ship.radars(0).range_nm(), 6.0);
+  EXPECT_EQ(ship.radars(0).controls().range_nm(), 6.0);
 }
 
 TEST(Scenario, RefusesWhatTheSchemaForbids) {
