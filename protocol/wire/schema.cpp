@@ -55,8 +55,8 @@ void put_number(Message& message, const FieldDescriptor& field, double value) {
 }
 
 std::string without_unit(const std::string& name) {
-  static constexpr std::array<std::string_view, 9> kUnits = {"_mm_h", "_mps", "_rpm", "_deg", "_kn",
-                                                             "_nm",   "_us",  "_m",   "_s"};
+  static constexpr std::array<std::string_view, 10> kUnits = {
+      "_mm_h", "_mps", "_rpm", "_deg", "_kn", "_nm", "_us", "_db", "_m", "_s"};
   for (const std::string_view unit : kUnits) {
     if (std::string_view(name).ends_with(unit)) return name.substr(0, name.size() - unit.size());
   }
