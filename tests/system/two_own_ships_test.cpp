@@ -81,7 +81,8 @@ TEST(TwoOwnShips, MakeTheSameCoastOfTheChart) {
   std::vector<View> views;
   for (const scenario::OwnShip& ship : scenario.own_ships()) {
     const scenario::Radar& radar = ship.radars(0);
-    const double range = nautical_miles(radar.controls().range_nm()).in_metres(), cell = range / radar.cells();
+    const double range = nautical_miles(radar.controls().range_nm()).in_metres(),
+                 cell = range / radar.cells();
     const auto picture =
         picture_at(place_of(ship), scenario.seed(), range, cell, 360.0 / radar.spokes());
     views.push_back({place_of(ship), range, cell, on_earth(*picture)});

@@ -51,7 +51,8 @@ bool board_has_fault(const scenario::Radar& radar) {
   setup.set = radar_set(radar);
   setup.initial = board_registers(radar, [](const std::string&) { return 0u; });
   setup.on_air = [&] {
-    return BoardSetup::OnAir{setup.set.pulse_for(*RangeScale::find(radar.controls().range_nm())), true};
+    return BoardSetup::OnAir{setup.set.pulse_for(*RangeScale::find(radar.controls().range_nm())),
+                             true};
   };
   Board board(setup);
   BoardBatch batch;
