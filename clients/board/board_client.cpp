@@ -21,7 +21,7 @@ using NextRecord = ClientResult<std::optional<board::DecodedRecord>>;
 constexpr std::chrono::milliseconds kLookAfterServer{50};
 // Messages taken at each look: a server may send more than anybody reads.
 constexpr int kMostPerLook = 64;
-// What a message that waits takes beyond its bytes.
+// Memory of a waiting message beyond its bytes.
 constexpr std::size_t kWaitingOverhead = 64;
 
 }  // namespace
@@ -46,7 +46,7 @@ class BoardClient::Connection {
   std::uint64_t records_lost() const { return records_lost_; }
 
  private:
-  // What came before the OK reply to a request and belongs to it.
+  // The answer that came before the OK reply to its request.
   struct Answer {
     std::optional<wire::BoardReply> reply;
     std::optional<wire::BoardRecords> records;
@@ -237,7 +237,7 @@ ClientResult<Done> BoardClient::Connection::map_ring(Deadline deadline) {
   return Done{};
 }
 
-// Nothing for a record of a kind that does not exist yet: BOARD.md has readers pass over it.
+// Empty for a record of a kind that does not exist yet: readers skip it, as BOARD.md says.
 NextRecord BoardClient::Connection::decode(std::span<const std::uint8_t> bytes) {
   const auto prefix = board::record_prefix(bytes);
   auto record = board::decode_record(bytes);

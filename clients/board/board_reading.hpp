@@ -1,4 +1,4 @@
-// What every reader of a board works out of its registers and sweeps.
+// Values that every reader of a board computes from its registers and sweeps.
 #pragma once
 
 #include <cstdint>

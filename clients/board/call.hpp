@@ -1,4 +1,5 @@
-// What every call of the C interface does: catches, words, checks, and the boards handed out.
+// Common parts of all calls of the C interface: exceptions, error texts, checks, and the boards
+// handed out.
 #pragma once
 
 #include <cstddef>

@@ -120,7 +120,7 @@ SKB_API int32_t skb_read_register64(skb_board* board, uint32_t address, uint64_t
 SKB_API int32_t skb_read_registers(skb_board* board, const uint32_t* addresses, uint32_t* values,
                                    size_t count);
 
-// By name, e.g. "PRF_MILLIHERTZ", letters of either case.  A 64-bit value has its name without
+// Reads a register by name, e.g. "PRF_MILLIHERTZ", letters of either case.  A 64-bit value has its name without
 // _LOW: "CLOCKS", "LATCHED_UTC_NS".  A signed register's value is signed.
 SKB_API int32_t skb_read_named(skb_board* board, const char* name, int64_t* value);
 SKB_API int32_t skb_write_named(skb_board* board, const char* name, int64_t value);
@@ -175,7 +175,7 @@ typedef struct skb_channel {
   double range_step_m;    // ... and from one sample to the next
 } skb_channel;
 
-// What the board latched at the trigger.  Ticks are of the sample clock.
+// Values that the board latched at the trigger.  Ticks are of the sample clock.
 typedef struct skb_sweep {
   uint64_t sequence;  // +1 for every record of the board, of whatever kind; 0 from the FIFO
   uint64_t trigger_count;

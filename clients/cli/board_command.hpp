@@ -1,4 +1,4 @@
-// What the subcommands of `skerry board` share, and the list of them.
+// Parts that the subcommands of `skerry board` share, and the list of them.
 #pragma once
 
 #include <chrono>
@@ -45,9 +45,9 @@ class PatientReader {
  public:
   PatientReader(BoardClient& client, const BoardPlace& place, std::string wanted);
 
-  // Nothing after an error, which has been reported.
+  // nullopt after an error, which has been reported.
   std::optional<board::DecodedRecord> next();
-  // What is wanted has come: the timeout begins anew.
+  // Called when the wanted record has come: the timeout begins anew.
   void came();
 
  private:
@@ -57,7 +57,7 @@ class PatientReader {
   std::chrono::steady_clock::time_point last_;
 };
 
-// As report(), with the advice that suits a board.
+// Reports as report() does, with advice that suits a board.
 int report_board(const ClientError& error);
 
 }  // namespace skerry::client

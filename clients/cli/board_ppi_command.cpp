@@ -95,7 +95,7 @@ struct Turn {
   std::uint32_t faults = 0;  // of all its sweeps
 };
 
-// Nothing after an error, which has been reported.
+// nullopt after an error, which has been reported.
 std::optional<Turn> take_turn(BoardClient& client, ShipWatch& ship, const BoardPpiOptions& options,
                               RangeScale range) {
   const std::size_t channel = options.channel == "B" ? 1 : 0;

@@ -28,13 +28,13 @@ struct ScopeColumn {
 std::vector<ScopeColumn> columns_of(const board::Sweep& sweep, std::size_t channel,
                                     const ScopeWindow& window, std::size_t columns);
 
-// What was latched at the trigger, a line each: trigger, azimuth, pulse and faults, channels.
+// The values latched at the trigger, a line each: trigger, azimuth, pulse and faults, channels.
 std::vector<std::string> scope_lines(const board::SweepMeta& meta);
 
 // Distances between the marks of an axis: 1, 2 or 5 times a power of ten, at most `marks` in
 // `length`.  Requires length > 0 and marks > 0.
 double mark_distance(double length, int marks);
-// What stands at a mark, of marks `distance` apart: "0" at zero, of whatever sign; `with_sign`:
+// The text at a mark, of marks `distance` apart: "0" at zero, of either sign; `with_sign`:
 // "+20" and "-20".
 std::string mark_text(double mark, double distance, bool with_sign = false);
 

@@ -47,7 +47,7 @@ class Capture {
         options_(options),
         signals_until_(std::chrono::steady_clock::now() + options.place.timeout()) {}
 
-  // Nothing after an error, which has been reported.
+  // nullopt after an error, which has been reported.
   std::optional<Captured> run() {
     while (!sweep_ || !signals_complete()) {
       auto record = reader_.next();
@@ -71,7 +71,7 @@ class Capture {
     if (wanted) sweep_ = std::move(sweep);
   }
 
-  // Of the last few milliseconds, as nobody knows yet which sweep it will be.
+  // Keeps the edges of the last few milliseconds: the sweep that will be shown is not known yet.
   void take(const board::Edges& edges) {
     if (!sweep_ && edges_.size() > 2 * board::kMaxEdges) {
       edges_.erase(edges_.begin(), edges_.begin() + board::kMaxEdges);
@@ -81,7 +81,7 @@ class Capture {
     edges_to_ = edges.to_tick;
   }
 
-  // Of the text none are needed; of the picture those of both sides of the trigger, but they are
+  // The text needs none; the picture needs those on both sides of the trigger, but they are
   // not waited for longer than for a sweep.
   bool signals_do_without() const {
     return options_.file.empty() || std::chrono::steady_clock::now() > signals_until_;

@@ -38,7 +38,7 @@ int run_board_set(const BoardSetOptions& options) {
     writes.push_back(*write);
     operations.push_back({.address = write->address, .write = write->value});
   }
-  // What became of it, at the same instant.
+  // Reads the results at the same instant.
   for (const RegisterWrite& write : writes) operations.push_back({.address = write.address});
   auto client = options.place.connect();
   if (!client) return report_board(client.error());

@@ -37,8 +37,8 @@ std::optional<FileSizes> room_for(const SignalOptions& options, const SignalPlan
   return std::nullopt;
 }
 
-// What the board sends until all that was wished for has come, or Ctrl-C.  Nothing after an error,
-// which has been reported.
+// Takes records until all that was wished for has come, or Ctrl-C.  nullopt after an error, which
+// has been reported.
 std::optional<SignalRecording> gather(BoardClient& client, const SignalOptions& options,
                                       const SignalPlan& plan) {
   using State = SignalGatherer::State;

@@ -1,4 +1,4 @@
-// What `skerry board signals` is asked to write, what that takes, and why it may not be done.
+// The files that `skerry board signals` will write, their sizes, and reasons to refuse.
 #pragma once
 
 #include <cstdint>

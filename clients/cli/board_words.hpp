@@ -23,12 +23,12 @@ std::string event_words(std::uint32_t events);
 // The word of a register's value: "rings" of TEST_MODE_A 2, the bits of FAULTS; empty where the
 // number says it all.
 std::string word_of(const board::RegisterInfo& info, std::uint32_t value);
-// As a number: two's complement where the register is signed.
+// The value as a number: two's complement where the register is signed.
 std::int64_t number_of(const board::RegisterInfo& info, std::uint32_t value);
 // "0 to 100 %", "0 to 1: log, linear".
 std::string range_words(const board::RegisterInfo& info);
-// What may be written, in a column: "0, 1000 .. 60000", "8, 10, 12 or 14", "2 .. 16384, even";
-// empty where nothing may.
+// Values that may be written: "0, 1000 .. 60000", "8, 10, 12 or 14", "2 .. 16384, even"; empty for
+// a read-only register.
 std::string range_column(const board::RegisterInfo& info);
 
 // A whole number, decimal or with 0x, negative or not; nothing if it is none or has over 32 bits.

@@ -1,4 +1,4 @@
-// What the commands of `skerry` share: how they are made, where the server is, how they end.
+// Parts that the commands of `skerry` share: how they are made, the server's address, how they end.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -36,7 +36,7 @@ Command make_coast_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
 Command make_recording_command(CLI::App& app);
 
-// Where the server is and how long it may be silent.
+// The server's address, and how long it may be silent.
 struct ServerPlace {
   std::string host = kDefaultHost;
   std::uint16_t port = kDefaultTcpPort;

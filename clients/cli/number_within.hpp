@@ -8,7 +8,7 @@
 
 namespace skerry::client {
 
-// As CLI::Range, which lets "nan" pass.
+// Like CLI::Range, but refuses "nan", which that lets pass.
 inline CLI::Validator number_within(double least, double most) {
   const std::string range = fmt::format("[{} - {}]", least, most);
   return CLI::Validator(

@@ -37,7 +37,7 @@ struct PlayOptions {
 // Lines of standard input as they come, without waiting for them.
 class Lines {
  public:
-  // Nothing if no whole line has come within `timeout`; waits that long at the end of input too.
+  // nullopt if no whole line has come within `timeout`; waits that long at the end of input too.
   std::optional<std::string> next(std::chrono::milliseconds timeout) {
     if (auto line = take()) return line;
     if (ended_) {

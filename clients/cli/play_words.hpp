@@ -1,4 +1,4 @@
-// What one says to a playback, in words: "seek 1:30".
+// Orders to a playback in words: "seek 1:30".
 #pragma once
 
 #include <string>

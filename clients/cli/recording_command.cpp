@@ -31,7 +31,7 @@ recording::WriterOptions PackingOptions::writer_options() const {
                                                : recording::Compression::zstd;
   options.compact = compact;
   options.zstd_level = zstd_level;
-  // What is made of a file need not be on the disk within the second: chunks end by their size.
+  // A file made of another need not be on the disk within the second: chunks end by their size.
   options.chunk_time = std::chrono::hours(1);
   return options;
 }

@@ -1,4 +1,4 @@
-// What the subcommands of `skerry recording` share, and the list of them.
+// Parts that the subcommands of `skerry recording` share, and the list of them.
 #pragma once
 
 #include <optional>
@@ -59,7 +59,7 @@ class ProgressBar {
   Progress progress_;
 };
 
-// Nothing after an error, which has been reported.  Says on stderr if the file is damaged.
+// nullopt after an error, which has been reported.  Reports a damaged file on stderr.
 std::optional<recording::RecordingReader> open_recording(const std::string& path);
 
 // "FILE: byte N: ..." and what to try; kExitFailure.

@@ -16,7 +16,7 @@ namespace {
 using recording::RecordingReader;
 using recording::RecordingWriter;
 
-// Where --mark begins and ends without --from and --to.
+// Seconds before and after --mark without --from and --to.
 constexpr double kAroundMark_s = 60.0;
 
 struct CutOptions {

@@ -67,8 +67,8 @@ bool may_write(const ExportOptions& options, const std::string& path) {
   return options.force || !std::filesystem::exists(path, error);
 }
 
-// What is written takes its place when it is whole; what no file can replace (a pipe, a device) is
-// written at once.  Errors: as of RecordingOutput and OutputFile.
+// The written file takes its place when it is whole; a pipe or device, which no file can replace,
+// is written at once.  Errors: as of RecordingOutput and OutputFile.
 class ExportFile {
  public:
   ExportFile(const std::string& path, bool replace) {

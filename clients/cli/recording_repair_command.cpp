@@ -21,7 +21,7 @@ int run_repair(const RepairOptions& options) {
   if (same_file(options.file, options.output)) {
     return report("a file is not repaired in place; give another name with -o");
   }
-  // What is replaced stays until the new one is whole.
+  // The old file stays until the new one is whole.
   const std::string beside = options.output + fmt::format(".repaired-{}", ::getpid());
   const std::string& to = options.force ? beside : options.output;
   ProgressBar bar("repairing");

@@ -1,4 +1,4 @@
-// What `skerry set` can change, as a table of options and the fields behind them.
+// The options of `skerry set` as a table, with the fields behind them.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ struct RainOptions {
            !remove.empty() || remove_all;
   }
 };
-// What is wrong with the options, if anything is.
+// Returns the fault of the options, if there is one.
 std::optional<std::string> add_rain(const RainOptions& options, wire::WorldChange& change);
 
 // "350-10", or "none" alone, which takes all away; what is wrong with them, if anything is.

@@ -41,7 +41,7 @@ class Photographer {
   Photographer(SpokeClient& client, const SnapshotOptions& options)
       : client_(client), options_(options) {}
 
-  // Nothing after an error, which has been reported.
+  // nullopt after an error, which has been reported.
   std::optional<Snapshot> run() {
     auto last_spoke = Clock::now();
     while (!interrupted()) {

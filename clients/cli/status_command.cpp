@@ -111,7 +111,8 @@ std::string controls(const wire::Status& status) {
   return out;
 }
 
-// What of a view and a radar is otherwise than usual; the table above has no room for all.
+// The controls of a view and a radar that are not at their usual values; the table has no room for
+// all.
 std::string special_controls(const wire::Settings& settings) {
   std::string text;
   const auto add = [&](bool shown, const std::string& part) {

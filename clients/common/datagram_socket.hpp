@@ -12,8 +12,9 @@
 
 namespace skerry::client {
 
-// Where to listen.  A multicast address is joined, on the default interface and on loopback; any
-// other is the local address to listen on: 127.0.0.1 hears only this host, 0.0.0.0 every interface.
+// The address to listen on.  A multicast address is joined, on the default interface and on
+// loopback; any other is the local address to listen on: 127.0.0.1 hears only this host, 0.0.0.0
+// every interface.
 struct UdpAddress {
   std::string address = kDefaultHost;
   std::uint16_t port = kDefaultUdpPort;  // 0: any free one

@@ -54,7 +54,7 @@ class MessageStream {
   // Both ends have the same address: the server runs on this host.
   bool is_local() const;
 
-  // What became of a request of that kind: no answer, or an answer that is an error.
+  // The failure of a request of that kind: no answer, or an answer that is an error.
   Failure<ClientError> no_answer(const char* kind) const;
   Failure<ClientError> rejected(const wire::Reply& reply) const;
 

@@ -50,7 +50,7 @@ ClientResult<Done> SpokeClient::Connection::open(const std::string& host, std::u
   return Done{};
 }
 
-// Nothing for a message without an event: a later kind that this library does not know, a Hello, or
+// Empty for a message without an event: a later kind that this library does not know, a Hello, or
 // the end of a status request.
 ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
     wire::ServerMessage& message) {

@@ -68,7 +68,7 @@ class SpokeClient {
   ClientResult<wire::Reply> record(const wire::Record& request, Duration timeout);
   ClientResult<wire::Reply> playback(const wire::Playback& request, Duration timeout);
 
-  // Of the spokes that receive() gave out since subscribe().
+  // Losses among the spokes since subscribe().
   const LossCounter& losses() const;
 
  private:

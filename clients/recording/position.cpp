@@ -9,7 +9,7 @@
 namespace skerry::client {
 namespace {
 
-// Of a long list, so many.
+// Marks named in a refusal.
 constexpr std::size_t kMarksInRefusal = 8;
 
 std::string marks_text(const recording::Summary& summary) {

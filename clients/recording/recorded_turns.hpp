@@ -25,7 +25,7 @@ struct RecordedPart {
   std::optional<UtcTime> from, to;
 };
 
-// What was passed over so far.
+// Counts of the parts skipped so far.
 struct NotRead {
   std::uint64_t spokes = 0;  // items that are none
   std::uint64_t chunks = 0;  // damaged, in part or all; also of those looked at behind the part

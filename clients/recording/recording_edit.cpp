@@ -115,7 +115,7 @@ struct Strand {
   std::optional<Item> item;
 };
 
-// Of inputs that several files of one exercise repeat, each once.
+// Passes each input once that several files of one exercise repeat.
 class InputSieve {
  public:
   // Whether it is new.

@@ -1,4 +1,4 @@
-// What is in a recording, for people and for programs.
+// The contents of a recording, for people and for programs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace skerry::client {
 
-// What reading every item found.
+// The result of reading every item.
 struct CheckReport {
   std::uint64_t items = 0;
   std::uint64_t chunks_damaged = 0;

@@ -46,7 +46,7 @@ Json extensions() {
   return Json::array({{{"name", "skerry"}, {"version", "1.0.0"}, {"optional", true}}});
 }
 
-// What a recording of one channel says about itself.
+// The description of a recording of one channel.
 class Meta {
  public:
   Meta(const SignalRecording& recording, const Waveform& waveform, SignalChannel channel)

@@ -9,7 +9,7 @@
 
 namespace skerry::client {
 
-// What the recordings of so many channels will take.
+// Octets that the recordings of so many channels will take.
 std::uint64_t sigmf_bytes(std::uint64_t samples, std::size_t channels);
 // Turns that are marked, at most; inspectrum draws a box for each.
 inline constexpr std::size_t kMaxAnnotations = 1000;

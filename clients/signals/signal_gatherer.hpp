@@ -9,7 +9,7 @@
 
 namespace skerry::client {
 
-// What is to be gathered.
+// The signals to gather.
 struct SignalWish {
   // Whole turns, from ARP to ARP; 0: `seconds` from the first record on instead.
   std::uint32_t turns = 0;

@@ -31,7 +31,7 @@ inline constexpr double kPulseSeconds = 1e-6;
 // there, whole but shorter.
 using GoOn = std::function<bool(double done)>;
 
-// What became of a file.
+// The result of writing a file.
 struct SignalFile {
   std::uint64_t bytes = 0;
   std::uint64_t samples = 0;  // of each of its channels; of a VCD: ticks

@@ -24,7 +24,7 @@ struct Change {
   std::uint8_t level = 0;
 };
 
-// What a wire is called where its level changes.
+// The name of a wire where its level changes.
 char id_of(std::size_t wire) { return static_cast<char>('!' + wire); }
 
 class Dump {

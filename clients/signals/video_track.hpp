@@ -19,12 +19,11 @@ std::int16_t full_scale(std::uint16_t code, const board::ChannelFormat& format);
 // Whether any sweep of the recording has that channel.
 bool has_video(const SignalRecording& recording, std::size_t channel);
 
-// What a scope on the video output sees.  Sample i of a sweep holds its level for the ticks
-// [delay + i * decimation, delay + (i + 1) * decimation) after its trigger, until the next trigger
-// at the latest; elsewhere the level is that of no echo.  Where a sample of the grid covers several
-// levels it takes the strongest, so that no echo is lost at a low rate.  Video of a sweep triggered
-// before the recording is not in it.
-// Thread: any, each its own.
+// The video as a scope on the video output sees it.  Sample i of a sweep holds its level for the
+// ticks [delay + i * decimation, delay + (i + 1) * decimation) after its trigger, until the next
+// trigger at the latest; elsewhere the level is that of no echo.  Where a sample of the grid covers
+// several levels it takes the strongest, so that no echo is lost at a low rate.  Video of a sweep
+// triggered before the recording is not in it. Thread: any, each its own.
 class VideoTrack {
  public:
   enum class Scale : std::uint8_t { codes, full };

@@ -8,7 +8,7 @@
 
 namespace skerry::client {
 
-// What the file will take.
+// Octets that the file will take.
 std::uint64_t wav_bytes(std::uint64_t samples, std::size_t channels);
 // Above so many bytes of samples the file is RF64, whose sizes have 64 bits.
 inline constexpr std::uint64_t kLargestWav = 0xFFF00000;

@@ -34,7 +34,7 @@ enum class Cat240Blocks : std::uint8_t {
   high,      // up to 65,024
 };
 
-// What is left to the sender by the standard.
+// Choices that the standard leaves to the sender.
 struct Cat240Options {
   Cat240Source source;
   // Per cell: 1, 2, 4, 8, 16 or 32; nothing: as the spoke has them, 4 or 8.  Fewer than the spoke's
@@ -114,7 +114,7 @@ struct Cat240Record {
 // Blocks of other categories are skipped, and so are the RE and SP items.
 // Error: truncated, oversized (a datagram above 65,535 bytes), malformed, out_of_range or
 // unknown_kind, with the byte offset; nothing is believed of a datagram that lies about a length.
-// What comes back is at most a fixed multiple of the datagram's length; of compressed cells, at
+// The result is at most a fixed multiple of the datagram's length; of compressed cells, at
 // most kCat240MaxInflated octets a datagram.
 inline constexpr std::size_t kCat240MaxInflated = 512 * 1024;
 // Thread: any.

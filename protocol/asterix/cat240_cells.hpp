@@ -20,7 +20,7 @@ void append_cells(Bytes& out, std::span<const std::uint8_t> cells, std::uint32_t
 
 // RFC 1950, at the fastest level.
 Bytes deflated(std::span<const std::uint8_t> octets);
-// Nothing if it is no whole zlib stream, or not exactly `length` octets come out of it.
+// nullopt if it is no whole zlib stream, or does not inflate to exactly `length` octets.
 std::optional<Bytes> inflated(std::span<const std::uint8_t> octets, std::size_t length);
 
 // The opposite of append_cells() for `count` cells of at most 8 bits, a byte each; and for 16 or 32

@@ -12,7 +12,7 @@
 
 namespace skerry {
 
-// What a receiver is sent.
+// The shape of the video that a receiver is sent.
 struct Cat240StreamShape {
   Cat240Options options;
   std::uint32_t turn_spokes = 0;  // 1 .. 8192; 0: as the radar has them

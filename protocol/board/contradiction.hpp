@@ -13,7 +13,7 @@ namespace skerry::board {
 // Most that transmitters on ships stand: pulse length times PRF.
 inline constexpr double kMostDutyCycle = 0.002;
 
-// What of the settings is judged, each within its register's range.
+// The settings that are checked together, each within its register's range.
 struct JudgedChannel {
   bool is_on = false;
   std::uint32_t samples = 2048, decimation = 1, bits = 12;

@@ -29,8 +29,8 @@ enum class Digdar : std::uint32_t {
   arp_thresh_relax = 0x34,
   arp_latency = 0x38,
 
-  // As they are now; the same once more from kDigdarAtTrigger on, as they were at the trigger of
-  // the last sweep captured.
+  // Present values; from kDigdarAtTrigger on the same registers again, as they were at the trigger
+  // of the last sweep captured.
   trig_clock = 0x40,
   trig_prev_clock = 0x48,
   acp_clock = 0x50,
@@ -88,7 +88,7 @@ struct DigdarRegister {
 // Ascending by address.  find_register() and check_write() know them, too.
 std::span<const DigdarRegister> digdar_page();
 std::span<const RegisterInfo> digdar_infos();
-// By its address, in [kDigdarPage, kDigdarPage + kDigdarBytes).
+// Finds a register by its address, in [kDigdarPage, kDigdarPage + kDigdarBytes).
 const DigdarRegister* find_digdar(std::uint32_t address);
 
 }  // namespace skerry::board

@@ -8,7 +8,7 @@ namespace skerry::board::layout {
 
 inline constexpr std::uint8_t kVersion = 1;
 
-// Of every record.
+// Offsets in every record.
 inline constexpr std::size_t kSize = 0;      // u32, whole record
 inline constexpr std::size_t kKind = 4;      // u8
 inline constexpr std::size_t kFormat = 5;    // u8, kVersion

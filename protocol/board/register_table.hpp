@@ -7,7 +7,7 @@
 
 namespace skerry::board {
 
-// What all_registers() gives; made once.
+// The registers of all_registers(), made once.
 std::span<const RegisterInfo> register_table();
 // FAULT_REASON_0 and so on, ascending.
 std::span<const RegisterInfo> fault_reason_table();

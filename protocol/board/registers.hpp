@@ -169,7 +169,7 @@ enum class TestMode : std::uint32_t {
   checkerboard = 5,  // tiles of test_value samples and 1/32 turn
 };
 
-// What the board answers to an access.
+// The board's answer to an access.
 enum class RegisterError : std::uint32_t {
   ok = 0,
   unknown_register = 1,
@@ -220,7 +220,7 @@ std::span<const BitName> fault_bits();
 std::span<const BitName> event_bits();
 // "acp_missing, stalled"; bits without a name as a number; empty for none.
 std::string fault_names(std::uint32_t faults);
-// Of one bit; "unknown" for others.
+// The name of one bit; "unknown" for others.
 std::string_view event_name(std::uint32_t event);
 
 // The value of a register as a number: two's complement where it is signed.

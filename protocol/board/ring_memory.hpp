@@ -1,4 +1,4 @@
-// What lies in the memory of a SweepRing, and how its words are copied.
+// The layout of a SweepRing's memory, and how its words are copied.
 #pragma once
 
 #include <atomic>

@@ -26,7 +26,7 @@ class SpokeFormer {
   // `spoke` gets what is finished by it: its `meta` is that of the pulse nearest the spoke's own
   // azimuth, with the number of pulses and all faults that any of them had.
   void add(const Sweep& sweep, const Spoke& spoke);
-  // What is begun is given out as it is.
+  // Gives out the spoke that has begun, as it is.
   void finish(const Spoke& spoke);
 
   // More begin a new spoke: sums stay below 2^31.

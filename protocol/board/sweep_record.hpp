@@ -38,7 +38,7 @@ std::uint32_t largest_code(const ChannelFormat& format);
 // The value of a sample without any video: 0, inverted the largest.
 std::uint16_t blank_code(const ChannelFormat& format);
 
-// What the board latched at the trigger.
+// Values that the board latched at the trigger.
 struct SweepMeta {
   std::uint32_t radar = 0;
   std::uint64_t trigger_count = 0;
@@ -111,8 +111,8 @@ struct Event {
 using Record = std::variant<Sweep, Edges, Event>;
 
 // `sequence`: +1 for every record of a board; a gap is a loss.
-// Of a sweep, the numbers of samples are those of `samples`, at most kMaxSamples each; of edges the
-// first kMaxEdges are written.
+// Takes the numbers of samples from `samples`, at most kMaxSamples each; writes the first kMaxEdges
+// edges.
 void append_record(Bytes& out, std::uint64_t sequence, const Sweep& sweep);
 void append_record(Bytes& out, std::uint64_t sequence, const Edges& edges);
 void append_record(Bytes& out, std::uint64_t sequence, const Event& event);
@@ -122,8 +122,8 @@ struct DecodedRecord {
   std::size_t size = 0;  // bytes it took
   Record record;
 };
-// What every record begins with.  Nothing if `bytes` are too few for it, or the size is none that a
-// record can have; the kind may be one that does not exist yet.
+// The begin of every record.  nullopt if `bytes` are too few for it, or no record can have that
+// size; the kind may be one that does not exist yet.
 struct RecordPrefix {
   std::size_t size = 0;
   std::uint8_t kind = 0;

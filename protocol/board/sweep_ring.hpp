@@ -54,7 +54,7 @@ class SweepRingReader {
 
   enum class State : std::uint8_t { record, empty, closed };
   // The next record into `out`, whole (its size is in its header).
-  // Nothing in the memory is believed unchecked: where it holds no sense there is no record.
+  // Checks everything it reads from the memory; where that makes no sense there is no record.
   State take(Bytes& out);
   // Sleeps until there is one, or the ring is closed; false: time is up, or a signal came.
   bool wait(std::chrono::nanoseconds timeout);

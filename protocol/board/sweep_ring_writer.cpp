@@ -46,8 +46,8 @@ void wake_all(std::atomic<std::uint32_t>& word) {
           0);
 }
 
-// Where the positions of a ring begin: so far beyond those of an earlier one in the same memory
-// that whoever still reads that one is overtaken.
+// The first position of a ring: so far beyond those of an earlier ring in the same memory that a
+// reader of that one is overtaken.
 std::uint64_t start_of(const RingHeader& header, std::uint64_t capacity) {
   const std::uint64_t before = header.reserved.load(std::memory_order_acquire);
   const bool same = header.magic.load(std::memory_order_acquire) == kRingMagic &&

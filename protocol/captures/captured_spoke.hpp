@@ -1,4 +1,4 @@
-// What a capture of a real radar gives: pictures, and spokes as the radar's packets say them.
+// Pictures and spokes of a capture of a real radar, as its packets tell them.
 #pragma once
 
 #include <compare>

@@ -30,7 +30,7 @@ void fit_bits(Cat240Video& video, CapturedSpoke& spoke) {
   for (std::uint8_t& cell : spoke.cells) cell = static_cast<std::uint8_t>(cell * factor);
 }
 
-// What cannot be made spokes of.
+// Records that cannot become spokes.
 std::optional<WireError> refusal_of(const std::vector<Cat240Record>& records,
                                     std::uint16_t source) {
   for (const Cat240Record& each : records) {

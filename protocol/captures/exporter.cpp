@@ -66,7 +66,7 @@ class SpokeSink {
       rmc.course_deg = ship.course_over_ground_deg();
     }
     std::string text = nmea::encode(rmc);
-    // Of an RMC without a position nobody takes the rest.
+    // Receivers ignore an RMC without a position.
     if (!rmc.position && !ship.no_motion()) {
       text += nmea::encode(nmea::Vtg{.course_deg = rmc.course_deg, .speed_kn = rmc.speed_kn});
     }
@@ -112,7 +112,7 @@ Result<ExportReport, RecordingError> export_capture(
   const UtcTime end = options.to.value_or(UtcTime::max());
   SpokeSink sink(options, out);
   ExportReport report;
-  // What was in force before the first spoke.
+  // The settings in force before the first spoke.
   if (const auto before = reader.last_before(settings, begin)) {
     if (const auto message = parsed<wire::Settings>(*before)) sink.set(*message);
   }

@@ -40,7 +40,7 @@ void add_event(RecordingWriter& writer, UtcTime time, recording::Event::Kind kin
   add_message(writer, {Kind::event, 0, 0}, time, event);
 }
 
-// Of a file, without its folders; protobuf wants UTF-8, and names of files may be anything.
+// The file's name without its folders; protobuf needs UTF-8, and file names may hold anything.
 std::string label_of(const std::string& name) {
   std::string label = name.substr(name.find_last_of('/') + 1);
   for (char& c : label) {

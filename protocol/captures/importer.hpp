@@ -46,7 +46,7 @@ Result<ImportReport, recording::RecordingError> import_capture(const CapturePass
                                                                const std::string& name,
                                                                recording::RecordingWriter& writer,
                                                                const ImportProgress& progress = {});
-// Of a file: pcap or pcapng, packed by gzip or not.
+// Imports a file: pcap or pcapng, with or without gzip.
 Result<ImportReport, recording::RecordingError> import_capture_file(
     const std::string& path, recording::RecordingWriter& writer,
     const ImportProgress& progress = {});

@@ -16,7 +16,7 @@ using navico::Model;
 
 // A capture has few; a hostile one shall not fill the memory.
 constexpr std::size_t kMostKept = 64;
-// What the larger field holds where the smaller one says the range, in quarters of a metre.
+// Value of the larger field where the smaller one holds the range, in quarters of a metre.
 constexpr std::uint16_t kSmallForm = 0x80;
 constexpr std::uint16_t kLargeForm4g = 0x8000;
 constexpr std::uint8_t kType3g = 0x08, kType4g = 0x01, kTypeHalo = 0x00;

@@ -15,7 +15,7 @@ using navico::Model;
 double percent_of_level(std::uint8_t raw) { return raw * 100.0 / 255.0; }
 double percent_of_step(int raw, int most) { return std::clamp(raw, 0, most) * 100.0 / most; }
 
-// What a spoke reaches beyond the set range.  Source: protocol/navico/spoke_range.hpp.
+// A spoke's reach over the set range.  Source: protocol/navico/spoke_range.hpp.
 double captured_reach_per_range(Model model) {
   return navico::is_first_generation(model) ? 1.769 : model == Model::g4 ? 1.953 : 1.719;
 }

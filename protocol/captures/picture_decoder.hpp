@@ -16,7 +16,7 @@
 
 namespace skerry::captures {
 
-// What must be known of a picture before its first spoke can be read.
+// Facts that must be known before a picture's first spoke can be read.
 struct PictureTraits {
   PictureKey key;
   navico::Model model = navico::Model::g4;
@@ -49,7 +49,7 @@ class PictureDecoder {
   wire::Settings settings_;
 };
 
-// What a datagram is the picture of, by its first octets; nothing if of none.
+// The picture that a datagram belongs to, by its first octets; nullopt if to none.
 std::optional<PictureKey> picture_of(const pcap::Datagram& datagram);
 
 std::unique_ptr<PictureDecoder> make_navico_picture(const PictureTraits& traits);

@@ -29,7 +29,7 @@ std::vector<std::uint8_t> thinned(const std::vector<std::uint8_t>& cells, std::u
 
 std::optional<RangeScale> scale_of(Length nominal, Length reach) {
   if (!std::isfinite(reach.in_metres()) || !known(reach)) return std::nullopt;
-  // What is not known is what the picture shows.
+  // An unknown range is the one that the picture shows.
   const Length wanted = known(nominal) ? nominal : reach;
   std::optional<RangeScale> best;
   for (std::size_t i = 0; i < RangeScale::kCount && !best; ++i) {

@@ -38,7 +38,7 @@ struct FittedCounts {
 class SpokeFitter {
  public:
   static constexpr std::size_t kMaxWaiting = 4096;
-  // Of spokes that never learn their range.
+  // The range of spokes that never learn theirs.
   static constexpr double kAssumedRangeNm = 1.0;
 
   SpokeFitter(std::uint32_t radar, Duration turn, UtcTime begin)

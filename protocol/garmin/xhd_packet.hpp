@@ -70,7 +70,7 @@ struct Packet {
   std::span<const std::uint8_t> payload;
 
   bool is(Type known) const { return type == static_cast<std::uint32_t>(known); }
-  // Of payloads of 1, 2 or 4 bytes.
+  // The number in a payload of 1, 2 or 4 bytes.
   std::optional<std::uint32_t> number() const;
   std::optional<std::int32_t> signed_number() const;
 };
@@ -81,7 +81,7 @@ Result<Packet, WireError> decode_packet(std::span<const std::uint8_t> datagram);
 Bytes encode_packet(Type type, int octets, std::int64_t number);
 Bytes encode_packet(std::uint32_t type, std::span<const std::uint8_t> payload);
 
-// What a display may set.  Source: garmin/README.md.
+// Values that a display may set.  Source: garmin/README.md.
 struct CommandRange {
   Type type;
   std::int64_t least;

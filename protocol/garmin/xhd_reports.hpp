@@ -1,4 +1,4 @@
-// What a Garmin xHD radar says of itself, and when: a round of reports that repeats.
+// Reports of a Garmin xHD radar about itself, sent in a round that repeats.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@ namespace skerry::garmin {
 
 inline constexpr std::size_t kSpokeHeaderBytes = 36;
 inline constexpr std::size_t kMaxCells = 705;
-// What the radar of the capture sends; garmin/README.md has 695 of another.
+// Cells of the capture's radar; garmin/README.md has another with 695.
 inline constexpr std::uint32_t kCells = 698;
 // 698 cells span 2093 m at a range of 1852 m.  Source: garminxhd_txon_txoff.pcap.gz;
 // garmin/README.md rounds it to 1.125.

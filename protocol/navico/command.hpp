@@ -61,7 +61,7 @@ inline constexpr std::size_t kMaxCommand = 64;
 // Error: truncated, oversized (above kMaxCommand) or unknown_kind.
 Result<Command, WireError> decode_command(std::span<const std::uint8_t> datagram);
 
-// As a chart plotter sends it.  `halo`: a HALO's form where it has one of its own.
+// Encodes it as a chart plotter does.  `halo`: a HALO's form where it has one of its own.
 Bytes encode_command(const Command& command, bool halo = false);
 
 }  // namespace skerry::navico

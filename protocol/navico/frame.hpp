@@ -72,7 +72,7 @@ void pack_cells(std::span<const std::uint8_t, kSpokeCells> cells,
 void pack_nibbles(std::span<const std::uint8_t, kSpokeCells> cells,
                   std::span<std::uint8_t, kSpokeCells / 2> nibbles);
 
-// What a HALO with its Doppler on shows in place of a strength; strengths end below them.
+// Values that a HALO with Doppler on shows in place of a strength; strengths end below them.
 inline constexpr std::uint8_t kApproaching = 0x0F, kReceding = 0x0E, kMostBesideDoppler = 0x0D;
 
 }  // namespace skerry::navico

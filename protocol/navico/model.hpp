@@ -40,7 +40,7 @@ constexpr bool is_first_generation(Model model) {
   return model == Model::br24 || model == Model::g3;
 }
 
-// Where one range of a radar is: all of them multicast groups.
+// The addresses of one range of a radar, all of them multicast groups.
 struct Addresses {
   Ipv4Endpoint data;    // radar -> displays: frames
   Ipv4Endpoint send;    // displays -> radar: commands

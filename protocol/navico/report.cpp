@@ -14,7 +14,7 @@ constexpr std::size_t kStateOctets = 18, kControlOctets = 99, kIdentityOctets = 
                       kInstallationOctets = 66, kBlankingOctets = 68, kNewBlankingOctets = 74,
                       kAdvancedOctets = 18;
 constexpr std::size_t kMaxReport = 2048;
-// Where the four sectors begin, five octets each.
+// Offsets of the four sectors, five octets each.
 constexpr std::size_t kInstallationSectors = 34, kBlankingSectors = 36, kNewBlankingSectors = 42;
 constexpr std::size_t kFirmwareDate = 58, kFirmwareTime = 90, kFirmwareCharacters = 15;
 

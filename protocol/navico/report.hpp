@@ -47,7 +47,7 @@ struct IdentityReport {
   friend bool operator==(const IdentityReport&, const IdentityReport&) = default;
 };
 
-// Where a HALO does not transmit; 0.1 deg clockwise from the bow.
+// A sector in which a HALO does not transmit; 0.1 deg clockwise from the bow.
 struct BlankedSector {
   bool on = false;
   std::uint16_t from = 0, to = 0;
@@ -107,7 +107,7 @@ Bytes encode(Model model, const HeartbeatReport& report);
 // (not the length that report has: displays ignore it as well), out_of_range (a state not above).
 Result<Report, WireError> decode_report(std::span<const std::uint8_t> datagram);
 
-// What a BR24, 3G, 4G or HALO puts into IdentityReport::type.
+// IdentityReport::type of a BR24, 3G, 4G or HALO.
 std::uint8_t identity_type(Model model);
 
 }  // namespace skerry::navico

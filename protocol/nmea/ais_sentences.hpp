@@ -31,7 +31,7 @@ class AisAssembler {
  public:
   static constexpr unsigned kMostParts = 9;
 
-  // Nothing while the message goes on.  Error: also if its beginning has not come.
+  // nullopt while the message continues.  Error: also if its beginning is missing.
   Result<std::optional<HeardAis>, WireError> feed(const Sentence& sentence);
 
  private:

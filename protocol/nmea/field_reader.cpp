@@ -43,7 +43,7 @@ std::string_view FieldReader::text(std::size_t index) const {
 
 void FieldReader::fail(std::size_t index, const std::string& expected) {
   if (error_) return;
-  // Where the field stands in the line: fields are views into it, as the talker is.
+  // The field's offset in the line: fields are views into it, as the talker is.
   const std::size_t offset =
       index < sentence_.fields.size()
           ? static_cast<std::size_t>(sentence_.fields[index].data() - sentence_.talker.data()) + 1

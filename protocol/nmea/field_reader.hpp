@@ -28,7 +28,7 @@ class FieldReader {
   std::optional<GeoPoint> position(std::size_t index);
   std::optional<Duration> time(std::size_t index);  // of day: hhmmss or hhmmss.sss
 
-  // Of the first field that could not be read.
+  // The error of the first field that could not be read.
   const std::optional<WireError>& error() const { return error_; }
   void fail(std::size_t index, const std::string& expected);
 
@@ -40,7 +40,7 @@ class FieldReader {
   std::optional<WireError> error_ = {};
 };
 
-// What was read, or why it could not be.
+// The value read, or why it could not be read.
 template <typename T>
 Result<T, WireError> answer(const FieldReader& in, T value) {
   if (in.error()) return Failure{*in.error()};

@@ -7,7 +7,7 @@
 
 namespace skerry::nmea {
 
-// As SentenceWriter::number() and angle() write them; without a value an empty field.
+// Write as SentenceWriter::number() and angle() do; without a value an empty field.
 inline SentenceWriter& optional_number(SentenceWriter& out, std::optional<double> value,
                                        int decimals) {
   return value ? out.number(*value, decimals) : out.empty();

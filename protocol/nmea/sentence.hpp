@@ -17,7 +17,7 @@ namespace skerry::nmea {
 
 // Characters of a sentence from its start to its CR LF.
 inline constexpr std::size_t kMaxSentence = 82;
-// What is read: some equipment says more than it may.
+// The longest sentence that is read: some equipment sends more than the standard allows.
 inline constexpr std::size_t kMaxReadSentence = 256;
 
 // Exclusive or of the characters between the start and the '*'.
@@ -57,7 +57,8 @@ class SentenceWriter {
   // hhmmss.ss of the day, truncated: it is never 60.00 s.
   SentenceWriter& time(Duration of_day);
 
-  // What may still be written before kMaxSentence, if `after` characters follow this field.
+  // Characters that may still be written before kMaxSentence, if `after` characters follow this
+  // field.
   std::size_t room(std::size_t after) const;
 
   // With checksum, CR and LF.

@@ -32,7 +32,7 @@ class SixBitWriter {
 
 class SixBitReader {
  public:
-  // Nothing if a character is none of the 64.  Bounded by the payload.
+  // nullopt if a character is not one of the 64.  Memory is bounded by the payload.
   static std::optional<SixBitReader> of(std::string_view armoured, unsigned fill_bits);
 
   std::size_t bits() const { return bits_; }

@@ -26,7 +26,7 @@ enum class TtdStatus : std::uint8_t {
   tracking_confirmed = 7,  // the same, acknowledged
 };
 
-// What is out of range or absent is sent as not available.
+// A value that is absent or out of range is sent as not available.
 struct TtdTarget {
   unsigned number = 0;                     // 1 .. 1023
   std::optional<double> bearing_deg = {};  // true
@@ -37,7 +37,8 @@ struct TtdTarget {
   TtdStatus status = TtdStatus::tracking;
 };
 
-// As many sentences as it takes, with one sequential identifier, 0 .. 9.  At most 1020 targets.
+// Returns as many sentences as needed, with one sequential identifier, 0 .. 9.  At most 1020
+// targets.
 std::vector<std::string> encode_ttd(std::span<const TtdTarget> targets, unsigned identifier,
                                     std::string_view talker = "RA");
 // The targets of one sentence.

@@ -20,7 +20,7 @@ class Ipv4Fragments {
  public:
   explicit Ipv4Fragments(std::size_t max_pending) : max_pending_(max_pending) {}
 
-  // What makes fragments belong together.
+  // The fields that fragments of one packet share.
   struct Key {
     std::uint32_t from = 0, to = 0;
     std::uint16_t identification = 0;

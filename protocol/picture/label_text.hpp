@@ -1,4 +1,4 @@
-// What stands in the corners of a radar picture, and how navigators write numbers.
+// Texts in the corners of a radar picture, with numbers as navigators write them.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ inline constexpr int kMinPictureSize = 64;
 inline constexpr int kMaxPictureSize = 8192;
 inline constexpr int kLabelSize = 384;
 
-// What the labels say beyond what the spokes themselves know.
+// Label texts that the spokes do not hold.
 struct PpiLabels {
   std::string radar{};                       // its name
   std::optional<wire::Settings> settings{};  // gain, sea, rain
@@ -36,7 +36,7 @@ struct PpiLabels {
   std::string warning{};          // a line of its own
 };
 
-// Where the video lies in a picture of these options.
+// The place of the video in a picture of these options.
 PpiFrame frame_of(const PpiOptions& options);
 
 // The colour of each level; level 0 is the background.

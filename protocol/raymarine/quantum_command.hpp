@@ -1,4 +1,4 @@
-// What displays ask of a Raymarine Quantum radar.  Source: raymarine/README.md, mayara
+// Commands of displays to a Raymarine Quantum radar.  Source: raymarine/README.md, mayara
 // docs/raymarine.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kAddressesBytes = 36, kNameBytes = 56, kNameOffset = 20, kNameLength = 32;
 constexpr std::uint32_t kAddressesType = 0, kNameType = 1, kLongNameType = 2;
 
-// Of unknown meaning, the same in all packets of the capture.
+// Meaning unknown; the same in all packets of the capture.
 constexpr std::array<std::uint8_t, 8> kAfterModel = {0x03, 0x00, 0x64, 0x00,
                                                      0x06, 0x08, 0x10, 0x00};
 constexpr std::uint16_t kAfterDataPort = 0x11, kAfterRadarPort = 0x36;

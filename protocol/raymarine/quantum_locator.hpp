@@ -15,7 +15,7 @@ namespace skerry::raymarine {
 
 inline constexpr Ipv4Endpoint kLocatorAddress{ipv4(224, 0, 0, 1), 5800};
 
-// What joins the packets of one device, and which kind it is.
+// The identity that the packets of one device share, and its kind.
 struct LocatorId {
   std::uint32_t link_id = 0;
   std::uint32_t model = 0;

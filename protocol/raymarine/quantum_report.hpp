@@ -1,4 +1,4 @@
-// What a Raymarine Quantum radar reports on its data group.  README.md lists what is unknown.
+// Reports of a Raymarine Quantum radar on its data group.  README.md lists what is unknown.
 // Source: raymarine/README.md, quantum2-solent-03-gain-sea-rain.pcap.gz.
 #pragma once
 

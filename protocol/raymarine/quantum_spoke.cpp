@@ -10,7 +10,7 @@ namespace skerry::raymarine {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 20, kLengthOffset = 18;
-// Of unknown meaning, the same in all spokes of the capture.
+// Meaning unknown; the same in all spokes of the capture.
 constexpr std::uint16_t kAfterSequence = 0x0101, kAfterSpokes = 8;
 
 }  // namespace

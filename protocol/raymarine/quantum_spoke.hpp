@@ -12,7 +12,7 @@ namespace skerry::raymarine {
 
 inline constexpr std::uint32_t kQuantumSpokes = 250;  // per turn
 inline constexpr std::size_t kQuantumMaxCells = 252;
-// What the capture's radar sends: cells reach 231 / 103 times the range.
+// Cells of the capture's radar; they reach 231 / 103 times the range.
 inline constexpr std::uint16_t kQuantumCells = 231, kQuantumCellsPerRange = 103;
 // The highest echo; above are the colours of a Doppler radar.  Source: mayara docs/raymarine.
 inline constexpr std::uint8_t kQuantumStrongest = 253, kQuantumReceding = 254,

@@ -6,7 +6,7 @@
 
 namespace skerry::recording {
 
-// Of `bytes` after those of which `before` is the sum; 0 before the first.
+// The CRC of `bytes`, continuing `before`, the CRC of the bytes before them; 0 before the first.
 std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t before = 0);
 
 }  // namespace skerry::recording

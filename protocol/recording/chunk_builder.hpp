@@ -14,7 +14,7 @@
 
 namespace skerry::recording {
 
-// What happened in a chunk, of use only once it is written.
+// The content of a chunk, of use only once it is written.
 struct ChunkContents {
   std::map<Topic, std::uint64_t> items;                      // a packed spoke counts as one
   std::vector<std::pair<std::uint64_t, std::string>> marks;  // time in ns, name

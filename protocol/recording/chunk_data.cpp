@@ -20,7 +20,7 @@ class ChunkParser {
 
   void take(OctetBlock records) { chunk_->records_ = std::move(records); }
 
-  // What is wrong; nothing if nothing is.
+  // Returns the fault; nullopt if there is none.
   std::optional<std::string> parse() {
     const std::span<const std::uint8_t> records = chunk_->records_.octets();
     ByteReader in(records);
@@ -85,7 +85,7 @@ class ChunkParser {
     return true;
   }
 
-  // Of the channel's kind among those of the chunk.
+  // The number of the channel's kind among those of the chunk.
   std::uint32_t number_of(std::uint16_t channel) {
     const auto known = numbers_.find(channel);
     if (known != numbers_.end()) return known->second;

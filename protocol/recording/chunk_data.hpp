@@ -37,7 +37,7 @@ class ChunkData {
   std::span<const std::uint8_t> bytes_of(const Entry& entry) const {
     return records_.octets().subspan(entry.offset, entry.size);
   }
-  // Of all its messages, those left out too; ns since 1970.
+  // The earliest time of all its messages, skipped ones included; ns since 1970.
   std::int64_t start() const { return start_; }
   std::int64_t end() const { return end_; }
   // Channels that its own Channel records tell of.

@@ -31,7 +31,7 @@ struct FreeLz4Reader {
 
 constexpr std::size_t kLeastShare = 16;  // of a block's room that its octets take
 
-// Of a frame's blocks, unpacked, at most.
+// The most octets of a frame's block, unpacked.
 std::size_t block_bytes(LZ4F_blockSizeID_t size) {
   switch (size) {
     case LZ4F_max256KB:
@@ -58,7 +58,7 @@ Result<OctetBlock, std::string> read_lz4(std::span<const std::uint8_t> in, std::
   std::size_t taken = in.size(), given = 0;
   std::size_t left = LZ4F_getFrameInfo(context.get(), &info, in.data(), &taken);
   if (LZ4F_isError(left)) return fail(left);
-  // Where a whole block has room it is unpacked there and not copied, the last one too; not of a
+  // A block that has room is unpacked in place and not copied, the last one too; except blocks of a
   // few octets, of which there may be many.
   const std::size_t block = block_bytes(info.blockSizeID);
   OctetBlock out(size, size < block / kLeastShare ? 0 : (size + block - 1) / block * block);

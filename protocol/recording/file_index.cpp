@@ -25,7 +25,7 @@ class SummaryReader {
  public:
   SummaryReader(const InputFile& file, std::uint64_t end) : file_(file), window_(file), end_(end) {}
 
-  // What is wrong; nothing if nothing is.
+  // Returns the fault; nullopt if there is none.
   std::optional<RecordingError> read(std::uint64_t start) {
     std::uint64_t offset = start;
     while (offset < end_) {
@@ -133,7 +133,7 @@ class SummaryReader {
   Bytes content_;
 };
 
-// Of the octets from `begin` to `end`; nothing if they cannot be read.
+// The CRC of the octets from `begin` to `end`; nullopt if they cannot be read.
 std::optional<std::uint32_t> crc_of(const InputFile& file, std::uint64_t begin, std::uint64_t end) {
   FileWindow window(file);
   std::uint32_t crc = 0;
@@ -157,7 +157,7 @@ std::int64_t time_of(std::uint64_t ns) {
 void FileIndex::add(const mcap::Channel& channel) {
   const auto kind = channel_named(channel.topic);
   if (!kind || channel.encoding != "protobuf") return;
-  // Where the names are ours no schema is asked for: it may be the one that was damaged.
+  // Channels with our names need no schema: it may be damaged.
   const auto schema = schemas.find(channel.schema);
   const bool ours =
       profile == kProfile || (schema != schemas.end() && schema->second == schema_name(*kind));

@@ -35,7 +35,7 @@ struct ChunkPlace {
   std::uint64_t first_channel = 0;       // from there
 };
 
-// What the channels of a file carry.  Those of others are not in it.
+// The kinds of a file's channels, without channels of other programs.
 using Channels = std::map<std::uint16_t, ChannelKind>;
 using Schemas = std::map<std::uint16_t, std::string>;  // names
 
@@ -48,7 +48,7 @@ struct FileIndex {
   std::map<std::uint16_t, std::uint64_t> messages;  // by channel
   std::vector<RecordPlace> attachments;
   bool whole = false;  // as its summary says
-  // By a search: what belongs to no record, or to a chunk that cannot be read.
+  // Found by a search: octets that belong to no record, or to a chunk that cannot be read.
   std::uint64_t chunks_unreadable = 0;
   std::uint64_t bytes_unreadable = 0;
   std::optional<RecordingError> damage;
@@ -64,9 +64,9 @@ struct FileIndex {
 // ns since 1970 as a file has them; beyond the year 2262 that year's.
 std::int64_t time_of(std::uint64_t ns);
 
-// By the file's summary.  Error: there is none, or not one that can be believed.
+// Reads the file's summary.  Error: there is none, or it is not credible.
 Result<FileIndex, RecordingError> read_summary(const InputFile& file);
-// By going from record to record, and on after what cannot be read.  Error: given up.
+// Reads record by record, and goes on after parts that cannot be read.  Error: given up.
 Result<FileIndex, RecordingError> search(const InputFile& file,
                                          const std::function<bool(double)>& progress);
 // The beginning of a file.  Error: it is no recording.

@@ -64,7 +64,7 @@ class FileWindow {
   std::uint64_t bytes_read_ = 0;
 };
 
-// Where a record is.
+// The place of a record.
 struct RecordPlace {
   mcap::Op op{};
   std::uint64_t offset = 0;   // of its head

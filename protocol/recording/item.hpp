@@ -1,4 +1,4 @@
-// What a recording is made of: items, each with a topic and a time.
+// Items of a recording, each with a topic and a time.
 #pragma once
 
 #include <compare>
@@ -31,8 +31,8 @@ struct Topic {
   friend constexpr auto operator<=>(const Topic&, const Topic&) = default;
 };
 
-// What a reader gives lies between 1970 and here, in 2223: some 38 years can be added to it without
-// an overflow.  A file may say more, which becomes this.
+// The latest time a reader gives, in 2223; the earliest is 1970.  Some 38 years can be added
+// without overflow. A later time in a file becomes this.
 inline constexpr UtcTime kLatestTime{Duration(8'000'000'000'000'000'000)};
 
 // `bytes` are the protobuf message alone, without framing.
@@ -54,7 +54,7 @@ struct Attachment {
 };
 inline constexpr std::size_t kMaxAttachment = 16 << 20;
 
-// What is wrong with a file, and where.
+// A fault of a file, and its place.
 struct RecordingError {
   std::string file;          // as it was given
   std::uint64_t offset = 0;  // byte in the file

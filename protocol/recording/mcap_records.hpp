@@ -32,12 +32,12 @@ enum class Op : std::uint8_t {
   data_end = 0x0F,
 };
 
-// Of every record: the op and the length of what follows.
+// Octets of a record's head: the op and the length of what follows.
 inline constexpr std::size_t kRecordHead = 9;
-// Of a message within a chunk, head and all, before its data.
+// Octets of a message within a chunk before its data, head included.
 inline constexpr std::size_t kMessageHead = kRecordHead + 2 + 4 + 8 + 8;
 inline constexpr std::size_t kFooterBytes = kRecordHead + 8 + 8 + 4;
-// Of a chunk's head, of a compression of no name, up to its records.
+// Octets of a chunk before its records, without the compression's name.
 inline constexpr std::size_t kChunkHead = kRecordHead + 8 + 8 + 8 + 4 + 4 + 8;
 // No compression has a longer name here.
 inline constexpr std::size_t kMaxCompressionName = 4;
@@ -63,7 +63,7 @@ struct Channel {
   std::string topic;
   std::string encoding;
 };
-// Of its time, log_time; nothing here has another publish_time.
+// A message with its log_time; publish_time is always the same.
 struct Message {
   std::uint16_t channel = 0;
   std::uint32_t sequence = 0;
@@ -126,7 +126,7 @@ void append(Bytes& out, const SummaryOffset& offset);
 void append_data_end(Bytes& out, std::uint32_t crc);
 // `summary_crc` is that of the summary's bytes alone; what it lacks is added.
 void append_footer(Bytes& out, Footer footer);
-// Of one channel; `entries` are its times and offsets, 16 octets each.
+// Appends the index of one channel; `entries` are its times and offsets, 16 octets each.
 void append_message_index(Bytes& out, std::uint16_t channel, std::span<const std::uint8_t> entries);
 // The head of a message of `size` octets of data, which follow.
 void append_message_head(Bytes& out, const Message& message, std::size_t size);
@@ -145,7 +145,7 @@ std::optional<std::pair<ChunkHead, std::size_t>> read_chunk_head(
     std::span<const std::uint8_t> content);
 std::optional<ChunkIndex> read_chunk_index(std::span<const std::uint8_t> content);
 std::optional<AttachmentIndex> read_attachment_index(std::span<const std::uint8_t> content);
-// Nothing too if its CRC is wrong.
+// Also nullopt if its CRC is wrong.
 std::optional<Attachment> read_attachment(std::span<const std::uint8_t> content);
 
 }  // namespace skerry::recording::mcap

@@ -41,7 +41,7 @@ struct OpenRecording {
 // Makes the summary.  Error: given up.
 std::optional<RecordingError> summarise(OpenRecording& recording,
                                         const RecordingReader::Progress& progress);
-// As RecordingReader::open().
+// Opens as RecordingReader::open() does.
 Result<std::shared_ptr<const OpenRecording>, RecordingError> open_recording(
     const std::string& path, const RecordingReader::Progress& progress);
 

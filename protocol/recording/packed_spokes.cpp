@@ -36,7 +36,7 @@ constexpr std::array<std::size_t, SpokeNumbers::kFields> kOrder = {
     kRadar,     kView,     kSequence, kIndex,    kScan,      kSpokesPerTurn, kRangeScale, kBits,
     kCellCount, kCellSize, kHeading,  kLatitude, kLongitude, kUtc,           kScenario};
 
-// Of a spoke: a mask, and a difference of ten octets for each field at most.
+// The most octets of a spoke's numbers: a mask, and ten octets for each field's difference.
 constexpr std::size_t kMaxNumberBytes = 3 + 10 * SpokeNumbers::kFields;
 // Before and between the parts of a message.
 constexpr std::size_t kMaxFrameBytes = 64;
@@ -46,7 +46,7 @@ void put_varint(Bytes& out, std::uint64_t value) {
   out.push_back(static_cast<std::uint8_t>(value));
 }
 
-// Nothing beyond the end, and of more than 64 bits.
+// nullopt beyond the end, and for more than 64 bits.
 std::optional<std::uint64_t> varint_at(std::span<const std::uint8_t> in, std::size_t& offset) {
   std::uint64_t value = 0;
   for (int shift = 0; shift < 64 && offset < in.size(); shift += 7) {
@@ -185,7 +185,7 @@ void SpokePacker::finish(Bytes& out) {
 }
 
 std::uint32_t packed_count(std::span<const std::uint8_t> message) {
-  // As it is written: the count first.
+  // The tag of the count, which is written first.
   constexpr std::uint8_t kCountTag = 1 << 3;
   if (message.empty() || message[0] != kCountTag) return 0;
   std::size_t offset = 1;

@@ -24,8 +24,7 @@ struct SpokeNumbers {
   std::array<std::uint64_t, kFields> values{};  // in the order of radar.proto
 };
 
-// What the numbers of a spoke should be, after the two before.  Where they are not, the difference
-// is stored.
+// Predicts the numbers of a spoke from the two before it; only differences are stored.
 class SpokeForecast {
  public:
   // Requires that all fields before `field` of `spoke` are known.

@@ -82,7 +82,7 @@ ItemCursor RecordingReader::items(const std::vector<Topic>& topics) const {
 std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topic& topic,
                                                                       UtcTime time) const {
   const OpenRecording& recording = *impl_->recording;
-  // What a file has later than kLatestTime is given as of then.
+  // Items later than kLatestTime get that time.
   const std::int64_t until =
       (time < kLatestTime ? time : UtcTime::max()).time_since_epoch().count();
   const std::set<Topic> topics{topic};
@@ -94,7 +94,7 @@ std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topi
                                         return t < recording.index.chunks[number].start;
                                       });
   for (auto i = static_cast<std::size_t>(later - by_start.begin()); i-- > 0;) {
-    // Nothing before this one is later than what is known.
+    // No item before this one is later than the last one known.
     if (last && recording.reaches[i] < last_time) break;
     const std::uint32_t number = by_start[i];
     if ((last && recording.reach(number) < last_time) || !recording.has(number, topics)) continue;

@@ -48,14 +48,14 @@ class ItemCursor {
   ~ItemCursor();
 
   // The next item in the order of time (at equal times, of the file); valid until the next call.
-  // Nothing at the end.
+  // nullopt at the end.
   std::optional<Item> next();
   // The first item at `time` or later comes next.  Cost: one chunk read, and by index where the
   // file has one: under 50 ms in 10 GB.
   void seek(UtcTime time);
 
   std::uint64_t chunks_damaged() const;
-  // Of the last one.
+  // The damage found last.
   std::optional<RecordingError> damage() const;
 
   class Impl;  // of the library's own
@@ -84,7 +84,7 @@ class RecordingReader {
   // The first Hello; nothing if there is none that can be read.
   std::optional<wire::Hello> hello() const;
 
-  // Of `topics` only, or all if there is none; at the begin.
+  // A cursor at the begin, over `topics` only, or over all if none is given.
   ItemCursor items(const std::vector<Topic>& topics = {}) const;
   // The last item of the topic before or at `time`, as bytes: what was in force then.
   // Cost: chunks back to it are looked for by the index.

@@ -47,7 +47,7 @@ class NewFile {
     }
     return true;
   }
-  // What is wrong: there is something in its place already, or the disk fails.
+  // Fails if its place is taken, or the disk fails.
   std::optional<RecordingError> put_in_place() {
     if (::fsync(file_) != 0) return error_of(place_, "cannot be written");
     // From here on it stays, whatever its name.

@@ -18,7 +18,8 @@ namespace {
 
 using mcap::Op;
 
-// Of the file, and of what was read for it: a file made to do harm has us read places many times.
+// Progress by octets of the file, and by octets read: a hostile file makes us read places many
+// times.
 constexpr std::uint64_t kProgressStep = 4 << 20, kProgressWork = 64 << 20;
 constexpr std::size_t kMaxChunkHead = mcap::kChunkHead + mcap::kMaxCompressionName;
 
@@ -114,7 +115,8 @@ class Search {
     return content_;
   }
 
-  // Where something that looks like a chunk begins; the file's end if nothing does, 0: given up.
+  // The offset of something that looks like a chunk; the file's end if there is none; 0 if given
+  // up.
   std::uint64_t next_chunk(std::uint64_t offset) {
     while (offset < file_.size()) {
       if (!tell(offset)) return 0;

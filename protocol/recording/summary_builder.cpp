@@ -49,7 +49,7 @@ Bytes SummaryBuilder::end(std::uint64_t offset, std::uint32_t crc) const {
   mcap::append_data_end(out, crc);
   const std::size_t summary = out.size();
   std::vector<mcap::SummaryOffset> groups;
-  // What `append` puts there is one group.
+  // Records that `append` adds form one group.
   const auto group = [&](mcap::Op op, const auto& append) {
     const std::size_t start = out.size();
     append();

@@ -16,7 +16,7 @@ namespace skerry::recording {
 // Memory: about 150 octets a chunk.  Thread: one at a time.
 class SummaryBuilder {
  public:
-  // Of a record that is in the file.
+  // Adds a record that is in the file.
   void add_schema(std::uint16_t id, Bytes record);
   void add_channel(std::uint16_t id, Bytes record);
   void add_chunk(const mcap::ChunkIndex& index,

@@ -15,7 +15,7 @@ namespace skerry::recording {
 // Which numbers a topic has in its name.
 enum class Scope : std::uint8_t { recording, radar, view };
 
-// What `skerry recording cut` and `cat` do with items of a kind.
+// The rule by which `skerry recording cut` and `cat` treat items of a kind.
 enum class EditRule : std::uint8_t {
   copied,     // cut: those of the part; cat: all
   state,      // the same, but cut also writes the last one before the part at the part's begin
@@ -41,7 +41,7 @@ inline const KindRow& row_of(Kind kind) { return kind_rows()[static_cast<std::si
 // Whether topics of that kind name a radar.
 inline bool is_of_a_radar(Kind kind) { return row_of(kind).scope != Scope::recording; }
 
-// What a channel carries: items of a topic, or spokes of one packed together.
+// The content of a channel: items of a topic, or spokes of one packed together.
 struct ChannelKind {
   Topic topic;
   bool packed = false;  // only of spokes

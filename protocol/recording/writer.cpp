@@ -95,7 +95,7 @@ class RecordingWriter::Impl {
            last - first < static_cast<std::uint64_t>(options_.chunk_time.count());
   }
 
-  // Of what is in the chunk.
+  // Notes a time of the chunk.
   void note_time(std::uint64_t time) {
     first_time_ = started_ ? std::min(first_time_, time) : time;
     last_time_ = started_ ? std::max(last_time_, time) : time;

@@ -39,7 +39,7 @@ const std::vector<ControlDefinition>& control_definitions();
 // nullptr if there is no control of that name.
 const ControlDefinition* find_control(std::string_view key);
 
-// What capabilities and meta deltas say of a control.
+// A control as capabilities and meta deltas describe it.
 Json definition_document(const ControlDefinition& definition);
 
 inline constexpr int kNoTransmitSectors = 4;

@@ -20,7 +20,7 @@ using Failed = Failure<std::string>;
 using Number = Result<std::optional<double>, std::string>;
 using Switch = Result<std::optional<bool>, std::string>;
 
-// Of one unit of the definition's.
+// One unit of the definition.
 struct Unit {
   std::string_view of, name;
   double factor;

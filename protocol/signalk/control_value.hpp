@@ -1,4 +1,4 @@
-// What a control says now, and what a display wants it to say.
+// The present value of a control, and the value that a display wants.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct ControlState {
 };
 Json state_document(const ControlDefinition& definition, const ControlState& state);
 
-// What is not there is to stay as it is; something is there.
+// Absent members stay as they are; at least one is present.
 struct ControlChange {
   std::optional<double> value = {};
   std::optional<double> end = {};  // sectors

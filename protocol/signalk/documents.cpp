@@ -18,7 +18,7 @@ const ControlState* state_in(const ControlStates& states, std::string_view key) 
   return found == states.end() ? nullptr : &found->second;
 }
 
-// As Signal K server 2.23 names it.
+// The name that Signal K server 2.23 uses.
 std::string status_of(const ControlStates& states) {
   const ControlState* power = state_in(states, "power");
   if (power == nullptr || power->value == kPowerOff) return "off";

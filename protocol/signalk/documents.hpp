@@ -29,7 +29,7 @@ enum class Dialect : std::uint8_t {
   keyed,    // {id: radar} with the addresses of its streams: displays of April 2026
 };
 
-// What does not change of a radar while the server runs.
+// The facts of a radar that do not change while the server runs.
 struct Radar {
   std::string id;       // letters, digits, '-' and '_'
   std::string name;     // "Frida X-band"
@@ -57,7 +57,7 @@ Json controls_document(const ControlStates& states);
 Json radar_state_document(const Radar& radar, const ControlStates& states, UtcTime now);
 Json interfaces_document(std::string_view address);
 
-// Of her motion all is absent that nobody knows.
+// Unknown values of her motion are absent.
 struct OwnShip {
   std::string name;
   std::optional<GeoPoint> position = {};
@@ -65,7 +65,7 @@ struct OwnShip {
   std::optional<double> speed_over_ground_mps = {};
   std::optional<double> rate_of_turn_deg_min = {};
 };
-// What is known: path ("navigation.position") and value, SI units.
+// Known values: path ("navigation.position") and value, SI units.
 std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship);
 // The ship as a tree, as /signalk/v1/api/vessels/self has it.
 Json own_ship_document(const OwnShip& ship, UtcTime now);

@@ -22,14 +22,14 @@ struct Legend {
   constexpr std::uint8_t history_start() const { return static_cast<std::uint8_t>(levels + 3); }
   constexpr std::uint32_t size() const { return levels + 3 + kHistory; }
 
-  // Where weak, middling and strong echoes begin.
+  // The first values of weak, middling and strong echoes.
   constexpr std::uint32_t low_return() const { return levels / 16 > 0 ? levels / 16 : 1; }
   constexpr std::uint32_t medium_return() const { return levels / 2; }
   constexpr std::uint32_t strong_return() const { return levels * 13 / 16; }
 };
 
-// Of cells of 4 or 8 bits.  8-bit cells lose their lowest bit, so that the colours that are no
-// strengths have values of their own; a cell that is not 0 stays so.
+// The legend of cells of 4 or 8 bits.  8-bit cells lose their lowest bit, so that colours that are
+// no strengths have values of their own; a cell above 0 stays above 0.
 constexpr Legend legend_of(std::uint32_t bits) { return {.levels = bits == 4 ? 16u : 128u}; }
 
 // The "legend" of a radar's capabilities.  Every colour is a text "#rrggbbaa".

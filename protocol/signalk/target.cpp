@@ -11,7 +11,7 @@
 namespace skerry::signalk {
 namespace {
 
-// Of WGS-84 at a latitude, in the azimuth of a meridian and across it, m.
+// Radii of curvature of WGS-84 at a latitude, along a meridian and across it, m.
 struct Curvature {
   double meridian, across;
 };

@@ -17,7 +17,7 @@
 
 namespace skerry {
 
-// What the bodies are, by the magic.
+// The kind of the bodies, by the magic.
 enum class DatagramKind : std::uint32_t {
   spokes = 0x534B5259,   // "SKRY"
   records = 0x534B5242,  // "SKRB"

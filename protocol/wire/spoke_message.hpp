@@ -8,7 +8,7 @@
 
 namespace skerry {
 
-// Of the range scale: where the last cell may end, so what an instrumented range may be.
+// Limits of the last cell's end, and so of an instrumented range, in range scales.
 inline constexpr double kShortestReach = 1.0 / 16.0, kLongestReach = 2.0;
 
 // Writes every field of `message`, whose memory is used again: a message kept from spoke to spoke

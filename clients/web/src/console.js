@@ -93,7 +93,7 @@ export class RadarConsole {
 
   #takeSettings(settings) {
     if (settings.radar !== this.radar || settings.view !== this.view) return;
-    // What was seen before standby is no picture of now.
+    // The picture from before standby is out of date.
     if (settings.standby && !this.settings?.standby) this.#goDark();
     this.settings = settings;
     this.events.settings(settings);

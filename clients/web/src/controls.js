@@ -5,7 +5,7 @@ export const $ = (id) => document.getElementById(id);
 
 const REMEMBERED = 'skerry.picture';
 
-// What belongs to this screen alone, kept in this browser.
+// Settings of this screen alone, kept in this browser.
 export class PictureSettings {
   constructor() {
     Object.assign(this, { palette: 'day', headUp: false, afterglow: 25, trailS: 0, echo: 'yellow',
@@ -16,7 +16,7 @@ export class PictureSettings {
         if (typeof this[name] === typeof value) this[name] = value;
       }
     } catch {
-      // Nothing kept, or not ours: the defaults stand.
+      // No settings kept, or not ours: the defaults stand.
     }
   }
 

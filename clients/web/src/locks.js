@@ -1,7 +1,7 @@
 // Locks: which controls only the instructor may change, and what that does to the panel.
 import { $ } from './controls.js';
 
-// What the instructor locks with one box, by the names of radar.proto, and the elements of each.
+// The controls that the instructor locks with one box, by their names in radar.proto, and the elements of each.
 const GROUPS = {
   'lock-range': { range_nm: ['range', 'range-less', 'range-more'], instrumented_range_m: [] },
   'lock-gain': { gain: ['gain'], gain_auto: ['gainAuto'] },

@@ -58,7 +58,7 @@ export class Playback {
     this.showPosition();
   }
 
-  // By its place, for marks may have one name.
+  // Chosen by its place, because marks may share a name.
   #toMark() {
     const mark = this.state?.marks[Number($('playback-mark').value)];
     $('playback-mark').value = '';

@@ -54,7 +54,7 @@ export class Reader {
     throw new WireError('malformed', this.at, 'varint of more than 10 bytes');
   }
 
-  // As protobuf does, a longer varint in a 32-bit field keeps its low bits.
+  // A longer varint in a 32-bit field keeps its low bits, as protobuf has it.
   uint32() {
     return this.varint().low;
   }

@@ -31,7 +31,7 @@ export function showOwnShip(ship, headingDeg) {
   $('order-speed').placeholder = format.fixed(ship?.orderedSpeedKn, 1);
 }
 
-// Where nobody knows her heading the bow is up, whatever was chosen.
+// With an unknown heading the bow is up, whatever was chosen.
 export function showOrientation(headUp, ship) {
   write('orientation', headUp || ship?.noHeading ? 'Head up' : 'North up');
 }

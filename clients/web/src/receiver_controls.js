@@ -147,7 +147,7 @@ export class ReceiverControls {
     for (const name of [...SLIDERS, ...SWITCHES, ...SELECTS, ...NUMBERS, 'rangeNm']) this.settings[name].take(settings[name]);
     this.settings.transmit.take(!settings.standby);
     $('sea').classList.toggle('trims', settings.seaAuto);
-    // What decides by itself has no use for the slider.
+    // An automatic control has no use for its slider.
     $('gain').classList.toggle('idle', settings.gainAuto || settings.mode !== 0);
     $('sideLobeSuppression').classList.toggle('idle', settings.sideLobeAuto || settings.mode !== 0);
     if (document.activeElement !== $('blankedSectors')) {

@@ -96,7 +96,7 @@ export class ScanStore {
     this.dirty[row] = 1;
   }
 
-  // Of spokes that share a row, the newer one's classes stay.
+  // Where spokes share a row, the newer one's classes stay.
   #paintDoppler(row, classes) {
     const at = row * this.dopplerCols;
     if (classes?.length > 0) this.doppler.set(classes.subarray(0, this.dopplerCols), at);

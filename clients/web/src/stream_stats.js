@@ -1,5 +1,4 @@
-// What a console knows of the stream itself: what was lost, how fast it comes, how fast the antenna
-// turns.
+// Figures of the stream: spokes lost, spokes a second, the antenna's turns.
 
 // Losses read off the sequence numbers of one subscription. WebSocket keeps the order, so a number
 // that does not grow means that the server has started its count again.
