@@ -86,7 +86,7 @@ struct SpokeReturns::Contributors {
   ParallelFor parallel;
   float tune_factor = 1.0f;
 
-  // Of the weather last seen.
+  // Made of the last weather.
   std::optional<Propagation> propagation;
   Atmosphere atmosphere;
   double wave_height_m = -1.0;
@@ -168,7 +168,7 @@ void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& ai
   statics.add(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
 }
 
-// Of all spokes together.
+// Looks for all spokes together.
 void SpokeReturns::Contributors::look_for_water(std::uint32_t count) {
   wet.assign((model.geometry.cells + SeaReturns::kWetCells - 1) / SeaReturns::kWetCells, 0);
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -196,7 +196,7 @@ void SpokeReturns::Contributors::add_sea(const SpokeAim& aim, std::span<const Ce
   sea.add(aim, row, from, sea.reach_cells());
 }
 
-// What others send passes the own masts once.
+// Signals of other senders pass the own masts once.
 void SpokeReturns::Contributors::add_beacons(const SpokeAim& aim, std::span<float> row) const {
   if (!rig.any()) {
     beacons.add(aim, row, tune_factor);

@@ -37,7 +37,7 @@ class SpokeReturns {
 
   const RadarModel& model() const;
 
-  // What detuning takes from echoes, dB >= 0; SARTs and other radars keep their strength.
+  // The loss of echoes by detuning, dB >= 0; SARTs and other radars keep their strength.
   void set_tune_loss(double db);
 
   // Whether rows come with radial speeds; not at first.

@@ -46,8 +46,8 @@ class AntennaMotionModel {
 
   Motion at(const Scene& scene, const SpokeAim& aim) const;
 
-  // Where that spoke looks from and whither: `aim` swung and turned.  Its relative bearing, by
-  // which masts shadow, is the antenna's own and stays.
+  // The place and direction from which that spoke looks: `aim` swung and turned.  Its relative
+  // bearing, by which masts shadow, is the antenna's own and stays.
   static SpokeAim moved(const SpokeAim& aim, const Motion& motion);
 
   // Multiplies cell i by the two-way gain of its surface's elevation, at most 1.

@@ -21,7 +21,7 @@ struct BearingSpan {
 // The body that a false echo of `body` is: the same for all of its points, and no other's.
 std::uint32_t false_body(std::uint32_t body, std::uint64_t way);
 
-// What a second trip brings back, over what the first does.  The wave goes antenna - target - own
+// The power of a second trip over that of the first.  The wave goes antenna - target - own
 // hull - target - antenna, and each leg spreads over 4 pi R^2:
 //   P1 = Pt G       / (4 pi R^2) * st / (4 pi R^2)                                * G lambda^2 / 4
 //   pi P2 = Pt G       / (4 pi R^2) * st / (4 pi R^2) * so / (4 pi R^2) * st / (4 pi R^2) * G

@@ -26,7 +26,7 @@ Length chart_window_for(double range_m);
 // more; less than the way of a few seconds makes indices too often.
 double index_slack_for(double range_m, double speed_mps);
 
-// By which a place on a picture is looked up.  Both serve the same positions.
+// The indexes by which a place on a picture is looked up.  Both serve the same positions.
 struct CoastIndex {
   std::shared_ptr<const PolarIndex> polar;
   std::shared_ptr<const StructureIndex> structures;  // null: nothing is built there
@@ -37,7 +37,7 @@ CoastIndex index_of(const CoastPicture& picture, PlanePoint own_ship, double sla
 PlanePoint velocity_in(const LocalPlane& plane, GeoPoint place, double course_deg,
                        double speed_mps);
 
-// Where the own ship is and how she moves.
+// Adds the own ship's place and motion.
 void lay_own_ship(const ShipMotion& ship, const LocalPlane& plane, Scene& scene);
 // The coast around her and whether she lies on it.  Requires her laid, and an index that serves
 // her.

@@ -11,7 +11,7 @@
 
 namespace skerry::echo {
 
-// What a coast sends back from beyond the unambiguous range, as points half a beam apart: of each
+// Echoes of a coast from beyond the unambiguous range, as points half a beam apart: of each
 // such bearing the nearest shore that lies beyond, taken as a face `height_m` high.  Shadows of
 // nearer land and of one shore by another are left out; only what stands out of the noise is made.
 // The picture must reach that far: to 54 NM for a second trace at 3000 Hz.  Coarse on purpose: such

@@ -35,8 +35,8 @@ class OneWayLink {
 bool behind_land(const HiddenHeight& hidden, Polar place, double height_m, double antenna_height_m,
                  double cell_m, double known_to_m);
 
-// Of the own beam, how much can reach a bearing from anywhere in a sector: an upper bound of the
-// pattern, which lets what cannot be heard be left out early.
+// An upper bound of the own beam's pattern toward a bearing, from anywhere in a sector.  So a
+// sender that cannot be heard is left out early.
 class BeamBound {
  public:
   explicit BeamBound(const RadarSet& set);

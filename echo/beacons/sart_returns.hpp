@@ -31,12 +31,12 @@ struct SartSweep {
   }
 };
 
-// What a receiver of that bandwidth makes of a sweep of `hz_per_s` through it: power of its answer
-// against a steady carrier, and how long that lasts.  For a Gaussian filter of that half-power
-// width, exactly: with x = (2 ln 2 / pi) rate / B^2 the power is 1 / sqrt(1 + x^2) and the length
-// B sqrt(1 + x^2) / rate; for slow sweeps B / rate: 11, 37, 75 m at 3, 10, 20 MHz (SOURCES.md
-// "Beacons"). A SART's slow sweep loses 3.4 dB at 3 MHz and 0.9 dB at 5 MHz, its fast one 15.7 dB
-// and 11.2 dB. Held by SartReturns.TheAnswerToASweepIsThatOfAGaussianFilter.
+// The answer of a receiver of that bandwidth to a sweep of `hz_per_s` through it: power of its
+// answer against a steady carrier, and how long that lasts.  For a Gaussian filter of that
+// half-power width, exactly: with x = (2 ln 2 / pi) rate / B^2 the power is 1 / sqrt(1 + x^2) and
+// the length B sqrt(1 + x^2) / rate; for slow sweeps B / rate: 11, 37, 75 m at 3, 10, 20 MHz
+// (SOURCES.md "Beacons"). A SART's slow sweep loses 3.4 dB at 3 MHz and 0.9 dB at 5 MHz, its fast
+// one 15.7 dB and 11.2 dB. Held by SartReturns.TheAnswerToASweepIsThatOfAGaussianFilter.
 struct SweptAnswer {
   double power = 1.0;
   double length_s = 0.0;

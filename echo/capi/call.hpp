@@ -1,4 +1,4 @@
-// What every call of the C interface does: catches, words and checks.
+// Common parts of all calls of the C interface: exceptions, error texts, checks.
 #pragma once
 
 #include <cstddef>

@@ -27,7 +27,7 @@ class Coast {
 
   const std::shared_ptr<const SharedChart>& chart() const { return chart_; }
   const CoastRules& rules() const { return rules_; }
-  // What was refined before stays; what is refined next follows `rules`.
+  // Coast refined before stays; coast refined next follows `rules`.
   // Error: std::invalid_argument as require_valid() for its styles.
   void set_rules(const CoastRules& rules);
 

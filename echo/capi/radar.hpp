@@ -25,14 +25,14 @@ struct TargetShip {
   std::uint64_t identity = 0;
 };
 
-// Where everything is at `time`.
+// Places of everything at `time`.
 struct ShipPositions {
   ScenarioTime time;
   ShipMotion own_ship;
   std::vector<TargetShip> targets;
 };
 
-// As Scene has it.
+// The sea as Scene has it.
 struct SeaState {
   double water_level_m = 0.0;
   double wave_height_m = 0.0;

@@ -17,7 +17,7 @@
 
 namespace skerry::echo::capi {
 
-// What a chart throws is worded for people already; here it gets its code.
+// Texts of a chart's exceptions are for people already; this adds their codes.
 template <typename Body>
 auto reading_chart(Body&& body) {
   try {
@@ -35,11 +35,11 @@ class SharedChart {
   SharedChart(std::unique_ptr<const ChartSource> source, std::string warnings);
 
   const std::string& name() const { return name_; }
-  // What of its files cannot be used, a line each.
+  // The unusable parts of its files, a line each.
   const std::string& warnings() const { return warnings_; }
   // Error: CallError CHART, as ChartSource::load() words it.
   CoastChart load(GeoPoint centre, Length radius) const;
-  // By the chart's straight edges.  Keeps the window last looked at.
+  // Decides by the chart's straight edges.  Keeps the window last used.
   bool is_land(GeoPoint place) const;
 
  private:

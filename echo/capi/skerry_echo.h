@@ -104,7 +104,7 @@ enum {
   SKERRY_ECHO_COAST_SANDY = 3,       // III: flat sand or mud: weak, deep
   SKERRY_ECHO_COAST_SEAM = 4         // out only: land ends where a chart ends; no shore
 };
-// Where a type may be left as charted.
+// For a type that may be left as charted.
 #define SKERRY_ECHO_COAST_AS_CHARTED (-1)
 
 // Opens charts by the names of files or folders: GSHHG (.nc), ENC cells (.000, their updates beside
@@ -208,7 +208,7 @@ SKERRY_ECHO_API int32_t skerry_echo_coast_refine(skerry_echo_coast* coast, doubl
                                                  double longitude_deg, double range_m,
                                                  double cell_m, double spoke_deg);
 
-// What was refined last: runs of vertices, LAND ON THE LEFT of each.  A closed shoreline is one run
+// The coast refined last: runs of vertices, LAND ON THE LEFT of each.  A closed shoreline is one run
 // or several; one that is cut by the range ends there.
 typedef struct skerry_echo_picture {
   uint32_t struct_size;   // set by the caller
@@ -279,7 +279,7 @@ SKERRY_ECHO_API int32_t skerry_echo_radar_create(skerry_echo_coast* coast,
 SKERRY_ECHO_API int32_t skerry_echo_radar_set_controls(skerry_echo_radar* radar, double range_nm,
                                                        double gain, double sea, double rain);
 
-// What a sandy coast's edge and texture move with; both 0 at first.  water_level_m: over the level
+// The water's state, which moves a sandy coast's edge and texture; both 0 at first.  water_level_m: over the level
 // of the charted coastline (high water), -17 to 15.  wave_height_m: significant, 0 to 15.
 SKERRY_ECHO_API int32_t skerry_echo_radar_set_sea(skerry_echo_radar* radar, double water_level_m,
                                                   double wave_height_m);
@@ -315,7 +315,7 @@ typedef struct skerry_echo_target {
 SKERRY_ECHO_API int32_t skerry_echo_own_ship_defaults(skerry_echo_own_ship* ship, size_t size);
 SKERRY_ECHO_API int32_t skerry_echo_target_defaults(skerry_echo_target* target, size_t size);
 
-// Where everything is at time_ns (-1e18 to 1e18, nanoseconds since the antenna's start).  Motion is
+// Places of everything at time_ns (-1e18 to 1e18, nanoseconds since the antenna's start).  Motion is
 // carried on from there, so a scene serves the spokes of a second or two around its time (see
 // render); set one 5 to 20 times a second.  targets: an array, all of one struct_size, which is the
 // distance from one to the next; NULL for count 0; at most 10 000.  Reads the chart and refines the

@@ -12,7 +12,7 @@
 
 namespace skerry::echo {
 
-// What an edge of a ring is.  Only a shoreline is ever refined or echoed.
+// The kind of a ring's edge.  Only a shoreline is ever refined or echoed.
 enum class EdgeKind : std::uint8_t {
   shoreline,
   bin_border,  // made by closing a polygon along the border of a storage bin; land on both sides
@@ -29,14 +29,14 @@ enum class CoastType : std::uint8_t {
 };
 inline constexpr int kCoastTypes = 4;
 
-// What the chart says of a stretch of shoreline.
+// The chart's facts about a stretch of shoreline.
 struct Shore {
   CoastType type = CoastType::unknown;
   float height_m = 0.0f;  // of the face over high water; 0: not charted, as the type has it
   friend bool operator==(const Shore&, const Shore&) = default;
 };
 
-// What lies on the left of a shoreline edge is what the ring bounds: land for levels 1 and 3, 5, 6,
+// The ring's inside lies on the left of a shoreline edge: land for levels 1 and 3, 5, 6,
 // water for 2 and 4 (read with reversed direction, so that LAND IS ALWAYS ON THE LEFT).
 struct CoastRing {
   std::uint8_t level =
@@ -60,7 +60,7 @@ struct CoastChart {
   std::shared_ptr<const ElevationGrid> elevation;  // null: relief is synthesised
 };
 
-// What the chart says of edge `i` of `ring`.
+// The chart's facts about edge `i` of `ring`.
 inline Shore shore_of(const CoastChart& chart, const CoastRing& ring, std::size_t i) {
   return ring.shores.empty() ? Shore{} : chart.shores[ring.shores[i]];
 }

@@ -52,7 +52,7 @@ class BinError : public std::runtime_error {
 // EdgeKind::bin_border. Without lines of a level, the bin is inside that level or outside as its
 // corners are.
 //
-// Of the five files of GSHHG 2.3.7, checked entirely: lines begin and end on the sides stated, and
+// All five files of GSHHG 2.3.7 were checked whole: lines begin and end on the sides stated, and
 // entries and exits of a level alternate, but 2 to 22 times per file two lines touch on the border
 // (one of the two may be a spike of two points, which bounds nothing and is left out).
 // No segment runs along a bin border: the polygons were closed along the antimeridian and at the

@@ -22,8 +22,8 @@ class LocalPlane {
   // Inverse, by the geodesic (GeographicLib); to_plane(to_geo(p)) is p within the errors above.
   GeoPoint to_geo(PlanePoint point) const;
 
-  // Where true north lies at `point`: degrees clockwise from the plane's north.  Away from the
-  // anchor the meridians converge: 0.08 deg 5 km east of it at 60 N.  At a pole, north is the
+  // The direction of true north at `point`: degrees clockwise from the plane's north.  Away from
+  // the anchor the meridians converge: 0.08 deg 5 km east of it at 60 N.  At a pole, north is the
   // direction of the meridian of the point's own longitude.
   double true_north_degrees(GeoPoint point) const;
 

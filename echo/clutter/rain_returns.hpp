@@ -25,7 +25,7 @@ inline constexpr double kRainTop = 4000.0;  // m, SOURCES.md "Rain"
 // `clutter_width`: that of the antenna's pattern, radians (antenna_pattern.hpp).
 double rain_level(const RadarModel& model, double clutter_width, double range_m);
 
-// What rain there is along a spoke (echo/propagation/rain_path.hpp): from cell `first` on, every
+// The rain along a spoke (echo/propagation/rain_path.hpp): from cell `first` on, every
 // `step` (1, 2, 4, 8 or 16) cells to one at or behind `end`.
 struct RainKnots {
   std::span<const float> rate_mm_h, transmission;

@@ -61,14 +61,14 @@ struct Range95 {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-// What is to be expected below the chart's spacing.
+// Expected values below the chart's spacing.
 //  - Dimension: that of the box count.  Its standard error there is made of its own, of the scatter
 //    of the octaves, and of their drift per octave times the octaves from the finest that shows.
 //  - Offset of a chord's middle, in chords: from the line through the logarithms; NaN where fewer
 //    than three chord lengths show.
 Range95 dimension_at(const CoastMeasurement& coast, double scale_m);
 Range95 offset_at(const CoastMeasurement& coast, double chord_m);
-// Of the octaves that show: change of D per doubling of the scale.
+// The change of D per doubling of the scale, over the octaves that show.
 LineFit octave_drift(const CoastMeasurement& coast);
 
 // A style and why.

@@ -18,7 +18,7 @@ struct CoastLines {
   std::vector<PlaneLine> lines;
   std::size_t edges = 0;
   double length_m = 0.0;
-  // Of an edge, metres: by count.
+  // The median length of an edge, metres.
   double median_spacing_m = 0.0;
   double mean_spacing_m = 0.0;
   double p90_spacing_m = 0.0;

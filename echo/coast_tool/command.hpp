@@ -1,4 +1,4 @@
-// What the commands of `skerry-coast` share: how they are made and how they end.
+// Parts that the commands of `skerry-coast` share: how they are made and how they end.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -30,7 +30,7 @@ class FigureCoast {
   // All kinds of coast refined by one style.  Error: as require_valid().
   CoastPicturePtr corrected(const CoastStyle& style) const;
 
-  // What the radar shows of it: one turn, gain and sea control as they come, no traffic.
+  // The radar's picture of it: one turn, gain and sea control at their defaults, no traffic.
   Scan scan_of(CoastPicturePtr picture) const;
 
  private:

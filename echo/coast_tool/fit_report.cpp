@@ -8,7 +8,7 @@
 namespace skerry::echo {
 namespace {
 
-// Of fewer, the dimension of offsets is chance.
+// With fewer chords the dimension of offsets is chance.
 constexpr std::size_t kFewestChords = 30;
 
 std::string scale_text(double metres) {

@@ -1,4 +1,4 @@
-// What `skerry coast fit` prints and writes.
+// Output of `skerry coast fit`.
 #pragma once
 
 #include <string>

@@ -40,8 +40,9 @@ class ThinnedCoast {
   const CoastPieces& real() const { return real_; }
   CoastPieces chords() const;
 
-  // What the contestant draws, down to what stands out by `detail_m`, in the room that all edges
-  // leave each other; as printed, on a display of 1000 pixels across 6 NM.
+  // The coast that the contestant draws, down to details of `detail_m`, in the room that all edges
+  // leave each
+  // other; as printed, on a display of 1000 pixels across 6 NM.
   CoastPieces drawn_by(const Contestant& contestant, std::uint64_t seed, double detail_m);
 
   static constexpr double kDisplayPixels = 1000.0, kDisplayRange_m = 3.0 * 1852.0;

@@ -1,4 +1,4 @@
-// What the judge of coasts found, as tables and as figures.
+// Findings of the judge of coasts, as tables and figures.
 #pragma once
 
 #include <optional>

@@ -30,7 +30,7 @@ struct Named {
   std::string how;
 };
 
-// What the thinned coast, all that a method is shown, says of how rough it is.
+// The roughness of the thinned coast, which is all that a method is shown.
 std::optional<CoastMeasurement> measured(const ThinnedCoast& coast, const CoastArea& area,
                                          const Telling& tell) {
   try {
@@ -95,7 +95,7 @@ Judgement judge(const CoastChart& chart, const CoastArea& area, const JudgeOptio
   result.edges = coast.real().size();
   result.spacing_m = median_edge(coast.real());
   result.chord_m = median_edge(coast.chords());
-  // As finest_scale_m() of the fine coast.
+  // The same as finest_scale_m() of the fine coast.
   result.scales.smallest_m = 100.0;
   while (result.scales.smallest_m < 0.6 * result.spacing_m) result.scales.smallest_m *= 2.0;
   while (result.scales.smallest_m > 1.2 * result.spacing_m) result.scales.smallest_m *= 0.5;

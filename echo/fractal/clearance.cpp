@@ -139,7 +139,7 @@ double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
   const PlanePoint along = e.to - e.from;
   const double length = std::sqrt(dot(along, along));
   if (length == 0.0) return 0.0;
-  // Nothing farther away than this can bind: 0.47 d >= tan(30 deg) * length / 2.
+  // No edge farther away than this can bind: 0.47 d >= tan(30 deg) * length / 2.
   const double reach = length * kMaxHalfAngleTan / (2.0 * 0.47);
   const auto square = [&](double offset, std::int32_t count) {
     return static_cast<std::int32_t>(
@@ -160,7 +160,7 @@ double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
       for (std::uint32_t k = square_start_[s]; k < square_start_[s + 1]; ++k) {
         if (square_edges_[k] == index) continue;
         const ShoreEdge& f = edges_[square_edges_[k]];
-        // What is farther away than the nearest so far decides nothing.
+        // An edge farther away than the nearest so far decides nothing.
         if (apart(box, box_of(f), 1.0001 * tan * length / (2.0 * 0.47))) continue;
         const bool ff = f.from_id == e.from_id, ft = f.to_id == e.from_id;
         const bool tf = f.from_id == e.to_id, tt = f.to_id == e.to_id;

@@ -40,8 +40,8 @@ double mean_middle_sum(double spread, double dimension) {
   return sum / weights;
 }
 
-// Where `rising` passes 1 between low and high, or the nearer end; by false position, Illinois rule
-// (about 8 evaluations for what 40 halvings give).  Error: 1e-12 of the bracket.
+// The place where `rising` passes 1 between low and high, or the nearer end; by false position,
+// Illinois rule (about 8 evaluations for what 40 halvings give).  Error: 1e-12 of the bracket.
 template <typename Function>
 double solve_for_1(double low, double high, const Function& rising) {
   double below = rising(low) - 1.0, above = rising(high) - 1.0;

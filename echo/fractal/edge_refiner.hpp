@@ -21,7 +21,8 @@ struct GrowingEdge {
   double half_angle_tan = 0.0;
 };
 
-// Where refinement may stop, for a radar at `centre` that can be anywhere within `slack_m` of it.
+// The limit at which refinement may stop, for a radar at `centre` that can be anywhere within
+// `slack_m` of it.
 struct DetailLimit {
   PlanePoint centre = {};
   double slack_m = 0.0;
@@ -40,7 +41,7 @@ struct DetailLimit {
     if (nearest > range_m) return std::numeric_limits<double>::infinity();
     return std::max(least_visible_m(), 0.1 * nearest * spoke_radians);
   }
-  // Of all places.
+  // The least visible_m() of all places.
   double least_visible_m() const { return std::max(0.1 * cell_m, 0.05); }
 };
 
@@ -53,7 +54,7 @@ class EdgeMethod {
                       std::vector<PlanePoint>& out) const = 0;
 };
 
-// What coast_methods() names, for a valid style of that method.  Koch: the dimension is the
+// Makes a method that coast_methods() names, for a valid style of it.  Koch: the dimension is the
 // similarity dimension in the widest envelope; the amplitude is a factor on the height of the
 // apexes, up to what the envelope allows.
 std::unique_ptr<const EdgeMethod> make_straight_method(const CoastStyle& style);

@@ -19,7 +19,7 @@ constexpr double half_to_the(int level) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 - level) << 52);
 }
 
-// What a style says of all its edges.
+// The settings of a style that hold for all its edges.
 struct GraphStyle {
   explicit GraphStyle(const CoastStyle& style);
 

@@ -102,7 +102,7 @@ WeierstrassTables::WeierstrassTables(const CoastStyle& s, const FractionalBridge
 
 int WeierstrassTables::terms(double length_m, double gain_m) const {
   const auto too_short = std::lower_bound(waves.begin(), waves.end(), length_m / kFinest_m);
-  // What is left out from an amplitude on, with the ends' share: twice the sum.
+  // The sum left out from an amplitude on, doubled for the ends' share.
   const auto too_low = std::partition_point(amplitude.begin(), amplitude.end(), [&](double a) {
     return 2.0 * a * tail_ * gain_m > kFinest_m;
   });

@@ -27,7 +27,7 @@ inline __attribute__((always_inline)) Real natural_height(Real inland, Real broa
   return height > Real(0.5) ? height : Real(0.5);
 }
 
-// What covers the land varies by place: a factor on gamma by the fine noise, 2^(kCoverOctaves
+// Land cover varies by place: a factor on gamma by the fine noise, 2^(kCoverOctaves
 // noise), so that its logarithm spreads evenly.
 inline constexpr float kCoverOctaves = 1.2f;
 // Error: 4e-6 relative.
@@ -49,8 +49,8 @@ inline constexpr float kHidesNothing = -1e9f;  // a slope
 struct LandChunk {
   std::int32_t first = 0;
   std::int32_t begin = 0, end = 0;
-  // Of the middle of cell `first`, metres: from the stretch's two ends (negative outside it), and
-  // from the antenna.
+  // Distances of the middle of cell `first`, metres: from the stretch's two ends (negative outside
+  // it), and from the antenna.
   float from_begin = 0.0f, from_end = 0.0f, range = 0.0f;
   float cell = 1.0f;
   float antenna = 20.0f;        // height over the water, metres

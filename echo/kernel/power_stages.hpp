@@ -1,4 +1,4 @@
-// What a receiver does to rows of echo power before its detector: sharpening in azimuth, side lobe
+// Stages of a receiver on rows of echo power before its detector: sharpening in azimuth, side lobe
 // suppression, boost of small echoes.
 #pragma once
 

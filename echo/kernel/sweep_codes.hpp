@@ -36,9 +36,9 @@ void convert_log(std::span<const float> power, float per_octave, std::span<const
 void convert_linear(std::span<const float> power, std::span<const float> factor, float offset,
                     ConverterScale scale, std::span<std::uint16_t> codes) noexcept;
 
-// Of every `group` codes the largest, the mean rounded to the nearest (halves upwards), or the sum
-// (65535 where it is larger).  Exact.
-// Requires group in 1 .. 65536, codes.size() == group * out.size(), no overlap.
+// Takes from every `group` codes the largest, the mean rounded to the nearest (halves upwards), or
+// the sum (65535 where it is larger).  Exact. Requires group in 1 .. 65536, codes.size() == group *
+// out.size(), no overlap.
 void decimate_by_peak(std::span<const std::uint16_t> codes, std::uint32_t group,
                       std::span<std::uint16_t> out) noexcept;
 void decimate_by_mean(std::span<const std::uint16_t> codes, std::uint32_t group,

@@ -19,10 +19,10 @@ struct ChordOffsets {
   // NaN for fewer than two chords.
   double middle_rms = 0.0;
   double middle_error = 0.0;
-  // Of the graph of offsets over the chord, each where the coast first passes: D = 2 - slope/2 of
-  // their variogram of second differences (the ends are pinned) over lags of step_m to a quarter of
-  // the chord.  NaN for chords of fewer than 16 steps.  What overhangs becomes a jump, so it reads
-  // high on a coast of many narrow bays.
+  // The dimension of the graph of offsets over the chord, each where the coast first passes: D = 2
+  // - slope/2 of their variogram of second differences (the ends are pinned) over lags of step_m to
+  // a quarter of the chord.  NaN for chords of fewer than 16 steps.  What overhangs becomes a jump,
+  // so it reads high on a coast of many narrow bays.
   double graph_dimension = 0.0;
 };
 

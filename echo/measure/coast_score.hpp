@@ -42,7 +42,7 @@ CoastShape shape_of(const CoastPieces& pieces, const ScoreScales& scales,
 // chord to speak of.
 std::vector<bool> has_offsets(const CoastPieces& real);
 
-// What one coast is worth beside the real one between the same chords.  Everything is 0 for the
+// The score of one coast beside the real one between the same chords.  Everything is 0 for the
 // real coast itself.
 struct CoastScore {
   // Root mean square, over places at equal parts of both curves' lengths, of the difference of

@@ -16,16 +16,16 @@ struct OutlineScales {
   double above_from_m = 0.0, above_to_m = 0.0;
 };
 
-// As the pictures of SOURCES.md "Pictures (a)" were measured: pictures of 1024 cells out to
-// `range_m`: R/512 to R/66 and R/47 to R/12, which is 0.05-0.39 and 0.54-2.1 beam widths on the
-// ground in the HALO20's picture, 0.06-0.48 and 0.68-2.7 in the 3G's.
+// The scales at which the pictures of SOURCES.md "Pictures (a)" were measured: pictures of 1024
+// cells out to `range_m`: R/512 to R/66 and R/47 to R/12, which is 0.05-0.39 and 0.54-2.1 beam
+// widths on the ground in the HALO20's picture, 0.06-0.48 and 0.68-2.7 in the 3G's.
 OutlineScales recorded_scales(double range_m);
 
 // Split at `beam_m`: from 4 picture elements, where the estimator no longer sees them as such, to
 // the beam, and from the beam to four of them.
 OutlineScales scales_at_beam(double beam_m, double element_m);
 
-// What is narrower than beam and pulse the radar smears, so an outline is smooth there; above, it
+// The radar smears details narrower than beam and pulse, so an outline is smooth there; above, it
 // is the coast's and the relief's.
 struct OutlineDimension {
   double beam_m = 0.0;  // beam width on the ground at the outline's mean range

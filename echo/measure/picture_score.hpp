@@ -29,7 +29,8 @@ PictureCorrelation mean_picture_correlation(std::span<const PictureTurn> turns,
                                             const PictureWindow& window, double least);
 
 struct PictureScore {
-  // Of the outline: split at the beam, and as SOURCES.md "Pictures" split it (by the range).
+  // Dimensions of the outline: split at the beam, and as SOURCES.md "Pictures" split it (by the
+  // range).
   double below_beam = 0.0, above_beam = 0.0;
   double below_recorded = 0.0, above_recorded = 0.0;
   Quantiles thickness_m{};
@@ -42,8 +43,8 @@ struct PictureScore {
 // cells.  Error: std::invalid_argument as require_valid().
 PictureScore picture_score(const PictureTurn& turn, const PictureWindow& window, double range_m);
 
-// What these estimators find in single turns of real recordings with 2048 spokes of 1024 cells, the
-// mean of all turns; held by PictureOfARecording.HasTheScoreThatIsComparedWith.
+// Values that these estimators find in single turns of real recordings with 2048 spokes of 1024
+// cells, the mean of all turns; held by PictureOfARecording.HasTheScoreThatIsComparedWith.
 struct RecordedPicture {
   std::string_view name;
   double range_m, beam_deg;

@@ -16,7 +16,7 @@ struct PathGrid {
   friend bool operator==(const PathGrid&, const PathGrid&) = default;
 };
 
-// What is interpolated is smooth: the share of the two rays' difference that the Earth's roundness
+// Interpolates smooth terms only: the share of the two rays' difference that the Earth's roundness
 // leaves, the mirror's strength, the loss in dB, and how a body's mean differs from that of a
 // straight mirror.  The phase follows exactly from range, height and the first, so lobes and nulls
 // stand where they belong however coarse the nodes.  Bounds against point_reference() and

@@ -24,10 +24,11 @@ struct ReflectionPath {
 ReflectionPath reflection_path(double range_m, double antenna_height_m, double target_height_m,
                                double effective_earth_m);
 
-// What a rough sea leaves of the reflected voltage.  g = 2 pi sigma_h sin(psi) / lambda, sigma_h
-// the standard deviation of the surface (a quarter of the significant wave height). Ament: exp(-2
-// g^2).  Miller, Brown, Vegh: exp(-2 g^2) I0(2 g^2), nearer to what is measured where the sea is
-// rough; it is the one in use.  Source: SOURCES.md "Propagation".  Error of I0: 5e-7 relative.
+// The share of the reflected voltage that a rough sea leaves.  g = 2 pi sigma_h sin(psi) / lambda,
+// sigma_h the standard deviation of the surface (a quarter of the significant wave height). Ament:
+// exp(-2 g^2).  Miller, Brown, Vegh: exp(-2 g^2) I0(2 g^2), nearer to what is measured where the
+// sea is rough; it is the one in use.  Source: SOURCES.md "Propagation".  Error of I0: 5e-7
+// relative.
 double ament_roughness(double g);
 double miller_brown_roughness(double g);
 

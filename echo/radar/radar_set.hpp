@@ -13,7 +13,7 @@ namespace skerry::echo {
 
 inline constexpr double kLightSpeed = 299792458.0;  // m/s, exact
 
-// Of a log amplifier as on ships; small craft's displays are given as little as 6 dB.
+// Range of a log amplifier as on ships; small craft's displays are given as little as 6 dB.
 inline constexpr double kLogVideoDb = 45.0;
 
 enum class Band : std::uint8_t { x, s };

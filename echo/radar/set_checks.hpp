@@ -1,4 +1,4 @@
-// What a radar set may be.
+// Limits of a radar set.
 #pragma once
 
 #include <array>

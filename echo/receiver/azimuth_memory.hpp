@@ -26,9 +26,9 @@ inline constexpr double kLeastRejectionDb = 20.0, kMostRejectionDb = 6.0;
 AzimuthStages azimuth_stages(double beam_width_deg, std::uint32_t spokes_per_turn, double rejection,
                              double integration, unsigned stretch);
 
-// What one view keeps of its last spokes.  Columns are independent of each other: any split of the
-// cells gives the same video.  Thread: receive() of different columns at the same time, each column
-// in the order of spokes; set_up(), forget() and end_spokes() alone.
+// The memory that one view keeps of its last spokes.  Columns are independent of each other: any
+// split of the cells gives the same video.  Thread: receive() of different columns at the same
+// time, each column in the order of spokes; set_up(), forget() and end_spokes() alone.
 class AzimuthMemory {
  public:
   void set_up(const AzimuthStages& stages, std::uint32_t cells, double mean_noise);

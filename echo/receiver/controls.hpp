@@ -31,8 +31,8 @@ enum class Decimation : std::uint8_t { peak, mean };
 // Which cells are coloured by their radial speed.
 enum class DopplerMode : std::uint8_t { off, both, approaching };
 
-// What the picture is set for; anything but custom decides gain, sea, rain and what cleans the
-// picture by itself.
+// The purpose that the picture is set for; anything but custom decides gain, sea, rain and what
+// cleans the picture by itself.
 enum class PictureMode : std::uint8_t { custom, harbour, offshore, buoy, weather, bird };
 
 // The longest instrumented range: twice the longest range scale.
@@ -65,12 +65,12 @@ struct ViewControls {
   friend bool operator==(const ViewControls&, const ViewControls&) = default;
 };
 
-// What holds where a picture mode or an automatic control decides: `mode` is custom then, and side
-// lobe suppression a number.  What is custom and manual stays as it is.  The range scale, the
-// instrumented range, decimation and Doppler colours are no mode's affair.
+// The controls in force where a picture mode or an automatic control decides: `mode` is custom
+// then, and side lobe suppression a number.  What is custom and manual stays as it is.  The range
+// scale, the instrumented range, decimation and Doppler colours are no mode's affair.
 ViewControls effective_controls(const ViewControls& controls);
 
-// Where the last cell of a view ends: at the range scale, or at its instrumented range as far as
+// The end of a view's last cell: at the range scale, or at its instrumented range as far as
 // that lies within a sixteenth of the range scale and twice it; the nearest of the two where not.
 Length reach_of(const ViewControls& controls);
 
@@ -79,16 +79,16 @@ Length reach_of(const ViewControls& controls);
 std::uint32_t row_cells_for(const ScanGeometry& geometry, RangeScale scale,
                             const ViewControls& controls);
 
-// What is wrong with the controls: the name of the first one outside its range, the range and what
-// it is; nothing where all is well.
+// The fault of the controls: the name of the first one outside its range, the range and its value;
+// nullopt if all are well.
 std::optional<std::string> fault_of(const RadarControls& controls);
 std::optional<std::string> fault_of(const ViewControls& controls);
 
-// What tuning costs an echo, dB >= 0: a detuned receiver has the echoes on the flank of its filter,
-// 12 dB (f - f0)^2 / B^2 as of a Gaussian one (3 dB at half a bandwidth), and the knob moves f by
-// kTuningSpan bandwidths to either side of 50.  Nothing for automatic tuning, which follows the
-// transmitter at once.  Receiver noise, and what is broader than the filter (SART), stay.
-// Source: SOURCES.md "Receiver" for the law; the span is this receiver's own.
+// The loss of an echo by tuning, dB >= 0: a detuned receiver has the echoes on the flank of its
+// filter, 12 dB (f - f0)^2 / B^2 as of a Gaussian one (3 dB at half a bandwidth), and the knob
+// moves f by kTuningSpan bandwidths to either side of 50.  Nothing for automatic tuning, which
+// follows the transmitter at once.  Receiver noise, and what is broader than the filter (SART),
+// stay. Source: SOURCES.md "Receiver" for the law; the span is this receiver's own.
 inline constexpr double kTuningSpan = 1.5;
 double tune_loss_db(const RadarControls& controls);
 

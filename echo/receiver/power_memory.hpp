@@ -33,10 +33,10 @@ inline constexpr std::uint32_t kMostReach = 48;
 PowerStages power_stages(const RadarSet& set, std::uint32_t spokes_per_turn,
                          const ViewControls& controls);
 
-// What one view keeps for them: the spokes of half a beam, and the strongest echo by range of this
-// turn and the last.  Columns are independent of each other.
-// Thread: condition() of different columns at the same time, each column in the order of spokes;
-// the rest alone.
+// The memory that one view keeps for these stages: the spokes of half a beam, and the strongest
+// echo by range of this turn and the last.  Columns are independent of each other. Thread:
+// condition() of different columns at the same time, each column in the order of spokes; the rest
+// alone.
 class PowerMemory {
  public:
   // A stage loses what it has learnt only when that stage changes.

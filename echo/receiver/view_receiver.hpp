@@ -70,8 +70,8 @@ class ViewReceiver {
               std::uint32_t count, std::span<const std::uint8_t> video,
               std::span<DopplerClass> colours) const;
 
-  // What a power (echo and noise together, over mean noise) reads at a cell before it is rounded
-  // and clamped, with the STC now in force: video steps.
+  // The video, in steps, of a power (echo and noise together, over mean noise) at a cell, with the
+  // present STC, before it is rounded and clamped.
   double level_of(double power, std::uint32_t cell) const;
 
  private:

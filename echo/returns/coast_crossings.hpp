@@ -1,4 +1,4 @@
-// Where a ray meets the coast.
+// The crossings of a ray with the coast.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ void sort_crossings(std::vector<Crossing>& crossings);
 void land_along(const std::vector<Crossing>& crossings, bool ashore, double range_m,
                 std::vector<LandInterval>& land);
 
-// As far as this from `own_ship` the picture has all coast there is.
+// The range from `own_ship` within which the picture has all coast there is.
 double complete_range(const CoastPicture& coast, PlanePoint own_ship);
 
 // Whether `own_ship` lies on land, by the refined coast: all of the 64 rays that meet a shore begin

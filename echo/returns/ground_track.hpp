@@ -7,9 +7,9 @@
 
 namespace skerry::echo {
 
-// Where over the Earth a ray from the own ship is, for rasters of latitude and longitude: along the
-// ellipsoid's normal section as a circle of the curvature it has at the own ship.
-// Error against the WGS-84 geodesic: bound_m(), for own ships to 89.4 deg of latitude.  Held by
+// The track of a ray from the own ship over the Earth, for rasters of latitude and longitude: along
+// the ellipsoid's normal section as a circle of the curvature it has at the own ship. Error against
+// the WGS-84 geodesic: bound_m(), for own ships to 89.4 deg of latitude.  Held by
 // GroundTrack.FollowsTheGeodesicWithinItsBound.
 class GroundTrack {
  public:

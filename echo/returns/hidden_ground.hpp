@@ -1,4 +1,4 @@
-// What land hides along each ray of a turn.
+// Ground and water that land hides along each ray of a turn.
 #pragma once
 
 #include <array>

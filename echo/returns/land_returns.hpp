@@ -1,4 +1,4 @@
-// What the land behind a coast edge sends back.
+// Echoes of the land behind a coast edge.
 #pragma once
 
 #include <span>

@@ -54,7 +54,7 @@ void NaturalLand::make_coarse(std::size_t block, std::size_t first, std::size_t 
   relief_noise(coarse_path_, coarse_fine_, model_.seed ^ kFineSeed, from, {fine_ + at, points});
 }
 
-// By the chunk's coarse noises: none of its cells stands higher.
+// A bound from the chunk's coarse noises: no cell of the chunk is higher.
 double NaturalLand::highest_in(const LandChunk& chunk) const {
   const std::size_t points = (kLandChunk >> shift_) + 1;
   float broad = chunk.broad[0], fine = chunk.fine[0];

@@ -18,7 +18,7 @@ namespace skerry::echo {
 // time; reading any, between changes.
 class PackedRows {
  public:
-  // As many rows, none of them made.
+  // Sets the number of rows; none is made then.
   void reset(std::uint32_t rows);
 
   bool made(std::uint32_t row) const { return rows_[row].made; }

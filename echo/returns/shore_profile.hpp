@@ -1,4 +1,4 @@
-// What the ground is like behind a shore, by the types of Ji et al. 2016.
+// The ground behind a shore, by the types of Ji et al. 2016.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline constexpr double kFaceHeight = 3.0;   // of a quay where no height is cha
 inline constexpr double kWetEdge = 30.0;     // metres over which wet sand fades in
 inline constexpr double kBeachSlope = 1.0 / 50.0;  // of sand and mud, up to 150 m above the water
 
-// Of natural land (land_chunk.hpp), in double.
+// The height of natural land (land_chunk.hpp), in double.
 inline double land_height(double inland_m, double broad_noise, double fine_noise) {
   return natural_height(inland_m, broad_noise, fine_noise);
 }
@@ -50,7 +50,7 @@ double greatest_height(const ShoreState& state, double inland_m);
 // The vertical face at the water's edge, metres; 0 where there is none but the ground itself.
 double face_height(const ShoreState& state);
 
-// Where the ground is charted: the least height right at the edge, and how rough it may be below
+// On charted ground: the least height right at the edge, and how rough it may be below
 // the raster's step, metres.
 double bank_height(const ShoreState& state);
 double roughness(const ShoreState& state, double inland_m);

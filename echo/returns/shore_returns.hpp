@@ -1,4 +1,4 @@
-// What land with typed shores or charted heights sends back.
+// Echoes of land with typed shores or charted heights.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct ChartedRelief {
   GroundTrack track;
 };
 
-// What the land of a ray hides, for what stands on it and behind it; by cell.
+// The shadow of the land along a ray, for things on it and behind it; by cell.
 struct GroundProfile {
   std::vector<float> shadow;    // slope (land_ray.hpp) below which all nearer land hides
   std::vector<float> height_m;  // of the ground over the water; 0 where it is water or all hidden
@@ -40,7 +40,7 @@ struct GroundProfile {
   std::size_t filled_ = 0;
 };
 
-// As add_land(), with shores by their types (shore_profile.hpp):
+// Adds as add_land() does, with shores by their types (shore_profile.hpp):
 //   I: the face returns kFaceGamma times its height times the arc, at the edge and nowhere else but
 //      where the edge runs along the ray, over as many cells as it covers within the arc.
 //   III: gamma of the wet edge times 1 + 0.9 beach_noise, fading out 30 m and the swash inland.

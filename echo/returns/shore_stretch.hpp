@@ -1,4 +1,4 @@
-// Where the shores of the land along a ray stand at this moment.
+// The present place of the shores of the land along a ray.
 #pragma once
 
 #include <cstdint>

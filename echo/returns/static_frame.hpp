@@ -93,7 +93,7 @@ class StaticFrame {
   bool made(std::uint32_t row) const { return rows_.made(row); }
   bool complete() const { return rows_.made_count() == detail_.rows; }
 
-  // As PackedRows::find() does.
+  // Finds as PackedRows::find() does.
   void find(const RowPart& part, std::vector<MovedRun>& runs) const { rows_.find(part, runs); }
 
   // Both of the ray nearest to that row, as HiddenGround has them.

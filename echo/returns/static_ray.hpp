@@ -14,7 +14,7 @@
 
 namespace skerry::echo {
 
-// What the rays from one place have in common.
+// The common part of all rays from one place.
 struct StaticView {
   const CoastPicture* coast = nullptr;
   const StructureIndex* structures = nullptr;  // serving `at`; null: none
@@ -43,7 +43,7 @@ struct StaticScratch {
   std::vector<float> stretch;
 };
 
-// Of land's relief and cover, by the scene's.
+// The seed of land's relief and cover, from the scene's.
 inline std::uint32_t land_seed(std::uint64_t scene_seed) {
   return static_cast<std::uint32_t>(mixed(scene_seed, 0x1A9D));
 }

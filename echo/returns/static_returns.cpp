@@ -30,7 +30,7 @@ constexpr double kLevelStep = 0.05;  // metres of water that make a frame old
 
 constexpr auto kServeUnits = static_cast<std::uint32_t>(kPartsServe * kUnitsPerRadian);
 
-// As many spokes as may share their parts, a power of two.
+// The number of spokes that may share their parts, a power of two.
 std::uint32_t spokes_together(std::uint32_t spokes_per_turn) {
   std::uint32_t n = 1;
   while (n < 16 && 0x80000000u / spokes_per_turn * 2 * n <= kServeUnits) n *= 2;
@@ -80,7 +80,7 @@ class StaticReturns::Frames {
 
   bool empty() const { return !in_use_ || now_->empty(); }
 
-  // What echoes of a spoke, and what of it shows no sea.
+  // Finds the echoes of a spoke, and the cells that show no sea.
   void find(const SpokeAim& aim, std::vector<MovedRun>& runs, std::vector<CellRun>& dry) const {
     runs.clear();
     dry.clear();
@@ -134,7 +134,7 @@ class StaticReturns::Frames {
     lay_parts(view, aim.plane_units - turn_units_, nearest, model_.geometry.cells, visit);
   }
 
-  // Of each group of spokes, once.
+  // Places the parts of each group of spokes once.
   void lay_groups(const Scene& scene, std::uint64_t first, std::uint32_t count) {
     first_group_ = first / together_;
     group_starts_.clear();
@@ -183,7 +183,7 @@ class StaticReturns::Frames {
     }
   }
 
-  // Where the frame in use lies in the scene's plane.
+  // Computes the place of the frame in use in the scene's plane.
   void place_now(const Scene& scene) {
     if (scene.coast == placed_in_) return;
     placed_in_ = scene.coast;

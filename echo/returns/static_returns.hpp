@@ -65,7 +65,7 @@ class StaticReturns {
   // own curve apart.  Error: the shadow begins up to 8 cells late.  Thread: any, after prepare().
   float hidden_height(std::uint32_t plane_units, double range_m) const;
 
-  // What has been made, for tests and benches.
+  // Counts of the work done, for tests and benches.
   struct Effort {
     std::uint64_t rows = 0;    // made since the beginning
     std::uint64_t frames = 0;  // taken into use

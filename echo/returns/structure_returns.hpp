@@ -1,4 +1,4 @@
-// What bridges, piers, pontoons, buildings, masts, buoys and beacons send back.
+// Echoes of bridges, piers, pontoons, buildings, masts, buoys and beacons.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,15 @@ struct StructureModel {
 // -3.
 double wall_gamma(ObjectClass kind);
 
-// What a wall returns for each metre it runs along the line of sight, as if it were so much of a
-// metre across it: fenders, piles, girders.  So a pier that points at the antenna still echoes.
+// The echo of a wall for each metre along the line of sight, in metres across it: fenders, piles,
+// girders.  So a
+// pier that points at the antenna still echoes.
 inline constexpr double kAlongTheLine = 0.05;
 
 // A building or landmark the (synthetic) ground would swallow stands out of it by so much, metres.
 inline constexpr double kStandsOut = 8.0;
 
-// What may echo on one ray.
+// The structures that may echo on one ray.
 struct NearStructures {
   std::vector<std::uint32_t> walls, points;
   bool any() const { return !walls.empty() || !points.empty(); }

@@ -1,4 +1,4 @@
-// Where all the rays of a turn meet the coast.
+// The crossings of all the rays of a turn with the coast.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What answers or sends on the radar's own frequency.  Within the ranges given every power is
-// finite; whoever fills these in checks them (the scenario does by its schema).
+// Senders on the radar's own frequency: racons, SARTs, other radars.  Within the ranges given every
+// power is finite; whoever fills these in checks them (the scenario does by its schema).
 #pragma once
 
 #include <cstdint>

@@ -92,7 +92,7 @@ CoastPicturePtr CoastPreparer::prepare(GeoPoint own_ship, const RadarResolution&
     const ShoreEdge& edge = edges[i];
     const double length = length_of(edge.to - edge.from);
     const PlanePoint middle = (edge.from + edge.to) * 0.5;
-    // What grows out of an edge is at most 0.29 of its length away from it.
+    // Refinement reaches at most 0.29 of an edge's length away from it.
     const double too_far = reach + 0.8 * length;
     if (dot(middle - centre, middle - centre) > too_far * too_far ||
         distance_to_segment(centre, edge.from, edge.to) - 0.29 * length > reach)

@@ -36,7 +36,8 @@ struct CoastPicture {
 };
 using CoastPicturePtr = std::shared_ptr<const CoastPicture>;
 
-// What the radar can tell apart, which decides where refinement stops (DetailLimit::visible_m).
+// The lengths that the radar can tell apart, which decide where refinement stops
+// (DetailLimit::visible_m).
 struct RadarResolution {
   double range_m = 0.0;  // range scale
   double cell_m = 1.0;
@@ -63,7 +64,7 @@ class CoastPreparer {
 
   CoastPicturePtr prepare(GeoPoint own_ship, const RadarResolution& resolution);
 
-  // What the last picture cost, in chart edges.
+  // The cost of the last picture, in chart edges.
   struct Effort {
     std::uint32_t straight = 0;  // nothing to be seen on them
     std::uint32_t reused = 0;    // from an earlier picture

@@ -23,7 +23,7 @@ struct CoastPlace {
 
 struct CoastRules {
   std::uint64_t seed = 0;  // makes another coast between the same chart vertices
-  // By CoastType: unknown, artificial, rocky, sandy.
+  // Indexed by CoastType: unknown, artificial, rocky, sandy.
   std::array<CoastStyle, kCoastTypes> styles = {
       CoastStyle{}, CoastStyle{.method = CoastMethod::straight, .dimension = 1.0}, CoastStyle{},
       CoastStyle{.dimension = 1.05}};

@@ -12,7 +12,7 @@ namespace skerry::echo {
 //    a quarter of an octave, so that it stays the same for most edges while the own ship sails;
 //  - by piece: near edges longer than half their distance (of a coarse chart), where the detail
 //    wanted differs from end to end.
-// What is made is never less than DetailLimit::visible_m asks of each piece, and at most what it
+// The detail made is never less than DetailLimit::visible_m asks of each piece, and at most what it
 // would ask 1.19 times nearer and from the edge's nearest place on.
 struct EdgeDetail {
   enum class Rule { straight, whole, by_piece };

@@ -1,4 +1,4 @@
-// What the own ship does to her own radar.
+// The effects of the own ship on her own radar.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ namespace skerry::echo {
 // Thread: one at a time.
 class PictureMemory {
  public:
-  // Where in its picture an edge is, and to what detail.
+  // The place of an edge in its picture, and its detail.
   struct Place {
     double detail_m = -1.0;   // < 0: not there, or not to be used again
     std::uint32_t first = 0;  // the edge's first vertex after its beginning

@@ -7,7 +7,8 @@
 
 namespace skerry::echo {
 
-// Of latitude, on a sphere of 6371 km.  Error: 0.6 % (110.6 km at the equator, 111.7 at the poles).
+// Metres per degree of latitude on a sphere of 6371 km.  Error: 0.6 % (110.6 km at the equator,
+// 111.7 at the poles).
 inline constexpr double kMeanMetresPerDegree = 111195.0;
 
 inline double distance_to_segment(PlanePoint p, PlanePoint a, PlanePoint b) {

@@ -9,7 +9,7 @@
 namespace skerry::echo {
 namespace {
 
-// Of the bearings below, radians: 1.0e-5 of the polynomial, the rest for float.
+// Error of the bearings below, radians: 1.0e-5 by the polynomial, the rest by float.
 constexpr float kBearingError = 2e-5f;
 
 constexpr int kBucketShift = 20;
@@ -75,7 +75,7 @@ inline Span span_of(std::int32_t a, std::int32_t b, std::int32_t turn, std::int3
           static_cast<std::uint16_t>((((low & kInBucket) + wide) >> kBucketShift) + 1)};
 }
 
-// What is known of a vertex, one array each, so that compilers make vector code of the loops.
+// The values of vertices, one array each, so that compilers make vector code of the loops.
 constexpr std::size_t kEdgesAtOnce = 1024;
 struct Block {
   float east[kEdgesAtOnce + 1], north[kEdgesAtOnce + 1], length[kEdgesAtOnce + 1];

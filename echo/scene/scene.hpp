@@ -36,7 +36,7 @@ struct Scene {
 
   std::vector<Hull> hulls;
 
-  // Of coast->structures, serving the own ship's position; null: no structure echoes.
+  // The index of coast->structures at the own ship's position; null: no structure echoes.
   std::shared_ptr<const StructureIndex> structure_index = nullptr;
 
   double water_level_m = 0.0;  // over the level of the chart's coastline (high water): -17 to 15

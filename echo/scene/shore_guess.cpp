@@ -27,7 +27,7 @@ double by_ruler(std::span<const PlanePoint> line, double ruler) {
     PlanePoint a = line[i];
     const PlanePoint b = line[i + 1];
     while (dot(b - foot, b - foot) >= ruler * ruler && steps < most) {
-      // Where a - b leaves the circle about the foot: |a + t (b - a) - foot| = ruler.
+      // The point where a - b leaves the circle about the foot: |a + t (b - a) - foot| = ruler.
       const PlanePoint u = b - a, v = a - foot;
       const double uu = dot(u, u), uv = dot(u, v);
       const double t =
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> stretch_starts(std::span<const std::uint64_t> vertex_
     if (closed && n > 0) starts.push_back(static_cast<std::uint32_t>(least));
     return starts;
   }
-  // As if on a ring of the run and its two ends repeated; hashes once each.
+  // Treats the run and its two ends as a ring; hashes each once.
   std::vector<std::uint64_t> hash(n + 2 * kStretchReach, ~std::uint64_t{0});
   for (std::size_t i = 0; i < n; ++i) hash[kStretchReach + i] = mixed(vertex_ids[i]);
   for (std::size_t i = 0; closed && i < kStretchReach; ++i) {

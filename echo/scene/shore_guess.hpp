@@ -1,4 +1,4 @@
-// What coast of unknown type is like, guessed from its own shape.
+// Guesses the type of an untyped coast from its shape.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What floats, stands or hangs around the own ship, in the plane.
+// Ships, marks, structures and cables around the own ship, in the plane.
 #pragma once
 
 #include <cstdint>

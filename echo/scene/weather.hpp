@@ -1,4 +1,4 @@
-// What air and sea do to a radar.
+// Air and sea as a radar meets them.
 #pragma once
 
 #include <cstdint>

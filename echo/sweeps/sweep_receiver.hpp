@@ -53,8 +53,8 @@ class SweepReceiver {
                std::uint64_t trigger, std::span<std::uint16_t> codes);
 
   const SweepChannel& channel() const { return channel_; }
-  // What a power (echo and noise together) reads at a tick, counted from the first sampled, before
-  // rounding, clamping and inversion: steps.
+  // The level, in steps, of a power (echo and noise together) at a tick, counted from the first
+  // sampled, before rounding, clamping and inversion.
   double level_of(double power, std::uint32_t tick) const;
 
  private:

@@ -11,20 +11,19 @@
 
 namespace skerry::echo {
 
-// Of ships and of points that move over ground, by kAfloat or more: their range's rate of change,
-// own ship's motion included, with the sign turned, so that what approaches is positive.  Land,
-// sea, rain, marks and what lies still have none: a radar that is told its ship's way takes it off
-// what stands.  A cell has the speed of the strongest of the bodies that the main lobe and the
-// side lobes beside it have there, if that makes up half of the cell's echo or more; rain in front
-// of it may weaken both.
-// A body has one speed, that of its middle.
+// Radial speeds of ships and points that move over ground at kAfloat or more: the rate at which
+// their range shrinks, own ship's motion included, so an approaching body is positive.  Land, sea,
+// rain, marks and what lies still have none: a radar that is told its ship's way takes it off what
+// stands.  A cell has the speed of the strongest of the bodies that the main lobe and the side
+// lobes beside it have there, if that makes up half of the cell's echo or more; rain in front of it
+// may weaken both. A body has one speed, that of its middle.
 class RadialSpeeds {
  public:
   static constexpr double kAfloat = 0.25;  // m/s
 
   explicit RadialSpeeds(const RadarModel& model) : splat_(model) {}
 
-  // Of the points of a sector, and of those that side lobes may show there, as TargetReturns has
+  // Prepares the points of a sector, and those that side lobes may show there, as TargetReturns has
   // them.  Thread: the radar's.
   void prepare(const Scene& scene, const std::vector<PointEcho>& points, const StrongEchoes& strong,
                const SpokeAim& first, const SpokeAim& last);

@@ -9,7 +9,7 @@
 
 namespace skerry::echo {
 
-// What the file says of itself.
+// The facts that a file holds about itself.
 struct CellFacts {
   std::string name;                   // DSNM, "US5WA22M.000"
   std::string edition;                // EDTN

@@ -8,7 +8,7 @@
 
 namespace skerry::echo {
 
-// Of latitude: at the equator, where it is least.
+// Metres per degree of latitude at the equator, where it is least.
 inline constexpr double kLeastMetresPerDegree = 110570.0;
 
 // A box in latitude and longitude that may lie across the antimeridian.
@@ -17,7 +17,7 @@ struct GeoBox {
   double west_deg = 0.0, width_deg = -1.0;  // negative: empty; 360: all the way round
 };
 
-// Of a closed line; around the whole globe if it encloses a pole.
+// The box around a closed line; around the whole globe if it encloses a pole.
 GeoBox box_around(const std::vector<GeoPoint>& line);
 GeoBox box_around(GeoPoint centre, double radius_m);
 GeoBox joined(const GeoBox& a, const GeoBox& b);

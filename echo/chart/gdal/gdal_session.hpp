@@ -11,7 +11,7 @@
 
 namespace skerry::echo {
 
-// What GDAL complains of while one of these lives comes here and not to standard error.
+// Takes GDAL's complaints, while it lives, in place of standard error.
 // Thread: GDAL keeps a stack of handlers per thread; nest them.
 class GdalErrors {
  public:

@@ -14,7 +14,7 @@
 namespace skerry::echo {
 namespace {
 
-// Where a polygon that reaches across it has been cut: no coast there.
+// A margin where a polygon that reaches across has been cut is no coast.
 bool on_map_margin(GeoPoint a, GeoPoint b) {
   const auto antimeridian = [](GeoPoint p) { return p.longitude_deg == -180.0; };
   const auto pole = [](GeoPoint p) { return std::abs(p.latitude_deg) == 90.0; };

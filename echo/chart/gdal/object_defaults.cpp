@@ -97,7 +97,7 @@ constexpr std::array kRows = {
     Row{"MORFAC", 4, {pier, 2.0f, 5.0f}},  // tie-up wall
     Row{"MORFAC", 5, {pile, 2.0f, 1.0f}},  // post or pile
     Row{"MORFAC", 7, {buoy, 1.0f, 1.0f}},  // mooring buoy
-    // What stands out of the water (WATLEV), and islets charted as points.
+    // Rocks that stand out of the water (WATLEV), and islets charted as points.
     Row{"UWTROC", 0, {rock, 1.0f, 3.0f}},
     Row{"OBSTRN", 0, {rock, 0.5f, 1.0f}},
     Row{"WRECKS", 0, {rock, 2.0f, 30.0f}},

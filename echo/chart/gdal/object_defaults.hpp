@@ -9,7 +9,7 @@
 
 namespace skerry::echo {
 
-// What a chart says is higher, metres, is not believed.
+// Charted heights above this, metres, are ignored.
 inline constexpr double kGreatestHeight = 1000.0;
 
 struct ObjectDefault {
@@ -18,8 +18,8 @@ struct ObjectDefault {
   float cross_section_m2 = 0.0f;  // of a point, X band
 };
 
-// By S-57 object class ("BOYLAT") and its category (BOYSHP, BCNSHP, CATLMK, CATSLC, CATBRG, CATMOR;
-// 0: none charted).  Nothing for classes that stand out of no water.
+// Defaults by S-57 object class ("BOYLAT") and its category (BOYSHP, BCNSHP, CATLMK, CATSLC,
+// CATBRG, CATMOR; 0: none charted).  nullopt for classes that do not stand out of the water.
 //
 // Source: only three rows rest on a document, MSC.192(79) table 2 (SOURCES.md "Rules"): a buoy
 // with a corner reflector 3.5 m high, 10 m2; a typical buoy 3.5 m, 5 m2; a channel marker 1 m, 1
@@ -34,7 +34,7 @@ std::string_view category_attribute(std::string_view object_class);
 inline constexpr float kReflectorCrossSection = 10.0f;
 inline constexpr float kReflectorHeight = 3.5f;
 
-// What COALNE's CATCOA, and NATSUR and CATLND of the ground along it, say of a shore.
+// The shore's type by COALNE's CATCOA, and by NATSUR and CATLND of the ground along it.
 CoastType type_of_coastline(int catcoa);
 CoastType type_of_surface(int natsur);
 CoastType type_of_region(int catlnd);

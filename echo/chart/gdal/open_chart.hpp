@@ -16,7 +16,7 @@ struct OpenedChart {
   std::vector<std::string> warnings;  // what of it cannot be used, by file and object
 };
 
-// By its name:
+// Opens a chart by its name:
 //  - .nc: a file of GSHHG; .000: an ENC cell, its updates beside it; .geojson, .json, .shp: land
 //    drawn by anyone.
 //  - a directory: all ENC cells in it and below (an ENC_ROOT; at most 500), those of larger scale

@@ -126,7 +126,7 @@ int number_of(const OGRFeature& feature, const char* field) {
   return index < 0 ? 0 : feature.GetFieldAsInteger(index);
 }
 
-// What of a class no catalogue knows, by class.
+// Reports objects of classes that no catalogue knows, by class.
 void warn_of_unknown_objects(const S57Cell& cell) {
   std::map<int, int> counts;
   GdalErrors errors;

@@ -11,9 +11,9 @@
 namespace skerry::echo {
 
 // An S-57 edition 3.1 cell with its updates, read once into memory: about 100 bytes per vertex.
-// What of it becomes coast and objects: s57_land.hpp and s57_objects.hpp.  Positions are those of
-// the file, to 1e-7 degrees; its heights are of its own vertical datum, which is taken as high
-// water.  Not for navigation.
+// See s57_land.hpp and s57_objects.hpp for the parts that become coast and objects.  Positions are
+// those of the file, to 1e-7 degrees; its heights are of its own vertical datum, which is taken as
+// high water.  Not for navigation.
 //
 // Thread: load() from any thread.
 class S57Chart final : public CoveredChart {

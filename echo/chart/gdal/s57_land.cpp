@@ -74,7 +74,7 @@ bool reaches_out(const std::vector<GeoPoint>& ring, const GeoBox& limit) {
          west + box.width_deg > limit.width_deg + kOvershoot;
 }
 
-// What all polygons of a cell may cost together.
+// The cost that all polygons of a cell may have together.
 struct LandBudget {
   TangleBudget tangle;
   std::size_t vertices = 0;
@@ -135,7 +135,7 @@ void read_waters(const S57Cell& cell, const OwnedPolygons& land, ChartSheet& she
   }
 }
 
-// What lies along edges; the first to say something of an edge is right.
+// Shores along edges; the first value given for an edge holds.
 class ShoreMap {
  public:
   void add_along(const OGRGeometry& geometry, const Shore& shore) {

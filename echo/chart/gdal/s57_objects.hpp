@@ -1,4 +1,4 @@
-// What stands on the land and in the water of an S-57 cell.
+// Objects on the land and in the water of an S-57 cell.
 #pragma once
 
 #include "echo/chart/gdal/chart_sheet.hpp"

@@ -13,7 +13,7 @@ struct Node {
   std::uint64_t identity;
 };
 
-// Where edges on the limits begin and end, in the order of latitude and of longitude.
+// The ends of edges on the limits, in the order of latitude and of longitude.
 class Nodes {
  public:
   void add(GeoPoint place) { by_latitude_.push_back({place, identity_of(place)}); }

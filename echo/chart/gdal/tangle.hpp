@@ -8,9 +8,9 @@
 
 namespace skerry::echo {
 
-// What the polygons of one chart may cost together.  GEOS takes time by the pairs of edges whose
-// boxes touch, and time and memory by the places where edges cross: both grow with the square of
-// the vertices of a ring that is drawn so, and GEOS cannot be stopped.
+// The cost that the polygons of one chart may have together.  GEOS takes time by the pairs of edges
+// whose boxes touch, and time and memory by the places where edges cross: both grow with the square
+// of the vertices of a ring that is drawn so, and GEOS cannot be stopped.
 struct TangleBudget {
   std::size_t crossings = 5'000;
   std::size_t comparisons = 50'000'000;  // and kComparisonsPerEdge for each edge

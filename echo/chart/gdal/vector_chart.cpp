@@ -27,7 +27,7 @@ constexpr int kMostLayers = 200;
 constexpr double kMargin = 0.0005;  // degrees
 constexpr double kGreatestCrossSection = 1e6;
 
-// What append_polygon() tells better.
+// A complaint for which append_polygon() has a better text.
 constexpr const char* kToldByFeature = "Non closed ring";
 
 struct Kind {
