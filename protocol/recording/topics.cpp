@@ -5,6 +5,7 @@
 #include <google/protobuf/descriptor.pb.h>
 
 #include <charconv>
+#include <functional>
 #include <set>
 
 #include "protocol/recording/inputs.pb.h"
@@ -120,6 +121,20 @@ std::optional<ChannelKind> channel_named(std::string_view name) {
   return std::nullopt;
 }
 
+namespace {
+
+// Options are rules of controls: a reader of a recording needs none of them.
+void without_options(google::protobuf::EnumDescriptorProto& type) {
+  for (auto& value : *type.mutable_value()) value.clear_options();
+}
+void without_options(google::protobuf::DescriptorProto& type) {
+  for (auto& field : *type.mutable_field()) field.clear_options();
+  for (auto& nested : *type.mutable_nested_type()) without_options(nested);
+  for (auto& nested : *type.mutable_enum_type()) without_options(nested);
+}
+
+}  // namespace
+
 std::string schema_name(const ChannelKind& channel) { return message_of(channel).full_name(); }
 
 std::string schema_data(const ChannelKind& channel) {
@@ -130,29 +145,32 @@ std::string schema_data(const ChannelKind& channel) {
   for (const Descriptor* part : parts.messages) files.insert(part->file());
   for (const EnumDescriptor* part : parts.enums) files.insert(part->file());
 
-  // A file comes after those it needs: the message's own last.
   google::protobuf::FileDescriptorSet set;
-  const auto add_file = [&](const FileDescriptor& file) {
+  std::set<const FileDescriptor*> added;
+  // A file comes after those it needs.
+  const std::function<void(const FileDescriptor&)> add_file = [&](const FileDescriptor& file) {
+    if (!added.insert(&file).second) return;
+    for (int i = 0; i < file.dependency_count(); ++i) {
+      if (files.contains(file.dependency(i))) add_file(*file.dependency(i));
+    }
     google::protobuf::FileDescriptorProto all;
     file.CopyTo(&all);
     google::protobuf::FileDescriptorProto& kept = *set.add_file();
     kept.set_name(all.name());
     kept.set_package(all.package());
     kept.set_syntax(all.syntax());
-    for (const FileDescriptor* other : files) {
-      if (other != &file && &file == message.file()) kept.add_dependency(other->name());
+    for (int i = 0; i < file.dependency_count(); ++i) {
+      if (files.contains(file.dependency(i))) kept.add_dependency(file.dependency(i)->name());
     }
     for (int i = 0; i < file.message_type_count(); ++i) {
       if (parts.messages.contains(file.message_type(i)))
-        *kept.add_message_type() = all.message_type(i);
+        without_options(*kept.add_message_type() = all.message_type(i));
     }
     for (int i = 0; i < file.enum_type_count(); ++i) {
-      if (parts.enums.contains(file.enum_type(i))) *kept.add_enum_type() = all.enum_type(i);
+      if (parts.enums.contains(file.enum_type(i)))
+        without_options(*kept.add_enum_type() = all.enum_type(i));
     }
   };
-  for (const FileDescriptor* file : files) {
-    if (file != message.file()) add_file(*file);
-  }
   add_file(*message.file());
   return set.SerializeAsString();
 }

@@ -1,6 +1,7 @@
 // A server of the native protocol for tests of the console: its messages are made by protobufjs from
 // radar.proto, not by the console's own code. It turns a radar over the scene of mock_scene.mjs.
 import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
 import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,9 +11,10 @@ import { cellsAt, NM } from './mock_scene.mjs';
 
 const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
 export const WEB = path('clients/web/');
-// Imports are named from the repository's root.
+// Imports are named from the repository's root, but for google's own, which protobufjs brings.
 const root = new protobuf.Root();
-root.resolvePath = (_, target) => (target.startsWith('protocol/') ? path(target) : target);
+root.resolvePath = (_, target) =>
+  (target.startsWith('google/') ? createRequire(import.meta.url).resolve(`protobufjs/${target}`) : path(target));
 export const schema = root.loadSync('protocol/wire/radar.proto');
 export const ServerMessage = schema.lookupType('skerry.wire.ServerMessage');
 export const ClientMessage = schema.lookupType('skerry.wire.ClientMessage');

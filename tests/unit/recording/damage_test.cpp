@@ -145,7 +145,8 @@ TEST(Repair, MakesAWholeFileOfACutOne) {
   for (int i = 0; i < kCuts; ++i) {
     const auto cut = static_cast<std::size_t>(random() % file.size());
     Bytes damaged(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(cut));
-    if (i % 3 == 0 && cut > 100) damaged[random() % cut] ^= 0x10;
+    const bool flipped = i % 3 == 0 && cut > 100;
+    if (flipped) damaged[random() % cut] ^= 0x10;
     const std::string from = folder.put("from.mcap", damaged);
     const std::string to = folder.path("to.mcap");
     std::filesystem::remove(to);
@@ -163,7 +164,8 @@ TEST(Repair, MakesAWholeFileOfACutOne) {
     ASSERT_TRUE(all_of(read, items));
     const auto whole =
         static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), cut) - ends.begin());
-    ASSERT_GE(report->chunks_kept + report->chunks_damaged, whole) << cut;
+    // A chunk whose own head was hit is not known to be one.
+    ASSERT_GE(report->chunks_kept + report->chunks_damaged + (flipped ? 1 : 0), whole) << cut;
   }
 }
 
