@@ -14,7 +14,8 @@ struct Atmosphere {
   friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
 };
 
-// Height of crests over the mean, coming from one direction.
+// One wave train, coming from one direction.  SeaReturns compares its members one by one to see a
+// change.
 struct Swell {
   double height_m = 0.0;   // crest to trough, 0 (none) to 15
   double period_s = 10.0;  // 4 to 25
