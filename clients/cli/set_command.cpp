@@ -137,22 +137,15 @@ Command make_set_command(CLI::App& app) {
   add_index("--radar", &wire::Set::set_radar, "Index of the radar [0]");
   add_index("--view", &wire::Set::set_view, "Number of the view [0]; 0 is shared by all");
   const CLI::Validator number(finite, "", "finite");
-  for (const NumberControl& control : number_controls()) {
-    command
-        ->add_option_function<double>(
-            control.option, [request, &control](double value) { control.set(*request, value); },
-            control.help)
-        ->check(number)
-        ->group(control.group);
-  }
-  for (const WordControl& control : word_controls()) {
+  for (const SetOption& option : set_options()) {
     command
         ->add_option_function<std::string>(
-            control.option,
-            [request, &control](const std::string& word) { control.set(*request, word); },
-            control.help)
-        ->check(CLI::IsMember(control.words))
-        ->group(control.group);
+            option.name,
+            [request, option](const std::string& text) { put_option(*request, option, text); },
+            option.help)
+        ->check(option.words.empty() ? number : CLI::Validator(CLI::IsMember(option.words)))
+        ->group(option.group)
+        ->type_name(option.words.empty() ? "FLOAT" : "TEXT");
   }
   add_rain_options(*command, options->rain, number);
   command
@@ -161,7 +154,7 @@ Command make_set_command(CLI::App& app) {
           "Where the transmitter is off: up to four sectors FROM-TO, degrees clockwise from "
           "the bow, in place of those there were; none: nowhere")
       ->expected(1, 4)
-      ->group("Radar (for all its views)");
+      ->group(kRadarGroup);
   add_instructor_options(*command, *request);
   command
       ->add_option("--artefact", options->artefacts,

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "protocol/wire/printable_text.hpp"
@@ -11,153 +9,72 @@
 namespace skerry::client {
 namespace {
 
-constexpr const char* kShipGroup = "Own ship";
-constexpr const char* kViewGroup = "View";
-constexpr const char* kRadarGroup = "Radar (for all its views)";
+using wire::FieldDescriptor;
 
-constexpr std::array kNumbers = {
-    NumberControl{"--course", "Ordered course, degrees true, 0 to 360", kShipGroup,
-                  [](wire::Set& s, double v) { s.set_course_deg(v); }},
-    NumberControl{"--speed", "Ordered speed, knots, -10 to 60", kShipGroup,
-                  [](wire::Set& s, double v) { s.set_speed_kn(v); }},
-    NumberControl{"--range",
-                  "Range scale, NM: 0.125 0.25 0.5 0.75 1.5 3 6 12 24 48 72 96; of view 0 it is "
-                  "the radar's, of others at most that",
-                  kViewGroup, [](wire::Set& s, double v) { s.set_range_nm(v); }},
-    NumberControl{"--gain", "Gain, 0 to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_gain(v); }},
-    NumberControl{"--sea", "Sea clutter control (STC), 0 to 100; trims --sea-auto about 50",
-                  kViewGroup, [](wire::Set& s, double v) { s.set_sea(v); }},
-    NumberControl{"--rain", "Rain clutter control (FTC), 0 to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_rain(v); }},
-    NumberControl{"--interference-rejection", "0 (off) to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_interference_rejection(v); }},
-    NumberControl{"--stretch", "Echo stretch, 0 (off) to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_echo_stretch(v); }},
-    NumberControl{"--integration", "Integration of the spokes of a beam, 0 (off) to 100",
-                  kViewGroup, [](wire::Set& s, double v) { s.set_integration(v); }},
-    NumberControl{"--side-lobe-suppression", "0 (off) to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_side_lobe_suppression(v); }},
-    NumberControl{"--noise-rejection", "0 (off) to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_noise_rejection(v); }},
-    NumberControl{"--target-separation", "Sharpens the beam, 0 (off) to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_target_separation(v); }},
-    NumberControl{"--target-boost", "Makes small echoes stronger, 0 (off) to 100", kViewGroup,
-                  [](wire::Set& s, double v) { s.set_target_boost(v); }},
-    NumberControl{"--doppler-threshold", "What is slower is not coloured, m/s, 0.1 to 20",
-                  kViewGroup, [](wire::Set& s, double v) { s.set_doppler_threshold_mps(v); }},
-    NumberControl{
-        "--instrumented-range",
-        "Where the last cell ends, m: a sixteenth of the range scale to twice that; 0: at "
-        "the range scale",
-        kViewGroup, [](wire::Set& s, double v) { s.set_instrumented_range_m(v); }},
-    NumberControl{"--rotation", "Turns of the antenna a minute, 10 to 60", kRadarGroup,
-                  [](wire::Set& s, double v) { s.set_rotation_rpm(v); }},
-    NumberControl{"--bearing-alignment", "Added to every azimuth, degrees, -180 to 180",
-                  kRadarGroup, [](wire::Set& s, double v) { s.set_bearing_alignment_deg(v); }},
-    NumberControl{"--antenna-height", "Over the water, m, 1 to 100", kRadarGroup,
-                  [](wire::Set& s, double v) { s.set_antenna_height_m(v); }},
-    NumberControl{"--tune", "Tuning by hand, 0 to 100; 50 is right", kRadarGroup,
-                  [](wire::Set& s, double v) { s.set_tune(v); }},
-    NumberControl{"--sea-state", "Douglas sea state, 0 (no clutter) to 6, need not be whole",
-                  kWorldGroup, [](wire::Set& s, double v) { s.mutable_world()->set_sea_state(v); }},
-    NumberControl{"--wind-from", "Degrees true, 0 to 360", kWorldGroup,
-                  [](wire::Set& s, double v) { s.mutable_world()->set_wind_from_deg(v); }},
-    NumberControl{"--swell-height", "Crest to trough, m, 0 to 15", kWorldGroup,
-                  [](wire::Set& s, double v) { s.mutable_world()->set_swell_height_m(v); }},
-    NumberControl{"--swell-period", "s, 4 to 25", kWorldGroup,
-                  [](wire::Set& s, double v) { s.mutable_world()->set_swell_period_s(v); }},
-    NumberControl{"--swell-from", "Degrees true, 0 to 360", kWorldGroup,
-                  [](wire::Set& s, double v) { s.mutable_world()->set_swell_from_deg(v); }},
-    NumberControl{"--wave-height", "On the beaches, m, 0 to 15", kWorldGroup,
-                  [](wire::Set& s, double v) { s.mutable_world()->set_wave_height_m(v); }},
-    NumberControl{"--k-factor", "Effective Earth radius over the true one, 0.8 to 4", kWorldGroup,
-                  [](wire::Set& s, double v) { s.mutable_world()->set_k_factor(v); }},
-    NumberControl{"--ducting", "Share of the loss beyond the horizon taken away, 0 to 1",
-                  kWorldGroup, [](wire::Set& s, double v) { s.mutable_world()->set_ducting(v); }},
-};
+// The help of a field, its allowed values and its note: "Rain clutter control, 0 to 100".
+std::string help_of(const FieldDescriptor& field) {
+  const auto& control = wire::control_of(field);
+  const std::string allowed = wire::allowed_by(wire::rule_of(field));
+  std::string help = control.help();
+  if (!control.label().empty() && control.label() != help) {
+    help = control.label() + (help.empty() ? "" : ": " + help);
+  }
+  if (!allowed.empty()) help += ", " + allowed;
+  if (!control.note().empty()) help += "; " + control.note();
+  return help;
+}
+
+std::vector<std::string> words_of(const FieldDescriptor& field) {
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) return {"on", "off"};
+  std::vector<std::string> words;
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
+    for (int i = 0; i < field.enum_type()->value_count(); ++i) {
+      words.push_back(wire::word_of(*field.enum_type()->value(i)));
+    }
+  }
+  return words;
+}
+
+void add_options(std::vector<SetOption>& to, const wire::Descriptor& message,
+                 const char* group = nullptr) {
+  for (const FieldDescriptor* field : wire::fields_of(message)) {
+    const auto& control = wire::control_of(*field);
+    if (control.help().empty() || field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) continue;
+    const char* const scope = control.scope() == config::Control::RADAR ? kRadarGroup : kViewGroup;
+    to.push_back({field, "--" + wire::option_name(*field), help_of(*field),
+                  group != nullptr ? group : scope, words_of(*field)});
+  }
+}
 
 bool is_on(const std::string& word) { return word == "on"; }
 
-wire::PulseChoice pulse_named(const std::string& word) {
-  if (word == "short") return wire::PULSE_SHORT;
-  if (word == "medium") return wire::PULSE_MEDIUM;
-  return word == "long" ? wire::PULSE_LONG : wire::PULSE_AUTO;
+double number_of(const FieldDescriptor& field, const std::string& text) {
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) return is_on(text) ? 1.0 : 0.0;
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
+    return wire::value_named(field, text)->number();
+  }
+  return std::strtod(text.c_str(), nullptr);
 }
 
-wire::DopplerMode doppler_named(const std::string& word) {
-  if (word == "both") return wire::DOPPLER_BOTH;
-  return word == "approaching" ? wire::DOPPLER_APPROACHING : wire::DOPPLER_OFF;
+std::vector<const FieldDescriptor*> artefacts() {
+  return wire::fields_of(*wire::Artefacts::descriptor());
 }
-
-constexpr std::array kModes = {"custom", "harbour", "offshore", "buoy", "weather", "bird"};
-
-wire::PictureMode mode_named(const std::string& word) {
-  const auto found = std::find(kModes.begin(), kModes.end(), word);
-  return static_cast<wire::PictureMode>(found - kModes.begin());
-}
-
-struct Artefact {
-  const char* name;
-  void (*set)(wire::WorldChange&, bool);
-};
-constexpr std::array kArtefacts = {
-    Artefact{"side_lobes", [](wire::WorldChange& w, bool on) { w.set_side_lobes(on); }},
-    Artefact{"multiple_echoes", [](wire::WorldChange& w, bool on) { w.set_multiple_echoes(on); }},
-    Artefact{"indirect_echoes", [](wire::WorldChange& w, bool on) { w.set_indirect_echoes(on); }},
-    Artefact{"shadow_sectors", [](wire::WorldChange& w, bool on) { w.set_shadow_sectors(on); }},
-    Artefact{"second_trace", [](wire::WorldChange& w, bool on) { w.set_second_trace(on); }},
-    Artefact{"interference", [](wire::WorldChange& w, bool on) { w.set_interference(on); }},
-    Artefact{"overhead_cables", [](wire::WorldChange& w, bool on) { w.set_overhead_cables(on); }},
-    Artefact{"saturation", [](wire::WorldChange& w, bool on) { w.set_saturation(on); }},
-    Artefact{"minimum_range", [](wire::WorldChange& w, bool on) { w.set_minimum_range(on); }},
-    Artefact{"antenna_motion", [](wire::WorldChange& w, bool on) { w.set_antenna_motion(on); }},
-};
 
 }  // namespace
 
-std::span<const NumberControl> number_controls() { return kNumbers; }
+std::vector<SetOption> set_options() {
+  std::vector<SetOption> all;
+  add_options(all, *wire::Set::descriptor(), kShipGroup);
+  add_options(all, *wire::Controls::descriptor());
+  add_options(all, *wire::WorldChange::descriptor(), kWorldGroup);
+  return all;
+}
 
-std::span<const WordControl> word_controls() {
-  static const std::vector<std::string> kSwitch = {"on", "off"};
-  static const std::array kWords = {
-      WordControl{"--sea-auto", "The sea control follows the clutter", kViewGroup, kSwitch,
-                  [](wire::Set& s, const std::string& w) { s.set_sea_auto(is_on(w)); }},
-      WordControl{"--stretch-bearing", "Echo stretch acts across spokes too", kViewGroup, kSwitch,
-                  [](wire::Set& s, const std::string& w) { s.set_stretch_bearing(is_on(w)); }},
-      WordControl{"--decimation",
-                  "What becomes of samples that share a cell",
-                  kViewGroup,
-                  {"peak", "mean"},
-                  [](wire::Set& s, const std::string& w) {
-                    s.set_decimation(w == "mean" ? wire::MEAN : wire::PEAK);
-                  }},
-      WordControl{"--gain-auto", "The gain follows noise and clutter", kViewGroup, kSwitch,
-                  [](wire::Set& s, const std::string& w) { s.set_gain_auto(is_on(w)); }},
-      WordControl{"--side-lobe-auto", "Side lobe suppression by itself", kViewGroup, kSwitch,
-                  [](wire::Set& s, const std::string& w) { s.set_side_lobe_auto(is_on(w)); }},
-      WordControl{"--doppler",
-                  "Which echoes are coloured by their radial speed",
-                  kViewGroup,
-                  {"off", "both", "approaching"},
-                  [](wire::Set& s, const std::string& w) { s.set_doppler(doppler_named(w)); }},
-      WordControl{"--mode",
-                  "What the picture is set for; all but custom set gain, sea, rain and what cleans "
-                  "the picture by themselves",
-                  kViewGroup,
-                  {kModes.begin(), kModes.end()},
-                  [](wire::Set& s, const std::string& w) { s.set_mode(mode_named(w)); }},
-      WordControl{"--transmit", "off is standby: no spokes come", kRadarGroup, kSwitch,
-                  [](wire::Set& s, const std::string& w) { s.set_transmit(is_on(w)); }},
-      WordControl{"--pulse",
-                  "Pulse length; auto: by range scale",
-                  kRadarGroup,
-                  {"auto", "short", "medium", "long"},
-                  [](wire::Set& s, const std::string& w) { s.set_pulse(pulse_named(w)); }},
-      WordControl{"--tune-auto", "Tuning follows the transmitter", kRadarGroup, kSwitch,
-                  [](wire::Set& s, const std::string& w) { s.set_tune_auto(is_on(w)); }},
-  };
-  return kWords;
+void put_option(wire::Set& set, const SetOption& option, const std::string& text) {
+  wire::Message& message = option.field->containing_type() == wire::WorldChange::descriptor()
+                               ? static_cast<wire::Message&>(*set.mutable_world())
+                               : set;
+  wire::put_value(message, *option.field, number_of(*option.field, text));
 }
 
 std::optional<std::string> add_blanked(const std::vector<std::string>& texts, wire::Set& set) {
@@ -213,12 +130,12 @@ std::optional<std::string> add_artefact(const std::string& text, wire::WorldChan
   const std::size_t equals = text.find('=');
   const std::string name = text.substr(0, equals);
   const std::string word = equals == std::string::npos ? "" : text.substr(equals + 1);
-  for (const Artefact& artefact : kArtefacts) {
-    if (name != artefact.name) continue;
+  for (const FieldDescriptor* artefact : artefacts()) {
+    if (name != artefact->name()) continue;
     if (word != "on" && word != "off") {
       return fmt::format("--artefact {}: '{}' is neither on nor off", name, printable(word, 20));
     }
-    artefact.set(change, is_on(word));
+    wire::put_value(change, *artefact, is_on(word) ? 1.0 : 0.0);
     return std::nullopt;
   }
   return fmt::format("--artefact: '{}' is none of {}", printable(name, 40), artefact_names());
@@ -226,8 +143,8 @@ std::optional<std::string> add_artefact(const std::string& text, wire::WorldChan
 
 std::string artefact_names() {
   std::string names;
-  for (const Artefact& artefact : kArtefacts) {
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", artefact.name);
+  for (const FieldDescriptor* artefact : artefacts()) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", artefact->name());
   }
   return names;
 }

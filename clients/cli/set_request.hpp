@@ -1,35 +1,34 @@
-// The options of `skerry set` as a table, with the fields behind them.
+// The options of `skerry set`: read from the schema, and what they put into a Set.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "protocol/wire/radar.pb.h"
+#include "protocol/wire/schema.hpp"
 
 namespace skerry::client {
 
+inline constexpr const char* kShipGroup = "Own ship";
+inline constexpr const char* kViewGroup = "View";
+inline constexpr const char* kRadarGroup = "Radar (for all its views)";
 inline constexpr const char* kWorldGroup = "World (for all radars)";
 
-struct NumberControl {
-  const char* option;
-  const char* help;  // with the allowed range
+// One option per order, control and property of the world that the schema has a help for; blanked
+// sectors have one of their own.
+struct SetOption {
+  const wire::FieldDescriptor* field;
+  std::string name;  // "--sea-auto"
+  std::string help;  // with what is allowed
   const char* group;
-  void (*set)(wire::Set&, double);
+  std::vector<std::string> words;  // the only values, if it is a switch or choice
 };
-std::span<const NumberControl> number_controls();
+std::vector<SetOption> set_options();
 
-struct WordControl {
-  const char* option;
-  const char* help;
-  const char* group;
-  std::vector<std::string> words;
-  void (*set)(wire::Set&, const std::string& word);
-};
-std::span<const WordControl> word_controls();
+// `text` is a number, or one of the option's words.
+void put_option(wire::Set& set, const SetOption& option, const std::string& text);
 
 struct RainOptions {
   std::vector<double> add, at;  // latitude, longitude

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <google/protobuf/util/json_util.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 
@@ -10,6 +12,7 @@
 #include "clients/cli/record_words.hpp"
 #include "protocol/picture/label_text.hpp"
 #include "protocol/wire/printable_text.hpp"
+#include "protocol/wire/schema.hpp"
 
 namespace skerry::client {
 namespace {
@@ -83,13 +86,12 @@ std::string boards(const wire::Status& status) {
 }
 
 std::string controls_line(const std::string& name, const wire::Settings& settings) {
-  static constexpr const char* kPulses[] = {"auto", "short", "medium", "long"};
-  const auto pulse = static_cast<unsigned>(settings.pulse());
+  const auto* const pulse = wire::PulseChoice_descriptor()->FindValueByNumber(settings.pulse());
   return fmt::format(
       "{:<5} {:<4} {:<16} {:<8} {:<7} {:>5.3g} us {:>6.0f} Hz {:>5} {:>6g} NM {:>4.0f} {:>4.0f}{} "
       "{:>4.0f} {:>4.0f} {:>7.0f}{} {:>11.0f} {}\n",
       settings.radar(), settings.view(), printable(name, 16),
-      settings.standby() ? "STANDBY" : "transmit", pulse < 4 ? kPulses[pulse] : "?",
+      settings.standby() ? "STANDBY" : "transmit", pulse != nullptr ? wire::word_of(*pulse) : "?",
       settings.pulse_length_us(), settings.prf_hz(),
       settings.tune_auto() ? "auto" : fmt::format("{:.0f}", settings.tune()), settings.range_nm(),
       settings.gain(), settings.sea(), settings.sea_auto() ? "A" : " ", settings.rain(),
@@ -111,40 +113,48 @@ std::string controls(const wire::Status& status) {
   return out;
 }
 
-// The controls of a view and a radar that are not at their usual values; the table has no room for
-// all.
+// Which controls controls_line() shows; those that are not here are told only where they differ
+// from what they are without anybody's doing.
+constexpr std::array kInTable = {"transmit",     "range_nm",
+                                 "pulse",        "tune",
+                                 "tune_auto",    "gain",
+                                 "sea",          "sea_auto",
+                                 "rain",         "interference_rejection",
+                                 "echo_stretch", "stretch_bearing",
+                                 "integration",  "decimation"};
+
+// "noise rejection 30", "gain auto", "mode offshore", "bearing alignment -2.5 deg".
+std::string special_control(const wire::FieldDescriptor& field, double value) {
+  const std::string unit = wire::rule_of(field).unit();
+  if (field.cpp_type() == wire::FieldDescriptor::CPPTYPE_BOOL) {
+    return fmt::format("{}{}", wire::spoken_name(field), value != 0.0 ? "" : " off");
+  }
+  if (field.cpp_type() == wire::FieldDescriptor::CPPTYPE_ENUM) {
+    const auto* const named = field.enum_type()->FindValueByNumber(static_cast<int>(value));
+    return fmt::format("{} {}", wire::spoken_name(field),
+                       named != nullptr ? wire::word_of(*named) : "?");
+  }
+  return fmt::format("{} {:g}{}{}", wire::spoken_name(field), value, unit.empty() ? "" : " ", unit);
+}
+
 std::string special_controls(const wire::Settings& settings) {
   std::string text;
-  const auto add = [&](bool shown, const std::string& part) {
-    if (shown) text += (text.empty() ? "" : ", ") + part;
-  };
-  static constexpr const char* kModeNames[] = {"custom", "harbour", "offshore",
-                                               "buoy",   "weather", "bird"};
-  const auto mode = static_cast<unsigned>(settings.mode());
-  add(mode != 0, fmt::format("mode {}", mode < 6 ? kModeNames[mode] : "?"));
-  add(settings.gain_auto(), "gain auto");
-  add(settings.side_lobe_auto(), "side lobes auto");
-  const auto add_level = [&](double level, const char* name) {
-    add(level > 0.0, fmt::format("{} {:.0f}", name, level));
-  };
-  add_level(settings.side_lobe_suppression(), "side lobes");
-  add_level(settings.noise_rejection(), "noise rejection");
-  add_level(settings.target_separation(), "target separation");
-  add_level(settings.target_boost(), "target boost");
-  add(settings.doppler() != wire::DOPPLER_OFF,
-      fmt::format("doppler {} from {:g} m/s",
-                  settings.doppler() == wire::DOPPLER_BOTH ? "both" : "approaching",
-                  settings.doppler_threshold_mps()));
-  add(settings.instrumented_range_m() > 0.0,
-      fmt::format("cells to {:.0f} m", settings.instrumented_range_m()));
-  add(settings.bearing_alignment_deg() != 0.0,
-      fmt::format("bearings {:+g}^", settings.bearing_alignment_deg()));
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  for (const wire::FieldDescriptor* field : wire::fields_of(*wire::Controls::descriptor())) {
+    const auto& rule = wire::rule_of(*field);
+    if (std::find(kInTable.begin(), kInTable.end(), field->name()) != kInTable.end() ||
+        !rule.has_default_()) {
+      continue;
+    }
+    const auto value = wire::value_of(settings, *field);
+    if (value && *value != rule.default_()) add(special_control(*field, *value));
+  }
   for (const auto& sector : settings.blanked_sectors().sectors()) {
-    add(true, fmt::format("blanked {:g}-{:g}^", sector.from_deg(), sector.to_deg()));
+    add(fmt::format("blanked {:g}-{:g}^", sector.from_deg(), sector.to_deg()));
   }
   std::string locked;
   for (const std::string& control : settings.locked()) locked += " " + printable(control, 40);
-  add(!locked.empty(), "locked:" + locked);
+  if (!locked.empty()) add("locked:" + locked);
   return text;
 }
 
@@ -166,19 +176,10 @@ std::string special_controls(const wire::Status& status) {
 
 std::string switched_off(const wire::World& world) {
   std::string names;
-  const auto add = [&](bool on, const char* name) {
-    if (!on) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
-  };
-  add(world.side_lobes(), "side_lobes");
-  add(world.multiple_echoes(), "multiple_echoes");
-  add(world.indirect_echoes(), "indirect_echoes");
-  add(world.shadow_sectors(), "shadow_sectors");
-  add(world.second_trace(), "second_trace");
-  add(world.interference(), "interference");
-  add(world.overhead_cables(), "overhead_cables");
-  add(world.saturation(), "saturation");
-  add(world.minimum_range(), "minimum_range");
-  add(world.antenna_motion(), "antenna_motion");
+  for (const wire::FieldDescriptor* field : wire::fields_of(*wire::Artefacts::descriptor())) {
+    if (wire::value_of(world, *field).value_or(1.0) != 0.0) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", field->name());
+  }
   return names.empty() ? "none" : names;
 }
 

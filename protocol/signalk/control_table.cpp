@@ -3,136 +3,102 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
+#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/length.hpp"
 #include "protocol/signalk/radar_message.hpp"
-#include "protocol/video/range_scale.hpp"
+#include "protocol/wire/controls.pb.h"
 
 namespace skerry::signalk {
 namespace {
 
-using Choices = std::vector<ControlChoice>;
-constexpr double kPi = std::numbers::pi;
+using wire::FieldDescriptor;
 
-Choices range_choices() {
-  Choices choices;
-  for (const double nm : RangeScale::kNauticalMiles) {
-    choices.push_back({.value = static_cast<double>(whole_metres(nautical_miles(nm))),
-                       .label = fmt::format("{:g} NM", nm)});
-  }
-  return choices;
-}
-
-Choices numbered(std::initializer_list<const char*> labels) {
-  Choices choices;
-  for (const char* label : labels) {
-    choices.push_back({.value = static_cast<double>(choices.size()), .label = label});
-  }
-  return choices;
-}
-
-class Table {
- public:
-  // A knob from 0 to 100.
-  void knob(const char* category, const char* key, const char* name, const char* description,
-            bool has_auto = false) {
-    ControlDefinition& control = add(category, key, name, description);
-    control.max = 100.0;
-    control.has_auto = has_auto;
-  }
-  void choice(const char* category, const char* key, const char* name, const char* description,
-              Choices choices) {
-    ControlDefinition& control = add(category, key, name, description);
-    control.kind = ControlKind::choice;
-    control.min = choices.front().value;
-    control.max = choices.back().value;
-    control.choices = std::move(choices);
-  }
-  void measure(const char* category, const char* key, const char* name, const char* description,
-               const char* units, double min, double max, double step) {
-    ControlDefinition& control = add(category, key, name, description);
-    control.units = units;
-    control.min = min;
-    control.max = max;
-    control.step = step;
-  }
-  ControlDefinition& add(const char* category, std::string key, std::string name,
-                         const char* description) {
-    controls.push_back({.key = std::move(key),
-                        .id = static_cast<int>(controls.size()),
-                        .name = std::move(name),
-                        .description = description,
-                        .category = category});
-    return controls.back();
-  }
-
-  std::vector<ControlDefinition> controls;
+struct SchemaUnit {
+  std::string_view schema;  // as FieldRule.unit has it
+  const char* units;        // as Signal K has it
+  double per_unit;
 };
+constexpr SchemaUnit kSchemaUnits[] = {{"deg", "rad", kRadiansPerDegree},
+                                       {"turns/min", "rad/s", kRadiansPerTurn / 60.0},
+                                       {"NM", "m", nautical_miles(1.0).in_metres()},
+                                       {"m", "m", 1.0},
+                                       {"m/s", "m/s", 1.0}};
 
-void add_base(Table& table) {
-  table.choice("base", "power", "Power", "What the radar does",
-               {{kPowerOff, "Off", false},
-                {kPowerStandby, "Standby", true},
-                {kPowerTransmit, "Transmit", true},
-                {3, "Preparing", false},
-                {4, "Fault", false}});
-  const Choices ranges = range_choices();
-  table.measure("base", "range", "Range", "How far the picture reaches", "m", ranges.front().value,
-                ranges.back().value, 1.0);
-  table.controls.back().choices = ranges;
-  table.choice("base", "mode", "Mode", "What the picture is set for",
-               numbered({"Custom", "Harbour", "Offshore", "Buoy", "Weather", "Bird"}));
-  table.knob("base", "gain", "Gain", "How weak an echo is still shown", true);
-  table.knob("base", "sea", "Sea clutter", "How much of the echo of waves is taken away", true);
-  table.knob("base", "rain", "Rain clutter", "How much of the echo of rain is taken away");
+// A switch that is a state of the radar: what it can be in, and what it can be put into.
+std::vector<ControlChoice> power_choices() {
+  return {{kPowerOff, "Off", false},
+          {kPowerStandby, "Standby", true},
+          {kPowerTransmit, "Transmit", true},
+          {3, "Preparing", false},
+          {4, "Fault", false}};
 }
 
-void add_picture(Table& table) {
-  table.knob("targets", "targetExpansion", "Target expansion", "Draws echoes longer");
-  table.choice("targets", "targetExpansionBearing", "Expansion in bearing",
-               "Whether echoes grow across spokes, too", numbered({"Off", "On"}));
-  table.knob("targets", "targetBoost", "Target boost", "Makes small echoes stronger");
-  table.knob("targets", "targetSeparation", "Target separation", "Sharpens the beam");
-  table.choice("targets", "doppler", "Doppler", "Which moving echoes are coloured",
-               numbered({"Off", "Both", "Approaching"}));
-  table.measure("targets", "dopplerSpeedThreshold", "Doppler threshold",
-                "Slower echoes are not coloured", "m/s", 0.1, 20.0, 0.1);
-  table.knob("advanced", "interferenceRejection", "Interference rejection",
-             "Takes away the pulses of other radars");
-  table.knob("advanced", "sideLobeSuppression", "Side lobe suppression",
-             "Takes away echoes seen by the antenna's side lobes", true);
-  table.knob("advanced", "noiseRejection", "Noise rejection", "Takes away receiver noise");
-  table.knob("advanced", "integration", "Integration", "Averages the spokes of a beam");
-  table.choice("advanced", "decimation", "Decimation", "What becomes of samples that share a cell",
-               numbered({"Peak", "Mean"}));
-  table.choice("advanced", "pulseWidth", "Pulse width", "Length of the transmitted pulse",
-               numbered({"By range", "Short", "Medium", "Long"}));
-  table.knob("advanced", "tune", "Tune", "Receiver frequency; 50 is right", true);
-  table.measure("advanced", "rotationSpeed", "Rotation speed", "How fast the antenna turns",
-                "rad/s", 10 * kPi / 30, 60 * kPi / 30, kPi / 30);
+std::vector<ControlChoice> choices_of(const FieldDescriptor& field) {
+  std::vector<ControlChoice> choices;
+  if (wire::control_of(field).signalk() == kPower) return power_choices();
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) return {{0.0, "Off"}, {1.0, "On"}};
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
+    for (int i = 0; i < field.enum_type()->value_count(); ++i) {
+      const auto& value = *field.enum_type()->value(i);
+      choices.push_back({static_cast<double>(value.number()), wire::label_of(value)});
+    }
+  }
+  // Signal K has lengths that can be chosen in whole metres.
+  for (const double value : wire::rule_of(field).one_of()) {
+    choices.push_back({static_cast<double>(whole_metres(nautical_miles(value))),
+                       fmt::format("{:g} {}", value, wire::rule_of(field).unit())});
+  }
+  return choices;
 }
 
-void add_installation(Table& table) {
-  table.measure("installation", "bearingAlignment", "Bearing alignment",
-                "Turns the whole picture clockwise", "rad", -kPi, kPi, kPi / 1800);
-  table.measure("installation", "antennaHeight", "Antenna height", "Above the water", "m", 1.0,
-                100.0, 0.1);
+ControlDefinition definition_of(const FieldDescriptor& field) {
+  const auto& control = wire::control_of(field);
+  const auto& rule = wire::rule_of(field);
+  const double step = control.has_step() ? control.step() : 1.0;
+  ControlDefinition made{.key = control.signalk(),
+                         .name = control.label(),
+                         .description = control.help(),
+                         .category = control.group(),
+                         .min = rule.min(),
+                         .max = rule.max(),
+                         .step = step,
+                         .choices = choices_of(field),
+                         .field = &field,
+                         .automatic = wire::automatic_of(field)};
+  made.has_auto = made.automatic != nullptr;
+  for (const SchemaUnit& unit : kSchemaUnits) {
+    if (unit.schema != rule.unit()) continue;
+    made.units = unit.units;
+    made.per_unit = unit.per_unit;
+  }
+  if (made.choices.empty()) {
+    made.min *= made.per_unit;
+    made.max *= made.per_unit;
+    made.step *= made.per_unit;
+  } else {
+    made.min = made.choices.front().value;
+    made.max = made.choices.back().value;
+    if (made.units.empty()) made.kind = ControlKind::choice;
+  }
+  return made;
+}
+
+// A place of each for what the server has a list of.
+void add_sectors(std::vector<ControlDefinition>& to, const FieldDescriptor& field) {
   for (int i = 1; i <= kNoTransmitSectors; ++i) {
-    ControlDefinition& sector =
-        table.add("installation", fmt::format("noTransmitSector{}", i),
-                  fmt::format("No transmit sector {}", i), "Where the transmitter is off");
+    ControlDefinition sector = definition_of(field);
+    sector.key += std::to_string(i);
+    sector.name += fmt::format(" {}", i);
     sector.kind = ControlKind::sector;
     sector.units = "rad";
-    sector.min = -kPi;
-    sector.max = kPi;
-    sector.step = kPi / 1800;
-  }
-  for (const auto& [key, name] : {std::pair{"modelName", "Model"}, {"firmwareVersion", "Server"}}) {
-    ControlDefinition& info = table.add("info", key, name, name);
-    info.kind = ControlKind::text;
-    info.read_only = true;
+    sector.min = -std::numbers::pi;
+    sector.max = std::numbers::pi;
+    sector.step = 0.1 * kRadiansPerDegree;
+    to.push_back(std::move(sector));
   }
 }
 
@@ -152,14 +118,31 @@ const char* type_of(ControlKind kind) {
 
 }  // namespace
 
+std::vector<ControlDefinition> definitions_of(const wire::Descriptor& schema) {
+  std::vector<ControlDefinition> all;
+  for (const FieldDescriptor* field : wire::fields_of(schema)) {
+    if (wire::control_of(*field).signalk().empty()) continue;
+    if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+      add_sectors(all, *field);
+    } else {
+      all.push_back(definition_of(*field));
+    }
+  }
+  for (const auto& [key, name] : {std::pair{"modelName", "Model"}, {"firmwareVersion", "Server"}}) {
+    all.push_back({.key = key,
+                   .name = name,
+                   .description = name,
+                   .category = "info",
+                   .kind = ControlKind::text,
+                   .read_only = true});
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].id = static_cast<int>(i);
+  return all;
+}
+
 const std::vector<ControlDefinition>& control_definitions() {
-  static const std::vector<ControlDefinition> definitions = [] {
-    Table table;
-    add_base(table);
-    add_picture(table);
-    add_installation(table);
-    return std::move(table.controls);
-  }();
+  static const std::vector<ControlDefinition> definitions =
+      definitions_of(*wire::Controls::descriptor());
   return definitions;
 }
 

@@ -70,9 +70,10 @@ TEST_F(ControlLocks, TheControlsThatDisplaysHaveAreSetAndShown) {
   ASSERT_EQ(seen.blanked_sectors().sectors_size(), 2);
   EXPECT_EQ(seen.blanked_sectors().sectors(1).to_deg(), 150.5);
   const std::string table = server_.skerry("status").out;
-  for (const char* part : {"mode offshore", "gain auto", "noise rejection 30", "target boost 20",
-                           "doppler approaching from 1.5 m/s", "cells to 15000 m", "bearings -7.5",
-                           "blanked 350-10", "blanked 120-150.5"}) {
+  for (const char* part :
+       {"mode offshore", "gain auto", "noise rejection 30", "target boost 20",
+        "doppler approaching", "doppler threshold 1.5 m/s", "instrumented range 15000 m",
+        "bearing alignment -7.5 deg", "blanked 350-10", "blanked 120-150.5"}) {
     EXPECT_THAT(table, HasSubstr(part));
   }
   await<Spoke>(console, [](const Spoke& spoke) {

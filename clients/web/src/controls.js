@@ -1,7 +1,5 @@
 // Controls: the panel's elements and the keys, joined to what they do.
-import { showSlider } from './receiver_controls.js';
-
-export const $ = (id) => document.getElementById(id);
+import { $, showSlider } from './widgets.js';
 
 const REMEMBERED = 'skerry.picture';
 

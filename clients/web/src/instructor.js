@@ -1,12 +1,10 @@
 // Instructor: sea, air, rain and artefacts of the whole world, for all radars.
-import { $ } from './controls.js';
 import { bearing, fixed } from './format.js';
-import { bindNumber, bindSlider, bindSwitch, PendingRequests } from './receiver_controls.js';
+import { PendingRequests } from './shared_setting.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
+import { $, bindNumber, bindSlider, bindSwitch } from './widgets.js';
 
 const NUMBERS = ['windFromDeg', 'swellHeightM', 'swellPeriodS', 'swellFromDeg', 'waveHeightM', 'kFactor'];
-const ARTEFACTS = ['sideLobes', 'multipleEchoes', 'indirectEchoes', 'shadowSectors', 'secondTrace', 'interference',
-  'overheadCables', 'saturation', 'minimumRange', 'antennaMotion'];
 const EARTH_M = 6371000;
 
 // A place that far from another, on a sphere: a rain cell need not be put more exactly.
@@ -20,8 +18,9 @@ export function placeFrom({ latitudeDeg, longitudeDeg }, bearingDeg, rangeM) {
 }
 
 export class Instructor {
-  // set(values): sends them, and returns the request number or null. ownShip(): OwnShip or null.
-  constructor(set, ownShip) {
+  // artefacts: the table's, whose elements buildPanel() has made.  set(values): sends them, and returns the request
+  // number or null.  ownShip(): OwnShip or null.
+  constructor(artefacts, set, ownShip) {
     this.set = set;
     this.ownShip = ownShip;
     this.pending = new PendingRequests();
@@ -30,7 +29,7 @@ export class Instructor {
     settings.seaState = bindSlider('seaState', send('seaState'), (value) => fixed(value, 1));
     settings.ducting = bindSlider('ducting', send('ducting'), (value) => fixed(value, 2));
     for (const name of NUMBERS) settings[name] = bindNumber(name, send(name));
-    for (const name of ARTEFACTS) settings[name] = bindSwitch(name, send(name));
+    for (const { name } of artefacts) settings[name] = bindSwitch(name, send(name));
     $('rain-add').addEventListener('submit', (event) => { event.preventDefault(); this.#addRain(); });
   }
 
@@ -49,7 +48,7 @@ export class Instructor {
   }
 
   take(world) {
-    for (const name of ['seaState', 'ducting', ...NUMBERS, ...ARTEFACTS]) this.settings[name].take(world[name]);
+    for (const name of Object.keys(this.settings)) this.settings[name].take(world[name]);
     $('rain-cells').replaceChildren(...world.rain.map((cell) => this.#rainItem(cell)));
   }
 

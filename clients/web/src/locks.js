@@ -1,36 +1,32 @@
 // Locks: which controls only the instructor may change, and what that does to the panel.
-import { $ } from './controls.js';
+import { $ } from './widgets.js';
 
-// The controls that the instructor locks with one box, by their names in radar.proto, and the elements of each.
-const GROUPS = {
-  'lock-range': { range_nm: ['range', 'range-less', 'range-more'], instrumented_range_m: [] },
-  'lock-gain': { gain: ['gain'], gain_auto: ['gainAuto'] },
-  'lock-sea': { sea: ['sea'], sea_auto: ['seaAuto'] },
-  'lock-rain': { rain: ['rain'] },
-  'lock-mode': { mode: ['mode'], doppler: ['doppler'], doppler_threshold_mps: ['dopplerThresholdMps'] },
-  'lock-processing': {
-    interference_rejection: ['interferenceRejection'], echo_stretch: ['echoStretch'], stretch_bearing: ['stretchBearing'],
-    integration: ['integration'], decimation: ['decimation'], side_lobe_suppression: ['sideLobeSuppression'],
-    side_lobe_auto: ['sideLobeAuto'], noise_rejection: ['noiseRejection'], target_separation: ['targetSeparation'],
-    target_boost: ['targetBoost'],
-  },
-  'lock-transmitter': { transmit: ['transmit-on', 'transmit-off'], pulse: ['pulse'], tune: ['tune'], tune_auto: ['tuneAuto'] },
-  'lock-antenna': {
-    rotation_rpm: ['rotationRpm'], bearing_alignment_deg: ['bearingAlignmentDeg'], antenna_height_m: ['antennaHeightM'],
-    blanked_sectors: ['blankedSectors'],
-  },
-  'lock-orders': { course_deg: ['order-course'], speed_kn: ['order-speed'] },
-  'lock-world': { world: [] },
+// Elements of controls that are not one element with the control's name, by the field's name.
+const ELEMENTS = {
+  range_nm: ['range', 'range-less', 'range-more'], instrumented_range_m: [], transmit: ['transmit-on', 'transmit-off'],
 };
 
+// The controls that the instructor locks with one box, by their names in radar.proto, and the elements of each.
+function groupsOf(controls) {
+  const groups = {
+    'lock-orders': { course_deg: ['order-course'], speed_kn: ['order-speed'] },
+    'lock-world': { world: [] },
+  };
+  for (const { name, field, lock } of controls) {
+    if (lock) (groups[`lock-${lock}`] ??= {})[field] = ELEMENTS[field] ?? [name];
+  }
+  return groups;
+}
+
 export class Locks {
-  // set(values): sends them.  While the instructor's panel is open this console is the instructor's,
+  // controls: the table's.  set(values): sends them.  While the instructor's panel is open this console is the instructor's,
   // whom no lock holds.
-  constructor(set) {
+  constructor(controls, set) {
+    this.groups = groupsOf(controls);
     this.locked = new Set();
     this.tuneAuto = false;
     this.driven = false;
-    for (const [id, controls] of Object.entries(GROUPS)) {
+    for (const [id, controls] of Object.entries(this.groups)) {
       $(id).addEventListener('change', () => {
         set({ [$(id).checked ? 'lock' : 'unlock']: Object.keys(controls) });
         this.show();  // as the server has it, until it says otherwise
@@ -56,7 +52,7 @@ export class Locks {
   }
 
   show() {
-    for (const [id, controls] of Object.entries(GROUPS)) {
+    for (const [id, controls] of Object.entries(this.groups)) {
       const names = Object.keys(controls);
       $(id).checked = names.every((name) => this.locked.has(name));
       $(id).indeterminate = !$(id).checked && names.some((name) => this.locked.has(name));

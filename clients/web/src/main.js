@@ -1,12 +1,14 @@
 // The console: joins the stream, the picture and the panel.
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
-import { $, bindKeys, bindPicture, PictureSettings } from './controls.js';
+import { buildPanel } from './control_panel.js';
+import { bindKeys, bindPicture, PictureSettings } from './controls.js';
+import { loadControls } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
 import { Instructor } from './instructor.js';
 import { Locks } from './locks.js';
 import { Markers } from './markers.js';
-import { REFUSED } from './messages.js';
+import { REFUSED, useControls } from './messages.js';
 import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
 import { echoColourTable, PALETTES } from './palette.js';
@@ -18,6 +20,7 @@ import { Recording } from './recording.js';
 import { Rate } from './stream_stats.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
+import { $ } from './widgets.js';
 
 const READOUTS_MS = 100;
 const seconds = () => performance.now() / 1000;
@@ -31,6 +34,13 @@ try {
     'Turn on hardware acceleration, or use a browser with WebGL2.';
   throw error;
 }
+
+const table = await loadControls(new URL('controls.json', location.href), () => {
+  $('alarm').hidden = false;
+  $('alarm').textContent = 'No connection to the server';
+});
+useControls(table);
+buildPanel(table);
 
 const notices = new Notices($('notices'));
 const picture = new PictureSettings();
@@ -48,9 +58,9 @@ const set = (values) => {
   if (request === null) notices.show('Not connected: the change was not sent');
   return request;
 };
-const receiver = new ReceiverControls(set);
-const instructor = new Instructor(set, () => radar.ownShip);
-const locks = new Locks(set);
+const receiver = new ReceiverControls(table.controls, set);
+const instructor = new Instructor(table.artefacts, set, () => radar.ownShip);
+const locks = new Locks(table.controls, set);
 const notify = (text, kind) => notices.show(text, kind);
 const recording = new Recording((record) => connection.record(record, token), notify);
 const playback = new Playback((change) => connection.playback(change, token), notify, seconds);

@@ -1,7 +1,7 @@
 // Markers: the cursor, the electronic bearing line (EBL) and the variable range marker (VRM), placed
 // with the pointer or the arrow keys.
 import { wrapDeg } from './view_geometry.js';
-import { $ } from './controls.js';
+import { $ } from './widgets.js';
 
 export class Markers {
   constructor(element) {

@@ -32,32 +32,20 @@ const Reply = message({
 });
 const Sector = message({ 1: ['fromDeg', 'double'], 2: ['toDeg', 'double'] });
 const BlankedSectors = message({ 1: ['sectors', [Sector]] });
-const Settings = message({
-  1: ['radar', 'uint32'], 2: ['view', 'uint32'], 3: ['rangeNm', 'double'],
-  4: ['gain', 'double'], 5: ['sea', 'double'], 6: ['rain', 'double'], 7: ['seaAuto', 'bool'],
-  8: ['interferenceRejection', 'double'], 9: ['echoStretch', 'double'], 10: ['integration', 'double'],
-  11: ['standby', 'bool'], 12: ['pulse', 'uint32'], 13: ['tuneAuto', 'bool'], 14: ['tune', 'double'],
-  15: ['pulseLengthUs', 'double'], 16: ['prfHz', 'double'], 17: ['radarRangeNm', 'double'],
-  18: ['stretchBearing', 'bool'], 19: ['decimation', 'uint32'], 20: ['gainAuto', 'bool'],
-  21: ['sideLobeSuppression', 'double'], 22: ['sideLobeAuto', 'bool'], 23: ['noiseRejection', 'double'],
-  24: ['targetSeparation', 'double'], 25: ['targetBoost', 'double'], 26: ['doppler', 'uint32'],
-  27: ['dopplerThresholdMps', 'double'], 28: ['mode', 'uint32'], 29: ['instrumentedRangeM', 'double'],
-  30: ['rotationRpm', 'double'], 31: ['bearingAlignmentDeg', 'double'], 32: ['blankedSectors', BlankedSectors],
-  33: ['antennaHeightM', 'double'], 34: ['locked', ['string']],
-});
+// What else Settings has, and Set takes: the controls come with the table.
+const SETTINGS_FIELDS = {
+  1: ['radar', 'uint32'], 2: ['view', 'uint32'], 11: ['standby', 'bool'], 15: ['pulseLengthUs', 'double'], 16: ['prfHz', 'double'],
+  17: ['radarRangeNm', 'double'], 34: ['locked', ['string']],
+};
 const RainCell = message({
   1: ['id', 'uint32'], 2: ['latitudeDeg', 'double'], 3: ['longitudeDeg', 'double'], 4: ['radiusNm', 'double'],
   5: ['rateMmH', 'double'], 6: ['driftDeg', 'double'], 7: ['driftKn', 'double'],
 });
-const World = message({
+const WORLD_FIELDS = {
   1: ['scenarioS', 'double'], 2: ['seaState', 'double'], 3: ['windFromDeg', 'double'],
   4: ['swellHeightM', 'double'], 5: ['swellPeriodS', 'double'], 6: ['swellFromDeg', 'double'],
   7: ['waveHeightM', 'double'], 8: ['kFactor', 'double'], 9: ['ducting', 'double'], 10: ['rain', [RainCell]],
-  11: ['sideLobes', 'bool'], 12: ['multipleEchoes', 'bool'], 13: ['indirectEchoes', 'bool'],
-  14: ['shadowSectors', 'bool'], 15: ['secondTrace', 'bool'], 16: ['interference', 'bool'],
-  17: ['overheadCables', 'bool'], 18: ['saturation', 'bool'], 19: ['minimumRange', 'bool'],
-  20: ['antennaMotion', 'bool'],
-});
+};
 const OwnShip = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['latitudeDeg', 'double'],
   4: ['longitudeDeg', 'double'], 5: ['headingDeg', 'double'], 6: ['speedKn', 'double'],
@@ -75,10 +63,36 @@ const PlaybackState = message({
   5: ['playing', 'bool'], 6: ['rate', 'double'], 7: ['loop', 'bool'], 8: ['marks', [PlaybackMark]],
   9: ['currentTimestamps', 'bool'], 10: ['problem', 'string'],
 });
-const ServerMessage = message({
-  1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', Settings],
-  6: ['ownShip', OwnShip], 7: ['world', World], 10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
-});
+let ServerMessage, setFields, worldFields;
+
+// What the table says of one schema: `read` for message(), with a message `more` of those without a field of their
+// own; `own` and `added` for writing.
+function fieldsOf(table, more, moreFields) {
+  const READ = { number: 'double', switch: 'bool', choice: 'uint32', message: BlankedSectors };
+  const WRITE = { number: 'double', switch: 'uint32', choice: 'uint32' };
+  const read = {}, inner = {}, own = {}, added = {};
+  for (const { name, number, type, set, settings } of table) {
+    if (settings === undefined) inner[number] = [name, READ[type]];
+    else read[settings] = [name, READ[type]];
+    if (type !== 'message') (set === undefined ? added : own)[name] = [set ?? number, WRITE[type]];
+  }
+  if (Object.keys(inner).length > 0) read[moreFields.read] = [more, message(inner)];
+  return { read, own, added, more, at: moreFields.write };
+}
+
+// table: /controls.json.  Before it is known, messages have no controls.
+export function useControls({ controls, artefacts }) {
+  const ofSet = fieldsOf(controls, 'controls', { read: 35, write: 38 });
+  const ofWorld = fieldsOf(artefacts, 'artefacts', { read: 21, write: 22 });
+  ServerMessage = message({
+    1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', message({ ...ofSet.read, ...SETTINGS_FIELDS })],
+    6: ['ownShip', OwnShip], 7: ['world', message({ ...ofWorld.read, ...WORLD_FIELDS })],
+    10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
+  });
+  setFields = ofSet;
+  worldFields = ofWorld;
+}
+useControls({ controls: [], artefacts: [] });
 
 // Calls take(serverMessage) for every frame of one WebSocket message. What is whole before an error
 // has been taken. Error: WireError.
@@ -91,6 +105,8 @@ export function decodeFrames(bytes, take) {
       throw new WireError('oversized', at, `a frame of ${end - reader.at} bytes, at most ${MAX_FRAME}`);
     }
     const decoded = ServerMessage.decode(new Reader(bytes, reader.at, end));
+    Object.assign(decoded.settings ?? {}, decoded.settings?.controls);
+    Object.assign(decoded.world ?? {}, decoded.world?.artefacts);
     if (decoded.spoke) checkSpoke(decoded.spoke, at);
     for (const part of [decoded.settings, decoded.ownShip, decoded.world, decoded.recorder, decoded.playback,
                         ...(decoded.playback?.marks ?? []),
@@ -151,23 +167,11 @@ export function encodeSubscribe(request, radar, view, newView = false, token = '
 }
 
 // Name: field number and how it is written; bool and enum go as uint32.
-const SET_FIELDS = {
-  courseDeg: [3, 'double'], speedKn: [4, 'double'], rangeNm: [5, 'double'], gain: [6, 'double'], sea: [7, 'double'],
-  rain: [8, 'double'], seaAuto: [10, 'uint32'], interferenceRejection: [11, 'double'], echoStretch: [12, 'double'],
-  integration: [13, 'double'], transmit: [14, 'uint32'], pulse: [15, 'uint32'], tuneAuto: [16, 'uint32'],
-  tune: [17, 'double'], stretchBearing: [19, 'uint32'], decimation: [20, 'uint32'],
-  gainAuto: [21, 'uint32'], sideLobeSuppression: [22, 'double'], sideLobeAuto: [23, 'uint32'],
-  noiseRejection: [24, 'double'], targetSeparation: [25, 'double'], targetBoost: [26, 'double'],
-  doppler: [27, 'uint32'], dopplerThresholdMps: [28, 'double'], mode: [29, 'uint32'],
-  instrumentedRangeM: [30, 'double'], rotationRpm: [31, 'double'], bearingAlignmentDeg: [32, 'double'],
-  antennaHeightM: [34, 'double'], instructor: [37, 'uint32'],
-};
-const WORLD_FIELDS = {
+const ORDER_FIELDS = { courseDeg: [3, 'double'], speedKn: [4, 'double'], instructor: [37, 'uint32'] };
+const CHANGE_FIELDS = {
   seaState: [1, 'double'], windFromDeg: [2, 'double'], swellHeightM: [3, 'double'], swellPeriodS: [4, 'double'],
   swellFromDeg: [5, 'double'], waveHeightM: [6, 'double'], kFactor: [7, 'double'], ducting: [8, 'double'],
-  removeAllRain: [11, 'uint32'], sideLobes: [12, 'uint32'], multipleEchoes: [13, 'uint32'], indirectEchoes: [14, 'uint32'],
-  shadowSectors: [15, 'uint32'], secondTrace: [16, 'uint32'], interference: [17, 'uint32'], overheadCables: [18, 'uint32'],
-  saturation: [19, 'uint32'], minimumRange: [20, 'uint32'], antennaMotion: [21, 'uint32'],
+  removeAllRain: [11, 'uint32'],
 };
 const RAIN_FIELDS = {
   id: [1, 'uint32'], latitudeDeg: [2, 'double'], longitudeDeg: [3, 'double'], radiusNm: [4, 'double'],
@@ -181,8 +185,17 @@ function write(writer, fields, values) {
   return writer;
 }
 
+// The fields of a table: its own, and a message of the others if there are any.
+function writeTable(writer, { own, added, at }, values) {
+  write(writer, own, values);
+  if (Object.keys(added).some((name) => values[name] !== undefined)) {
+    writer.bytes(at, write(new Writer(), added, values).finish());
+  }
+  return writer;
+}
+
 function encodeWorld(world) {
-  const writer = write(new Writer(), WORLD_FIELDS, world);
+  const writer = writeTable(write(new Writer(), CHANGE_FIELDS, world), worldFields, world);
   for (const cell of world.rain ?? []) writer.bytes(9, write(new Writer(), RAIN_FIELDS, cell).finish());
   for (const id of world.removeRain ?? []) writer.uint32(10, id);
   return writer.finish();
@@ -194,11 +207,11 @@ function encodeSectors(sectors) {
   return writer.finish();
 }
 
-// values: any of the names above, blankedSectors ([{ fromDeg, toDeg }]), lock and unlock (names of
-// fields of Set), and world: any of its names, rain (cells; id 0 is a new one) and
+// values: orders above, controls of the table, blankedSectors ([{ fromDeg, toDeg }]), lock and unlock (names of
+// fields of Set), and world: any of its names and artefacts of the table, rain (cells; id 0 is a new one) and
 // removeRain (ids); what is absent stays as it is.
 export function encodeSet(request, radar, view, values, token = '') {
-  const writer = write(new Writer().uint32(1, radar).uint32(2, view), SET_FIELDS, values);
+  const writer = writeTable(write(new Writer().uint32(1, radar).uint32(2, view), ORDER_FIELDS, values), setFields, values);
   if (token) writer.string(9, token);
   if (values.blankedSectors) writer.bytes(33, encodeSectors(values.blankedSectors));
   for (const name of values.lock ?? []) writer.string(35, name);

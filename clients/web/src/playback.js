@@ -1,5 +1,5 @@
 // Playback: what comes was recorded; where in it we are, and how it is played.
-import { $ } from './controls.js';
+import { $ } from './widgets.js';
 import { duration, utcClock } from './format.js';
 
 const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];

@@ -1,5 +1,5 @@
 // Readouts: the numbers beside the picture. Written a few times a second, and only where they changed.
-import { $ } from './controls.js';
+import { $ } from './widgets.js';
 import * as format from './format.js';
 import { NAUTICAL_MILE_M, ringsFor, wrapDeg } from './view_geometry.js';
 

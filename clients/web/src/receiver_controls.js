@@ -1,51 +1,10 @@
 // ReceiverControls: the controls of the view and of the radar behind it, joined to what they do.
-import { $ } from './controls.js';
+import { widgetOf } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
-import { SharedSetting } from './shared_setting.js';
+import { PendingRequests, SharedSetting } from './shared_setting.js';
+import { $, bindChoice, bindNumber, bindSlider, bindSwitch } from './widgets.js';
 
-const SLIDERS = ['gain', 'sea', 'rain', 'interferenceRejection', 'echoStretch', 'integration', 'tune',
-  'sideLobeSuppression', 'noiseRejection', 'targetSeparation', 'targetBoost'];
-const SWITCHES = ['gainAuto', 'seaAuto', 'stretchBearing', 'sideLobeAuto', 'tuneAuto'];
-const SELECTS = ['pulse', 'decimation', 'mode', 'doppler'];
-const NUMBERS = ['dopplerThresholdMps', 'rotationRpm', 'bearingAlignmentDeg', 'antennaHeightM'];
-
-export function showSlider(slider, value) {
-  slider.value = value;
-  const least = Number(slider.min), most = Number(slider.max);
-  slider.style.setProperty('--part', `${((value - least) / (most - least)) * 100}%`);
-}
-
-// A slider, its number beside it, and the value they stand for.
-export function bindSlider(id, send, text = (value) => String(Math.round(value))) {
-  const slider = $(id), output = $(`${id}-value`);
-  const setting = new SharedSetting(send, (value, pending) => {
-    showSlider(slider, value);
-    output.textContent = text(value);
-    output.classList.toggle('pending', pending);
-  });
-  slider.addEventListener('input', () => setting.change(Number(slider.value)));
-  return setting;
-}
-
-export function bindSwitch(id, send) {
-  const box = $(id);
-  const setting = new SharedSetting(send, (value) => { box.checked = value; });
-  box.addEventListener('change', () => setting.change(box.checked));
-  return setting;
-}
-
-// A field for a number; what is being typed is not overwritten.
-export function bindNumber(id, send) {
-  const field = $(id);
-  const setting = new SharedSetting(send, (value) => {
-    if (document.activeElement !== field) field.value = String(Number(value.toFixed(2)));
-  });
-  field.addEventListener('change', () => {
-    if (field.validity.valid && field.value !== '') setting.change(field.valueAsNumber);
-    else if (setting.value() !== null) field.value = String(setting.value());
-  });
-  return setting;
-}
+const BIND = { slider: bindSlider, switch: bindSwitch, choice: bindChoice, number: bindNumber };
 
 // "350-10, 120-150" or "" as sectors; null if it is neither.
 export function sectorsOf(text) {
@@ -60,39 +19,20 @@ export function sectorsText(sectors) {
   return (sectors ?? []).map(({ fromDeg, toDeg }) => `${fromDeg}-${toDeg}`).join(', ');
 }
 
-// Which requests are under way and whose they are.
-export class PendingRequests {
-  constructor() {
-    this.owners = new Map();  // request -> SharedSetting
-  }
-
-  // `request` is null if it could not be sent.
-  add(request, setting) {
-    if (request === null) { setting.settle(); return; }
-    this.owners.set(request, setting);
-    if (this.owners.size > 64) this.owners.delete(this.owners.keys().next().value);
-  }
-
-  // A refused value gives way to the server's.
-  takeReply(reply) {
-    const setting = this.owners.get(reply.request);
-    this.owners.delete(reply.request);
-    if (setting && reply.code !== 0) setting.settle();
-  }
-}
-
 // Shared with every console on the same view; pulse, tuning and standby with every one on the radar.
-// set(values): sends them, and returns the request number or null.
+// controls: the table's, whose elements buildPanel() has made.  set(values): sends them, and returns the request
+// number or null.
 export class ReceiverControls {
-  constructor(set) {
+  constructor(controls, set) {
     this.set = set;
     this.scales = [];
     this.pending = new PendingRequests();
     this.settings = {};
-    for (const name of SLIDERS) this.settings[name] = bindSlider(name, (value) => this.#send(name, value));
-    for (const name of SWITCHES) this.settings[name] = bindSwitch(name, (value) => this.#send(name, value));
-    for (const name of SELECTS) this.settings[name] = this.#select(name);
-    for (const name of NUMBERS) this.settings[name] = bindNumber(name, (value) => this.#send(name, value));
+    this.names = controls.filter(widgetOf).map(({ name }) => name);
+    for (const control of controls.filter(widgetOf)) {
+      const { name } = control;
+      this.settings[name] = BIND[widgetOf(control)](name, (value) => this.#send(name, value));
+    }
     $('blankedSectors').addEventListener('change', () => this.#changeSectors());
     this.settings.transmit = new SharedSetting((value) => this.#send('transmit', value), (value) => {
       document.querySelector(`input[name=transmit][value=${value ? 'on' : 'off'}]`).checked = true;
@@ -109,13 +49,6 @@ export class ReceiverControls {
     select.addEventListener('change', () => this.settings.rangeNm.change(Number(select.value)));
     $('range-less').addEventListener('click', () => this.stepRange(-1));
     $('range-more').addEventListener('click', () => this.stepRange(1));
-  }
-
-  #select(name) {
-    const select = $(name);
-    const setting = new SharedSetting((value) => this.#send(name, value), (value) => { select.value = String(value); });
-    select.addEventListener('change', () => setting.change(Number(select.value)));
-    return setting;
   }
 
   #changeSectors() {
@@ -144,7 +77,7 @@ export class ReceiverControls {
 
   takeSettings(settings) {
     this.longestNm = settings.view === 0 ? undefined : settings.radarRangeNm;
-    for (const name of [...SLIDERS, ...SWITCHES, ...SELECTS, ...NUMBERS, 'rangeNm']) this.settings[name].take(settings[name]);
+    for (const name of [...this.names, 'rangeNm']) this.settings[name].take(settings[name]);
     this.settings.transmit.take(!settings.standby);
     $('sea').classList.toggle('trims', settings.seaAuto);
     // An automatic control has no use for its slider.

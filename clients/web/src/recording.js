@@ -1,5 +1,5 @@
 // Recording: the server's recorder, as this console shows and drives it.
-import { $ } from './controls.js';
+import { $ } from './widgets.js';
 import { bytes, duration } from './format.js';
 
 const OFF = 0, RECORDING = 1, DISK_FULL = 2, FAILED = 3;

@@ -30,8 +30,9 @@ export class SharedSetting {
     this.settleTimer = setTimeout(() => this.settle(), SEND_MS + SETTLE_MS);
   }
 
-  // The server's.
+  // The server's; undefined of one that does not tell it.
   take(value) {
+    if (value === undefined) return;
     this.server = value;
     if (this.own === null) this.show(value, false);
     else if (!this.sendTimer && Math.abs(value - this.own) < 1e-6) this.settle();
@@ -48,5 +49,26 @@ export class SharedSetting {
 
   value() {
     return this.own ?? this.server;
+  }
+}
+
+// Which requests are under way and whose they are.
+export class PendingRequests {
+  constructor() {
+    this.owners = new Map();  // request -> SharedSetting
+  }
+
+  // `request` is null if it could not be sent.
+  add(request, setting) {
+    if (request === null) { setting.settle(); return; }
+    this.owners.set(request, setting);
+    if (this.owners.size > 64) this.owners.delete(this.owners.keys().next().value);
+  }
+
+  // A refused value gives way to the server's.
+  takeReply(reply) {
+    const setting = this.owners.get(reply.request);
+    this.owners.delete(reply.request);
+    if (setting && reply.code !== 0) setting.settle();
   }
 }

@@ -11,6 +11,7 @@
 
 #include "server/net/common/access_policy.hpp"
 #include "server/net/common/tcp_peer.hpp"
+#include "server/net/http/controls_page.hpp"
 #include "server/net/http/metrics_page.hpp"
 #include "server/net/native/native_session.hpp"
 #include "server/net/native/ws_transport.hpp"
@@ -178,6 +179,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const std::string path = clean_path(target);
   if (path == "/ws") return web_error(426, "426: /ws is a WebSocket");
   if (path == "/metrics") return answer_metrics(request);
+  if (path == "/controls.json") return {.mime = "application/json", .body = controls_page()};
   if (path != "/status") return files_.get(target);
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;

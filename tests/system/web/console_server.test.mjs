@@ -9,6 +9,7 @@ import { after, afterEach, before, test } from 'node:test';
 import { PNG } from 'pngjs';
 import { capture, launch, openConsole, state, waitForScan } from './browser.mjs';
 import { compare, differences, parsePgm } from './compare_scan.mjs';
+import { CONTROLS } from './mock_server.mjs';
 
 for (const name of ['SKERRYD', 'SKERRY']) {
   if (!process.env[name]) throw new Error(`${name} must name the program to test, such as build/bin/${name.toLowerCase()}`);
@@ -97,6 +98,12 @@ function assertSame(t, turn, name) {
   assert.deepEqual(differences(result), [], name);
   return result;
 }
+
+test('the table of controls is what protobufjs reads in the schema', async () => {
+  const response = await fetch(`http://127.0.0.1:${ports.http}/controls.json`);
+  assert.equal(response.headers.get('content-type'), 'application/json');
+  assert.deepEqual(await response.json(), CONTROLS);
+});
 
 test('coast and targets stand where the snapshot of the same turn has them', async (t) => {
   await open();

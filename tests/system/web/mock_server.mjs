@@ -7,6 +7,7 @@ import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import protobuf from 'protobufjs';
 import { WebSocketServer } from 'ws';
+import { controlsDocument } from './controls_document.mjs';
 import { cellsAt, NM } from './mock_scene.mjs';
 
 const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
@@ -19,6 +20,8 @@ export const schema = root.loadSync('protocol/wire/radar.proto');
 export const ServerMessage = schema.lookupType('skerry.wire.ServerMessage');
 export const ClientMessage = schema.lookupType('skerry.wire.ClientMessage');
 
+export const CONTROLS = controlsDocument(schema);
+
 export const RANGES_NM = [0.125, 0.25, 0.5, 0.75, 1.5, 3, 6, 12, 24, 48, 72, 96];
 const MIME = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml' };
 const BATCH = 16;
@@ -27,7 +30,7 @@ export class MockServer {
   constructor(options = {}) {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
-      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null,
+      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
     }, options);
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
@@ -60,6 +63,10 @@ export class MockServer {
     const files = new Set(readFileSync(`${WEB}files.txt`, 'utf8').split('\n').filter(Boolean));
     this.http = createServer((request, response) => {
       const name = new URL(request.url, 'http://x').pathname.slice(1) || 'index.html';
+      if (name === 'controls.json') {
+        response.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify(this.controls));
+        return;
+      }
       if (!files.has(name)) { response.writeHead(404).end(); return; }
       response.writeHead(200, {
         'Content-Type': MIME[extname(name)], 'Cache-Control': 'no-store',
@@ -126,6 +133,7 @@ export class MockServer {
   }
 
   #take(client, data) {
+    this.takeRaw?.(data);
     const message = ClientMessage.decodeDelimited(data);
     this.received.push(message);
     const reply = (code, text = '') => this.#send(client, { reply: { request: message.request, code, text } });

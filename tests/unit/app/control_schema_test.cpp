@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -11,10 +12,12 @@
 
 #include "echo/receiver/control_row.hpp"
 #include "echo/scene/artefacts.hpp"
+#include "protocol/signalk/control_table.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/schema.hpp"
 #include "server/app/control_ranges.hpp"
+#include "server/net/http/controls_page.hpp"
 #include "server/radar/control_values.hpp"
 #include "tests/unit/app/extra_control.pb.h"
 
@@ -142,6 +145,25 @@ TEST_F(NewControl, IsRefusedOutOfItsRangeInWords) {
   EXPECT_FALSE(read_controls(kExtraRows, set, controls, extra_));
   set.mutable_controls()->set_echo_trim_db(-6.0);
   EXPECT_FALSE(refusal_of_values(set, extra_));
+}
+
+TEST_F(NewControl, IsToldToSignalKDisplaysAndTheConsole) {
+  const wire::Descriptor& schema = *app_test::ExtraControls::descriptor();
+  const auto definitions = signalk::definitions_of(schema);
+  const auto found =
+      std::find_if(definitions.begin(), definitions.end(),
+                   [](const signalk::ControlDefinition& each) { return each.key == "echoTrim"; });
+  ASSERT_NE(found, definitions.end());
+  EXPECT_EQ(signalk::definition_document(*found).dump(),
+            R"({"id":0,"name":"Echo trim","description":"Makes all echoes stronger or weaker",)"
+            R"("category":"advanced","dataType":"number","minValue":-6,"maxValue":6,)"
+            R"("stepValue":0.5,"hasAuto":false,"hasAutoAdjustable":false,"isReadOnly":false})");
+  EXPECT_THAT(controls_page(schema, *wire::Artefacts::descriptor()),
+              HasSubstr(R"({"name":"echoTrimDb","field":"echo_trim_db","number":39,)"
+                        R"("type":"number","min":-6.0,"max":6.0,"default":0.0,"unit":"dB",)"
+                        R"("step":0.5,"label":"Echo trim",)"
+                        R"("title":"Makes all echoes stronger or weaker",)"
+                        R"("panel":"processing","row":10,"lock":"processing"})"));
 }
 
 TEST_F(NewControl, CanBeLockedAndNamedOnACommandLine) {

@@ -5,7 +5,7 @@ import { PNG } from 'pngjs';
 import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
 import { angleBetween, blobAt, echoPixels, leadingEdge, placeOf, isEcho } from '../measure.mjs';
 import { coastM, LAND_DEPTH_M, NM, TARGETS } from '../mock_scene.mjs';
-import { MockServer, ServerMessage } from '../mock_server.mjs';
+import { CONTROLS, MockServer, ServerMessage } from '../mock_server.mjs';
 import { random } from '../random.mjs';
 
 let browser, server, page;
@@ -273,6 +273,27 @@ test('the controls that displays have reach the server too', async () => {
   assert.ok(server.received.every(({ set }) => !set?.instructor), 'no instructor, as long as the panel is folded');
   assert.equal(await page.locator('#orientation').textContent(), 'North up');
   assert.deepEqual(page.problems, []);
+});
+
+// One more line in the schema, one more slider: nothing in the console names it.
+test('a control that the console has never heard of has its place, value and lock', async () => {
+  const controls = { ...CONTROLS, controls: [...CONTROLS.controls, {
+    name: 'echoTrim', field: 'echo_trim', number: 99, type: 'number', min: 0, max: 100, default: 0,
+    label: 'Trim', title: 'Makes all echoes stronger', panel: 'processing', row: 10, lock: 'processing',
+  }] };
+  await open({ controls });
+  await page.locator('summary', { hasText: 'Processing' }).click();
+  const shown = await page.locator('#echoTrim').evaluate((slider) => {
+    const label = slider.closest('label');
+    return [label.textContent, label.title, slider.min, slider.max, label === label.parentElement.lastElementChild];
+  });
+  assert.deepEqual(shown, ['Trim\u2013', 'Makes all echoes stronger', '0', '100', true]);
+  const raw = new Promise((resolve) => { server.takeRaw = resolve; });
+  await setSlider('echoTrim', 37);
+  const bytes = Buffer.from(await raw);
+  // Field 38 of Set, `controls`, with field 99 as a double inside.
+  const inner = Buffer.concat([Buffer.from([0x99, 0x06]), Buffer.from(new Float64Array([37]).buffer)]);
+  assert.ok(bytes.includes(Buffer.concat([Buffer.from([0xb2, 0x02, inner.length]), inner])), bytes.toString('hex'));
 });
 
 test('a locked control is greyed, but for the instructor, who locks and unlocks', async () => {

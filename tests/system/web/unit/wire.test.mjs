@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import protobuf from 'protobufjs';
-import { decodeFrames, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, MAX_FRAME } from '../../../../clients/web/src/messages.js';
+import { decodeFrames, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, MAX_FRAME, useControls } from '../../../../clients/web/src/messages.js';
 import { WireError } from '../../../../clients/web/src/protobuf.js';
-import { ClientMessage, ServerMessage } from '../mock_server.mjs';
+import { ClientMessage, CONTROLS, ServerMessage } from '../mock_server.mjs';
 import { random } from '../random.mjs';
 
 const frame = (message) => ServerMessage.encodeDelimited(ServerMessage.fromObject(message)).finish();
@@ -19,6 +19,8 @@ const spoke = (values = {}) => ({
   utcNs: protobuf.util.Long.fromString('1700000000123456789'), scenarioNs: 5, cells: Uint8Array.of(0, 1, 2, 254, 255), ...values,
 });
 const refused = (bytes, kind) => assert.throws(() => decode(bytes), (error) => error instanceof WireError && (!kind || error.kind === kind));
+
+useControls(CONTROLS);
 
 test('a spoke is read as protobuf wrote it', () => {
   const [{ spoke: got }] = decode(frame({ spoke: spoke() }));
