@@ -39,7 +39,7 @@ constexpr std::array<Form, 23> kForms = {{
     {0x28030c, QuantumControl::rain, 5, 1, 8, 0, 100},
     {0x28030f, QuantumControl::expansion, 5, 1, 8, 0, 1},
     {0x018306, QuantumControl::expansion, 8, 1, 12, 0, 1},
-    {0x280311, QuantumControl::rejection, 5, 1, 8, 0, 5},
+    {0x280311, QuantumControl::rejection, 4, 1, 8, 0, 5},
     {0x018307, QuantumControl::rejection, 4, 1, 8, 0, 5},
     {0x280314, QuantumControl::mode, 5, 1, 8, 0, 3},
     {0x280401, QuantumControl::bearing_offset, 4, 2, 8, -1800, 1800},

@@ -100,6 +100,27 @@ Switch switch_of(const Json& body, const char* name, const ControlDefinition& de
   return Failed{fmt::format("{}: \"{}\" is neither true nor false", definition.key, name)};
 }
 
+// {"auto": b}, or "mode": "auto" or "manual".  Displays send "auto": false with everything, so that
+// is no fault of a control without automatic.
+Switch automatic_of(const Json& body, const ControlDefinition& definition) {
+  const auto named = switch_of(body, "auto", definition);
+  if (!named) return Failed{named.error()};
+  std::optional<bool> wanted = *named;
+  if (const Json* mode = member(body, "mode"); mode != nullptr && !mode->is_null()) {
+    const bool is_auto = *mode == "auto";
+    if (!is_auto && *mode != "manual") {
+      return Failed{fmt::format("{}: \"mode\" is neither \"auto\" nor \"manual\"", definition.key)};
+    }
+    if (wanted && *wanted != is_auto) {
+      return Failed{fmt::format("{}: \"auto\" and \"mode\" say different things", definition.key)};
+    }
+    wanted = is_auto;
+  }
+  if (definition.has_auto) return wanted;
+  if (wanted.value_or(false)) return Failed{fmt::format("{}: has no automatic", definition.key)};
+  return std::optional<bool>();
+}
+
 }  // namespace
 
 Json state_document(const ControlDefinition& definition, const ControlState& state) {
@@ -136,11 +157,8 @@ Result<ControlChange, std::string> read_change(const Json& body,
     if (!number) return Failed{number.error()};
     change.value = *number;
   }
-  const auto automatic = switch_of(body, "auto", definition);
+  const auto automatic = automatic_of(body, definition);
   if (!automatic) return Failed{automatic.error()};
-  if (automatic->has_value() && !definition.has_auto) {
-    return Failed{fmt::format("{}: has no automatic", definition.key)};
-  }
   change.automatic = *automatic;
   if (definition.kind == ControlKind::sector) {
     const auto enabled = switch_of(body, "enabled", definition);

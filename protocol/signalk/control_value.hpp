@@ -29,10 +29,11 @@ struct ControlChange {
   std::optional<bool> enabled = {};  // sectors
 };
 
-// Reads the body of a PUT: {"value":x}, {"auto":b}, {"auto":b,"value":x}, the members of a sector,
-// or x alone; numbers also as texts, choices also by their label, and with "units" one of km, nm,
-// kn, deg, rpm as well.  Members that are not known are passed over.
-// Error: what is wrong with it and what is allowed.
+// Reads the body of a PUT: {"value":x}, {"auto":b}, {"auto":b,"value":x}, "mode":"auto" or "manual"
+// in place of "auto", the members of a sector, or x alone; "auto":false is no fault of a control
+// without automatic; numbers also as texts, choices also by their label, and with "units" one of
+// km, nm, kn, deg, rpm as well.  Members that are not known are passed over. Error: what is wrong
+// with it and what is allowed.
 Result<ControlChange, std::string> read_change(const Json& body,
                                                const ControlDefinition& definition);
 

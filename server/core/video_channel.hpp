@@ -31,6 +31,7 @@ struct EncodedSector {
   std::uint32_t begin = 0;                // of the first spoke in `bytes`
   std::vector<std::uint32_t> spoke_ends;  // spoke k is bytes [ends[k-1], ends[k])
   SectorTimes times = {};                 // of emulated radars alone
+  double reach_m = 0.0;                   // of the sector's rows; of emulated radars alone
   Bytes bytes;
   std::uint32_t spoke_count() const { return static_cast<std::uint32_t>(spoke_ends.size()); }
 };

@@ -44,7 +44,8 @@ SpokeSpan spoke_span(const DisplayRanges& ranges, double range_m, RangeScale sca
 SpokeSpan span_of_rows(const DisplayRanges& ranges, RangeScale scale, double reach_m);
 
 // The value that a display wrote, kept while the setting is the one it was converted to.  So the
-// display reads its own value back, without the rounding of the conversion.
+// display reads its own value back, without the rounding of the conversion.  Forgotten as soon as
+// observe() sees another setting: who comes back to this one means the setting itself.
 template <typename Raw>
 class Remembered {
  public:
@@ -55,6 +56,9 @@ class Remembered {
   std::optional<Raw> of(double setting) const {
     const double off = setting - setting_;
     return raw_ && off < 1e-6 && off > -1e-6 ? raw_ : std::nullopt;
+  }
+  void observe(double setting) {
+    if (!of(setting)) raw_.reset();
   }
 
  private:

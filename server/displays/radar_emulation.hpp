@@ -69,6 +69,8 @@ class RadarEmulation {
   // antenna's angle).
   virtual SectorEncoder spoke_encoder(RangeChannel channel) const = 0;
   virtual Ipv4Endpoint data_address(RangeChannel channel) const = 0;
+  // Whether displays are told that this range has a picture: if not, nothing of it may leave.
+  virtual bool has_picture(RangeChannel) const { return true; }
   // The view's instrumented range for spokes of this channel at these settings, m.
   virtual double instrumented_range_m(RangeChannel channel,
                                       const wire::Settings& settings) const = 0;

@@ -195,6 +195,9 @@ void XhdControls::accept(const garmin::Command& command, const wire::Settings& a
 }
 
 void XhdControls::observe(const wire::Settings& now) {
+  range_.observe(now.range_nm());
+  rejection_.observe(now.interference_rejection());
+  speed_.observe(now.rotation_rpm());
   if (now.rain() > 0.0) {
     rain_level_ = hundredths_of(now.rain());
     rain_on_ = true;

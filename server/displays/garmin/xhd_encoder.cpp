@@ -1,6 +1,7 @@
 #include "server/displays/garmin/xhd_encoder.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/garmin/xhd_spoke.hpp"
@@ -29,6 +30,8 @@ const SpokeSpan& XhdEncoder::span_of(const SpokeHeader& header) {
 }
 
 void XhdEncoder::append(const ResampledSpoke& spoke, EncodedSector& out) {
+  // A change of range begins a spoke anew that may have left already.
+  if (std::exchange(last_index_, spoke.header.index) == spoke.header.index) return;
   const SpokeSpan& span = span_of(spoke.header);
   garmin::SpokePacket packet;
   packet.angle = static_cast<std::uint16_t>(spoke.header.index * kAngleStep);

@@ -33,6 +33,7 @@ class XhdEncoder {
   SpokeSpan span_;
   std::uint32_t parts_ = 1;  // of resampler_
   SpokeResampler resampler_;
+  std::uint32_t last_index_ = UINT32_MAX;  // that left
   std::vector<std::uint8_t> cells_;
 };
 

@@ -20,8 +20,10 @@ constexpr std::int32_t kTurnTenths = 3600;
 constexpr std::array<double, 4> kSpeeds_rpm = {24.0, 30.0, 36.0, 48.0};
 
 double from_level(std::int32_t raw) { return raw * 100.0 / 255.0; }
+// The smallest level that is at least so much: displays show its whole percent, whether they round
+// or cut off, so that all of 0 to 100 come back as they went.
 std::uint8_t to_level(double percent) {
-  return static_cast<std::uint8_t>(std::clamp(std::floor(percent * 2.55 + 0.5), 0.0, 255.0));
+  return static_cast<std::uint8_t>(std::clamp(std::ceil(percent * 2.55 - 1e-6), 0.0, 255.0));
 }
 double from_step(std::int32_t raw, std::int32_t most) { return raw * 100.0 / most; }
 std::uint8_t to_step(double percent, std::int32_t most) {
@@ -255,6 +257,8 @@ std::optional<wire::Set> NavicoControls::change(const Command& command,
 }
 
 void NavicoControls::observe(const wire::Settings& settings) {
+  // Who comes back to that scale later means the scale.
+  if (std::fabs(settings.range_nm() - asked_scale_nm_) >= 1e-6) asked_dm_ = 0;
   if (settings.sea_auto()) {
     sea_adjust_ = settings.sea() - 50.0;
   } else {
@@ -269,7 +273,11 @@ navico::ControlReport NavicoControls::controls(const wire::Settings& settings) c
   report.gain_auto = settings.gain_auto();
   report.gain = to_level(settings.gain());
   report.sea_auto = settings.sea_auto() ? sea_auto_ : std::uint8_t{0};
-  report.sea = to_level(sea_by_hand_);
+  // A HALO's own is a whole percent, and the recorded one says the nearest level of it (26 % is
+  // 66).
+  report.sea = navico::is_halo(model_)
+                   ? static_cast<std::uint8_t>(std::lround(clamped_percent(sea_by_hand_) * 2.55))
+                   : to_level(sea_by_hand_);
   report.rain = to_level(settings.rain());
   report.interference = to_step(settings.interference_rejection(), 3);
   report.expansion = to_step(settings.echo_stretch(), most_expansion(model_));

@@ -138,6 +138,8 @@ class NavicoRadar final : public RadarEmulation {
 
   Ipv4Endpoint data_address(RangeChannel channel) const override { return find(channel).at().data; }
 
+  bool has_picture(RangeChannel channel) const override { return find(channel).gate()->is_open(); }
+
   double instrumented_range_m(RangeChannel channel, const wire::Settings& settings) const override {
     const std::uint32_t dm = find(channel).controls().range_dm(settings);
     const double reach_m = navico::spoke_range(options_.model, dm).reach.in_metres();

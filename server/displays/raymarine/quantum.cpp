@@ -49,6 +49,8 @@ class Quantum final : public RadarEmulation {
   }
 
  private:
+  void tell_range(EmulationPort& port);
+  void tell_changes(EmulationPort& port);
   void send_status(EmulationPort& port);
   void send_round(std::int64_t tick, EmulationPort& port);
   void stand_by_if_alone(ScenarioTime now, EmulationPort& port);
@@ -75,11 +77,7 @@ void Quantum::begin(std::uint32_t interface_address, std::span<const std::uint16
 
 void Quantum::on_time(ScenarioTime now, EmulationPort& port) {
   stand_by_if_alone(now, port);
-  if (dirty_) {
-    const bool changed = !(controls_.status(port.settings(RangeChannel::a)) == sent_);
-    if (changed || answer_) send_status(port);
-    dirty_ = answer_ = false;
-  }
+  tell_changes(port);
   const std::int64_t current = (now - begin_) / kQuantumTick;
   next_tick_ = std::max(next_tick_, current - kMostTicksBehind);
   for (; next_tick_ <= current; ++next_tick_) send_round(next_tick_, port);
@@ -87,7 +85,22 @@ void Quantum::on_time(ScenarioTime now, EmulationPort& port) {
 
 void Quantum::on_settings(RangeChannel, ScenarioTime, EmulationPort& port) {
   dirty_ = true;
-  if (!obeying_) controls_.observe(port.settings(RangeChannel::a));
+  if (obeying_) return;
+  controls_.observe(port.settings(RangeChannel::a));
+  tell_range(port);
+}
+
+// Before the next spoke, which is of the new range and does not say so.
+void Quantum::tell_range(EmulationPort& port) {
+  const raymarine::QuantumStatus status = controls_.status(port.settings(RangeChannel::a));
+  if (status.range_index != sent_.range_index || status.ranges != sent_.ranges) tell_changes(port);
+}
+
+void Quantum::tell_changes(EmulationPort& port) {
+  if (!dirty_) return;
+  const bool changed = !(controls_.status(port.settings(RangeChannel::a)) == sent_);
+  if (changed || answer_) send_status(port);
+  dirty_ = answer_ = false;
 }
 
 void Quantum::on_datagram(std::size_t, const Ipv4Endpoint& from,
@@ -117,6 +130,7 @@ void Quantum::on_datagram(std::size_t, const Ipv4Endpoint& from,
   }
   controls_.accept(*command, port.settings(RangeChannel::a));
   dirty_ = answer_ = true;
+  tell_range(port);
 }
 
 void Quantum::stand_by_if_alone(ScenarioTime now, EmulationPort& port) {

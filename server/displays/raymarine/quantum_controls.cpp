@@ -157,6 +157,10 @@ void QuantumControls::accept(const QuantumCommand& command, const wire::Settings
 }
 
 void QuantumControls::observe(const wire::Settings& now) {
+  range_.observe(now.range_nm());
+  expansion_.observe(now.echo_stretch());
+  rejection_.observe(now.interference_rejection());
+  bearing_.observe(now.bearing_alignment_deg());
   if (const auto mode = mode_of(now.mode())) mode_ = *mode;
   QuantumModeControls& mine = in_use();
   mine.gain_auto = now.gain_auto();

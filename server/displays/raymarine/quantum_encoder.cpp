@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace skerry::server {
 namespace {
@@ -33,6 +34,8 @@ const QuantumEncoder::Shape& QuantumEncoder::shape_of(const SpokeHeader& header)
 }
 
 void QuantumEncoder::append(const ResampledSpoke& spoke, EncodedSector& out) {
+  // A change of range begins a spoke anew that may have left already.
+  if (std::exchange(last_index_, spoke.header.index) == spoke.header.index) return;
   const Shape& shape = shape_of(spoke.header);
   ++spoke_.sequence;
   spoke_.azimuth = static_cast<std::uint16_t>((spoke.header.index + raymarine::kQuantumSpokes / 2) %

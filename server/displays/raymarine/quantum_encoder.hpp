@@ -31,6 +31,7 @@ class QuantumEncoder {
   Shape shape_;
   Shape resampled_;  // what resampler_ makes
   SpokeResampler resampler_;
+  std::uint32_t last_index_ = UINT32_MAX;  // that left
   raymarine::QuantumSpoke spoke_;
 };
 

@@ -90,7 +90,10 @@ std::optional<std::string> origin_refusal(std::optional<std::string_view> origin
   if (!origin) return std::nullopt;
   const std::string from = lower(*origin);
   const std::string here = lower(host);
-  if (from == "http://" + here || from == "https://" + here) return std::nullopt;
+  // Some clients say the scheme of the WebSocket itself.
+  for (const char* scheme : {"http://", "https://", "ws://", "wss://"}) {
+    if (from == scheme + here) return std::nullopt;
+  }
   return fmt::format("a page from '{}' may not connect to '{}'; open the console from this server",
                      printable(*origin), printable(host));
 }

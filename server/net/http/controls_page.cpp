@@ -1,15 +1,14 @@
 #include "server/net/http/controls_page.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "protocol/signalk/json.hpp"
 #include "protocol/wire/radar.pb.h"
 
 namespace skerry::server {
 namespace {
 
+using signalk::Json;
 using wire::Descriptor;
 using wire::FieldDescriptor;
-using OrderedJson = nlohmann::ordered_json;
 
 const char* type_of(const FieldDescriptor& field) {
   switch (field.cpp_type()) {
@@ -24,17 +23,17 @@ const char* type_of(const FieldDescriptor& field) {
   }
 }
 
-void add_place(OrderedJson& to, const char* member, const Descriptor& message,
+void add_place(Json& to, const char* member, const Descriptor& message,
                const FieldDescriptor& control) {
   const auto place = wire::place_of(message, control);
   if (place && place->outer == nullptr) to[member] = place->field->number();
 }
 
-void add_text(OrderedJson& to, const char* member, const std::string& text) {
+void add_text(Json& to, const char* member, const std::string& text) {
   if (!text.empty()) to[member] = text;
 }
 
-void add_range(OrderedJson& to, const config::FieldRule& rule) {
+void add_range(Json& to, const config::FieldRule& rule) {
   if (rule.has_min()) to["min"] = rule.min();
   if (rule.has_max()) to["max"] = rule.max();
   for (const double value : rule.one_of()) to["oneOf"].push_back(value);
@@ -42,13 +41,12 @@ void add_range(OrderedJson& to, const config::FieldRule& rule) {
   add_text(to, "unit", rule.unit());
 }
 
-OrderedJson described(const FieldDescriptor& field, const Descriptor& set,
-                      const Descriptor& settings) {
+Json described(const FieldDescriptor& field, const Descriptor& set, const Descriptor& settings) {
   const config::Control& control = wire::control_of(field);
-  OrderedJson made{{"name", field.json_name()},
-                   {"field", field.name()},
-                   {"number", field.number()},
-                   {"type", type_of(field)}};
+  Json made{{"name", field.json_name()},
+            {"field", field.name()},
+            {"number", field.number()},
+            {"type", type_of(field)}};
   add_place(made, "set", set, field);
   add_place(made, "settings", settings, field);
   add_range(made, wire::rule_of(field));
@@ -76,7 +74,7 @@ OrderedJson described(const FieldDescriptor& field, const Descriptor& set,
 }  // namespace
 
 std::string controls_page(const Descriptor& controls, const Descriptor& artefacts) {
-  OrderedJson page{{"controls", OrderedJson::array()}, {"artefacts", OrderedJson::array()}};
+  Json page{{"controls", Json::array()}, {"artefacts", Json::array()}};
   for (const FieldDescriptor* field : wire::fields_of(controls)) {
     page["controls"].push_back(
         described(*field, *wire::Set::descriptor(), *wire::Settings::descriptor()));

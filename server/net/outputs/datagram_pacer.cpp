@@ -25,6 +25,9 @@ DatagramPacer::SteadyTime DatagramPacer::leaves(ScenarioTime at) const {
 SectorEncoder timed_encoder(SectorEncoder inner) {
   return [inner = std::move(inner), one = Sector{}](const Sector& sector) mutable {
     auto whole = std::make_shared<EncodedSector>();
+    if (!sector.spokes.empty()) {
+      whole->reach_m = sector.spokes.front()->header.reach().in_metres();
+    }
     for (const SpokePtr& spoke : sector.spokes) {
       one.spokes.assign(1, spoke);
       const EncodedSectorPtr part = inner(one);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +16,7 @@
 namespace skerry::server {
 namespace {
 
+constexpr int kMostUnfitSectors = 64;
 // Datagrams that are due so soon leave now: a timer is not finer.
 constexpr Duration kSoon = std::chrono::microseconds(200);
 
@@ -145,27 +147,46 @@ ScenarioTime DisplayOutput::now() const {
   return ScenarioTime(std::chrono::steady_clock::now() - made_);
 }
 
+void DisplayOutput::follow_settings() {
+  const std::uint64_t version = context_.host.settings_version();
+  if (std::exchange(settings_version_, version) == version) return;
+  for (const auto& range : ranges_) emulation_->on_settings(range->channel, now(), *this);
+  fit_ranges();
+}
+
 void DisplayOutput::tick() {
   if (closed_) return;
-  const std::uint64_t version = context_.host.settings_version();
-  if (std::exchange(settings_version_, version) != version) {
-    for (const auto& range : ranges_) {
-      fit_range(*range);
-      emulation_->on_settings(range->channel, now(), *this);
-    }
-  }
+  follow_settings();
   emulation_->on_time(now(), *this);
+  hush();
   for (std::size_t ear = 0; ear < ears_.size(); ++ear) {
     if (std::exchange(ears_[ear].resting, false)) listen(ear);
   }
 }
 
+// After whatever may have changed what a display has chosen: the emulation knows it by then.
+void DisplayOutput::fit_ranges() {
+  for (const auto& range : ranges_) fit_range(*range);
+}
+
+// What a display is told has no picture sends none, not even what waits.
+void DisplayOutput::hush() {
+  for (const auto& range : ranges_) {
+    if (is_silent(*range)) range->pending.clear();
+  }
+}
+
+bool DisplayOutput::is_silent(const Range& range) const {
+  return !emulation_->has_picture(range.channel) || settings(range.channel).standby();
+}
+
 // The view's instrumented range is the output's own affair and no operator's: what is refused is a
 // fault of the emulation.
-void DisplayOutput::fit_range(const Range& range) {
+void DisplayOutput::fit_range(Range& range) {
   RadarHost& host = context_.host;
   const double wanted =
       emulation_->instrumented_range_m(range.channel, host.settings(range.radar, range.controlled));
+  if (range.reach_m != wanted) range.reach_before_m = std::exchange(range.reach_m, wanted);
   if (host.settings(range.radar, range.shown).instrumented_range_m() == wanted) return;
   wire::Set set;
   set.set_radar(range.radar);
@@ -174,6 +195,18 @@ void DisplayOutput::fit_range(const Range& range) {
   const wire::Reply reply = host.apply(set, name_);
   if (reply.code() != wire::Reply::OK)
     context_.errors.add("output range", name_ + ": " + reply.text());
+}
+
+// Between the change of a range scale and the fit to it rows have a reach that is nobody's range;
+// they are left out.  A view that is not fitted within so many sectors never will be, and is sent
+// as it is.
+bool DisplayOutput::is_unfit(Range& range, const EncodedSector& sector) {
+  const auto is = [&](double reach_m) {
+    return std::abs(sector.reach_m - reach_m) <= 1e-6 * reach_m;
+  };
+  const bool fits = is(range.reach_m) || is(range.reach_before_m);
+  range.unfit = fits ? 0 : std::min(range.unfit + 1, kMostUnfitSectors);
+  return range.unfit > 0 && range.unfit < kMostUnfitSectors;
 }
 
 const DisplayOutput::Range& DisplayOutput::range_of(RangeChannel channel) const {
@@ -202,7 +235,6 @@ wire::Reply DisplayOutput::change(RangeChannel channel, const wire::Set& set) {
       display_.port == 0 ? name_
                          : fmt::format("{} display {}", config_.identity.family, text_of(display_));
   wire::Reply reply = context_.host.apply(mine, origin);
-  if (reply.code() == wire::Reply::OK) fit_range(range);
   return reply;
 }
 
@@ -222,7 +254,10 @@ void DisplayOutput::count(std::string_view kind, std::string_view detail) {
 }
 
 void DisplayOutput::take_sectors(Range& range) {
+  follow_settings();  // sectors are of what the settings are now, or were before
+  const bool silent = is_silent(range);
   while (const EncodedSectorPtr sector = range.feed->ring().take(range.cursor)) {
+    if (is_unfit(range, *sector) || silent) continue;
     range.pacer.on_sector(std::chrono::steady_clock::now(), sector->times.first,
                           sector->times.last);
     for (std::uint32_t i = 0; i < sector->spoke_count(); ++i) {
@@ -314,6 +349,8 @@ void DisplayOutput::read(std::size_t which) {
       count("display command too long", "no display sends so much");
     } else {
       emulation_->on_datagram(which, display_, std::span(buffer_).first(size), now(), *this);
+      fit_ranges();
+      hush();
     }
     display_ = {};
   }

@@ -71,6 +71,8 @@ class DisplayOutput final : private EmulationPort {
       std::uint32_t index;  // of the datagram in it
     };
     std::deque<Pending> pending;
+    double reach_m = 0.0, reach_before_m = 0.0;  // that the shown view was fitted to, and before
+    int unfit = 0;                               // sectors running with another
   };
   struct Ear {
     UdpSocket socket;
@@ -87,7 +89,12 @@ class DisplayOutput final : private EmulationPort {
 
   [[noreturn]] void fail(const std::string& reason) const;
   void open_range(RangeChannel channel, const OutputSource& source);
-  void fit_range(const Range& range);
+  void follow_settings();
+  void fit_range(Range& range);
+  void fit_ranges();
+  void hush();
+  bool is_silent(const Range& range) const;
+  bool is_unfit(Range& range, const EncodedSector& sector);
   const Range& range_of(RangeChannel channel) const;
   void take_sectors(Range& range);
   void send_due();

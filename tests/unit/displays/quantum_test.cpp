@@ -36,15 +36,14 @@ class QuantumTest : public ::testing::Test {
   void wish(QuantumControl control, std::int32_t value) {
     radar_->on_datagram(0, kQuantumDisplay, encode_quantum_command(control, value), now_, port_);
   }
-  // The next status, which after a change comes at once.
+  // The last status since the last told(); after a change it comes at once.
   std::optional<QuantumStatus> told(Duration within = milliseconds(10)) {
-    port_.sent.clear();
     pass(within);
+    std::optional<QuantumStatus> last;
     for (const Bytes& report : port_.take(options_.data)) {
-      const auto status = decode_quantum_status(report);
-      if (status) return *status;
+      if (const auto status = decode_quantum_status(report)) last = *status;
     }
-    return std::nullopt;
+    return last;
   }
   const wire::Settings& settings() { return port_.at(RangeChannel::a); }
 

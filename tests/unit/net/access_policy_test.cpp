@@ -63,9 +63,12 @@ TEST(AccessPolicy, OnlyPagesOfThisServerMayOpenAWebSocket) {
   EXPECT_FALSE(origin_refusal(std::nullopt, "localhost:7480")) << "no browser";
   EXPECT_FALSE(origin_refusal("http://localhost:7480", "localhost:7480"));
   EXPECT_FALSE(origin_refusal("https://LOCALHOST:7480", "localhost:7480"));
+  EXPECT_FALSE(origin_refusal("ws://localhost:7480", "localhost:7480")) << "IXWebSocket";
+  EXPECT_FALSE(origin_refusal("wss://localhost:7480", "localhost:7480"));
   for (const char* origin :
        {"", "null", "http://evil.example", "http://localhost", "http://localhost:74800",
-        "http://localhost:7480.evil.example", "ftp://localhost:7480", "localhost:7480"}) {
+        "http://localhost:7480.evil.example", "ws://evil.example", "ws://localhost",
+        "wss://localhost:7480.evil.example", "ftp://localhost:7480", "localhost:7480"}) {
     EXPECT_TRUE(origin_refusal(origin, "localhost:7480")) << origin;
   }
 }

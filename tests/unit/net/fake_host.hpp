@@ -215,6 +215,12 @@ class FakeHost : public RadarHost {
     return spoke;
   }
 
+  double reach_of(std::uint32_t radar, std::uint32_t view) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = radars_[radar]->reaches.find(view);
+    return found == radars_[radar]->reaches.end() ? 0.0 : found->second;
+  }
+
   // The next sector of the radar, the same in all its views but for their number.
   void publish(std::uint32_t radar = 0) {
     std::map<std::uint32_t, VideoChannelPtr> channels;
@@ -227,6 +233,7 @@ class FakeHost : public RadarHost {
       for (std::uint32_t i = 0; i < kSectorSpokes; ++i) {
         Spoke made = spoke(radar, radars_[radar]->published + i);
         made.header.view = view;
+        made.header.instrumented_range = metres(reach_of(radar, view));
         sector.spokes.push_back(std::make_shared<const Spoke>(std::move(made)));
       }
       channel->publish(sector);

@@ -70,6 +70,17 @@ TEST(ControlChange, IsReadFromEveryFormThatDisplaysUse) {
   EXPECT_EQ(both->automatic, false);
   EXPECT_EQ(both->value, 33.5);
   EXPECT_EQ(read("gain", R"({"value":{"auto":false,"value":20}})")->value, 20.0);
+  // Displays send "auto": false with everything.
+  for (const ControlDefinition& each : control_definitions()) {
+    if (each.kind == ControlKind::text || each.kind == ControlKind::sector) continue;
+    const double value = each.choices.empty() ? each.max : each.choices[1].value;
+    const auto change = read_change({{"auto", false}, {"value", value}}, each);
+    ASSERT_TRUE(change.ok()) << each.key << ": " << change.error();
+    EXPECT_EQ(change->value, value) << each.key;
+    EXPECT_EQ(change->automatic, each.has_auto ? std::optional(false) : std::nullopt) << each.key;
+  }
+  EXPECT_EQ(read("gain", R"({"mode":"auto","value":50})")->automatic, true);
+  EXPECT_EQ(read("gain", R"({"mode":"manual","value":50})")->automatic, false);
   EXPECT_EQ(read("power", R"({"value":"transmit"})")->value, kPowerTransmit);
   EXPECT_EQ(read("power", R"({"value":1})")->value, kPowerStandby);
   EXPECT_EQ(read("targetExpansionBearing", R"({"value":true})")->value, 1.0);
@@ -122,6 +133,10 @@ TEST(ControlChange, WhatIsWrongIsSaidWithWhatIsAllowed) {
   expect("gain", R"({"value":null})", "nothing to set");
   expect("gain", R"({"value":{"value":{"value":1}}})", "within a value");
   expect("rain", R"({"auto":true})", "no automatic");
+  expect("rain", R"({"mode":"auto","value":3})", "no automatic");
+  expect("rain", R"({"auto":false})", "nothing to set");
+  expect("gain", R"({"mode":"loud","value":3})", "neither");
+  expect("gain", R"({"mode":"auto","auto":false})", "different");
   expect("power", R"({"value":0})", "1 (Standby), 2 (Transmit)");
   expect("power", R"({"value":"off"})", "no number");
   expect("modelName", R"({"value":"x"})", "read");
