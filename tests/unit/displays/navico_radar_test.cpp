@@ -103,6 +103,27 @@ TEST(NavicoRadar, BringsEveryLevelBackExactly) {
   }
 }
 
+// A display shows whole percents, and cuts off or rounds: 50 used to leave as 127 and came back
+// as 49.
+TEST(NavicoRadar, TellsEveryPercentSoThatDisplaysShowIt) {
+  for (const Model model : {Model::br24, Model::g3, Model::g4, Model::halo}) {
+    Bench bench(model);
+    for (int percent = 0; percent <= 100; ++percent) {
+      wire::Settings& settings = bench.port.at(kA);
+      settings.set_gain(percent);
+      settings.set_rain(percent);
+      bench.radar->on_settings(kA, bench.now, bench.port);
+      bench.pass(200ms);
+      const auto controls = bench.last<navico::ControlReport>();
+      ASSERT_TRUE(controls) << percent;
+      for (const int level : {controls->gain, controls->rain}) {
+        EXPECT_EQ(level * 100 / 255, percent) << "cut off, level " << level;
+        EXPECT_EQ(std::lround(level * 100.0 / 255.0), percent) << "rounded, level " << level;
+      }
+    }
+  }
+}
+
 TEST(NavicoRadar, ObeysAHalosOwnCommands) {
   Bench bench(Model::halo);
   bench.tell({CommandKind::halo_sea_adjust, -20, 1});

@@ -18,6 +18,7 @@
 #include "protocol/garmin/xhd_reports.hpp"
 #include "protocol/navico/command.hpp"
 #include "protocol/navico/model.hpp"
+#include "protocol/navico/report.hpp"
 #include "protocol/raymarine/quantum_command.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/video/range_scale.hpp"
@@ -144,10 +145,13 @@ class Exchange {
     std::this_thread::sleep_for(11ms);  // two of the 200 commands that it takes in a second
   }
   // As a console, which knows nothing of the display.
+  void console(const wire::Set& set) {
+    ASSERT_EQ(server_.apply(set, "console").code(), wire::Reply::OK);
+  }
   void console(double range_nm) {
     wire::Set set;
     set.set_range_nm(range_nm);
-    ASSERT_EQ(server_.apply(set, "console").code(), wire::Reply::OK);
+    console(set);
   }
   // Whether the rows of the view are as long as those of a radar that no display has set.
   bool is_fitted() const {
@@ -156,7 +160,7 @@ class Exchange {
   }
 
   // The next sixteenth of a turn, as the view's settings have it now, with an echo so far away.
-  void publish(double echo_m) {
+  void publish(double echo_m, Duration spoke_time = 1us) {
     const wire::Settings settings = server_.settings(0, shown_);
     Sector sector;
     for (std::uint32_t i = 0; i < kTurnSpokes / kBlocks; ++i, ++sequence_) {
@@ -168,8 +172,7 @@ class Exchange {
       spoke.header.geometry = {kTurnSpokes, kRowCells, 8};
       spoke.header.range_scale = *RangeScale::find(settings.range_nm());
       spoke.header.instrumented_range = metres(settings.instrumented_range_m());
-      spoke.header.scenario_time =
-          ScenarioTime(Duration(static_cast<std::int64_t>(sequence_) * 1000));
+      spoke.header.scenario_time = ScenarioTime(spoke_time * static_cast<std::int64_t>(sequence_));
       spoke.cells.resize(kRowCells, kGround);
       const auto cell = static_cast<std::size_t>(echo_m / spoke.header.cell_size().in_metres());
       if (cell < kRowCells) spoke.cells[cell] = 250;
@@ -225,6 +228,14 @@ class Exchange {
       spokes.insert(spokes.end(), some.begin(), some.end());
     }
     return spokes;
+  }
+
+  // The datagrams of spokes, until none comes for so long.
+  std::vector<DisplaySocket::Received> data_of(std::chrono::milliseconds patience) {
+    std::vector<DisplaySocket::Received> all;
+    while (auto received = data_.receive(kRadarAddress, patience))
+      all.push_back(std::move(*received));
+    return all;
   }
 
   unsigned repeated = 0;  // azimuths that came twice running
@@ -343,6 +354,36 @@ TEST_P(RangeSteps, AConsolesStepShowsNoRangeInBetween) {
   }
   EXPECT_EQ(exchange.repeated, 0u) << "azimuths that left twice";
   std::printf("%s: %zu scales, %zu steps by a console\n", dialect.name, scales.size(), steps - 1);
+}
+
+// Displays say "transmitting" for seconds after a spoke.
+TEST(Standby, NoSpokeLeavesAfterTheReportOfIt) {
+  for (const auto& [name, model] : {std::pair{"navico_br24", navico::Model::br24},
+                                    std::pair{"navico_halo", navico::Model::halo}}) {
+    const Dialect dialect = navico_dialect(name, model);
+    Exchange exchange(dialect);
+    DisplaySocket reports(navico::kAddressesA.report, kRadarAddress);
+    exchange.command(dialect.command(8), dialect.nothing);  // obeyed: it is on the network
+    exchange.publish(1000.0, 2ms);  // the frames of it would leave over a quarter of a second
+    std::this_thread::sleep_for(150ms);
+    wire::Set off;
+    off.set_transmit(false);
+    exchange.console(off);
+    const auto spokes = exchange.data_of(400ms);
+    ASSERT_FALSE(spokes.empty()) << name << ": nothing left before it either";
+    std::chrono::nanoseconds told{};
+    while (const auto report = reports.receive(kRadarAddress, 100ms)) {
+      const auto decoded = navico::decode_report(report->payload);
+      const auto* state = decoded ? std::get_if<navico::StateReport>(&*decoded) : nullptr;
+      if (state != nullptr && state->state == navico::RadarState::standby && told == told.zero()) {
+        told = report->time;
+      }
+    }
+    ASSERT_GT(told, told.zero()) << name << ": no report of standby";
+    for (const auto& spoke : spokes) EXPECT_LE(spoke.time, told) << name;
+    std::printf("%s: %zu of four frames left before the standby\n", name, spokes.size());
+    EXPECT_LT(spokes.size(), 4u) << name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(AllDialects, RangeSteps,
