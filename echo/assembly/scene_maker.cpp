@@ -46,6 +46,7 @@ void lay_coast(CoastPicturePtr picture, const CoastIndex& index, Scene& scene) {
   scene.coast = std::move(picture);
   scene.index = index.polar;
   scene.structure_index = index.structures;
+  scene.racons.insert(scene.racons.end(), scene.coast->racons.begin(), scene.coast->racons.end());
   scene.ashore = is_ashore(*scene.coast, *scene.index, scene.own_ship);
 }
 

@@ -39,8 +39,8 @@ PlanePoint velocity_in(const LocalPlane& plane, GeoPoint place, double course_de
 
 // Adds the own ship's place and motion.
 void lay_own_ship(const ShipMotion& ship, const LocalPlane& plane, Scene& scene);
-// The coast around her and whether she lies on it.  Requires her laid, and an index that serves
-// her.
+// The coast around her, its charted racons and whether she lies on it.  Requires her laid, and an
+// index that serves her.
 void lay_coast(CoastPicturePtr picture, const CoastIndex& index, Scene& scene);
 // Place and motion of a ship's hull; size and identity are the caller's.
 Hull hull_of(const ShipMotion& ship, const LocalPlane& plane);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "echo/chart/gdal/coverage.hpp"
 #include "echo/chart/gdal/open_chart.hpp"
 #include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/judge_run.hpp"
@@ -23,13 +24,23 @@ struct Asked {
   JudgeOptions judge;
 };
 
+// The chart's own limits; Bergen of one that has the whole Earth.  Error: std::invalid_argument for
+// one that is larger than a plane.
+CoastArea area_of(const ChartSource& chart) {
+  const auto* covered = dynamic_cast<const CoveredChart*>(&chart);
+  if (covered == nullptr || covered->coverage().everywhere()) return named_place("bergen");
+  const GeoBox box = covered->coverage().box();
+  return checked(
+      {"chart", box.south_deg, box.north_deg, box.west_deg, box.west_deg + box.width_deg},
+      chart.describe());
+}
+
 int run_judge(const Asked& asked) {
   std::vector<CoastArea> areas;
   JudgeOptions options = asked.judge;
   try {
     if (!asked.area.empty()) areas.push_back(parse_area(asked.area));
     for (const std::string& place : asked.places) areas.push_back(named_place(place));
-    if (areas.empty()) areas.push_back(named_place("bergen"));
     for (const double nm : options.scales_nm) {
       if (RangeScale::find(nm)) continue;
       throw std::invalid_argument(fmt::format("--ranges {:g}: expected some of {} NM", nm,
@@ -46,6 +57,7 @@ int run_judge(const Asked& asked) {
   const std::vector<std::filesystem::path> paths(asked.charts.begin(), asked.charts.end());
   const OpenedChart opened = paths.empty() ? open_chart({}) : open_charts(paths);
   for (const std::string& warning : opened.warnings) fmt::print(stderr, "note: {}\n", warning);
+  if (areas.empty()) areas.push_back(area_of(*opened.chart));
 
   std::string text, csv = judgement_csv_head();
   for (const CoastArea& area : areas) {
@@ -81,7 +93,10 @@ Command make_judge_command(CLI::App& app) {
       "over those after it.  Default: the finest GSHHG installed");
   auto* area = command->add_option("--area", asked->area,
                                    "Two opposite corners, degrees: lat1,lon1,lat2,lon2");
-  command->add_option("--place", asked->places, "Coasts known by name.  Default: bergen")
+  command
+      ->add_option("--place", asked->places,
+                   "Coasts known by name.  Default: the limits of --chart, or bergen if it has the "
+                   "whole Earth")
       ->check(CLI::IsMember(place_names(), CLI::ignore_case))
       ->excludes(area);
   command->add_option("--keep", asked->judge.keep, "Every how many-th vertex the methods are shown")

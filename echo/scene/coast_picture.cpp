@@ -76,6 +76,7 @@ CoastPicturePtr CoastPreparer::prepare(GeoPoint own_ship, const RadarResolution&
                    .shores = laid_->coast.kinds,
                    .edge_shores = {},
                    .structures = laid_->objects.within(centre, reach),
+                   .racons = laid_->objects.racons_within(centre, reach),
                    .elevation = chart_.elevation});
   const DetailLimit limit{centre, slack, resolution.range_m, resolution.cell_m,
                           resolution.spoke_degrees * kRadiansPerDegree};

@@ -7,6 +7,7 @@
 
 #include "echo/chart/coast_chart.hpp"
 #include "echo/chart/local_plane.hpp"
+#include "echo/scene/beacons.hpp"
 #include "echo/scene/coast_rules.hpp"
 #include "echo/scene/picture_shore.hpp"
 #include "echo/scene/structures.hpp"
@@ -25,6 +26,7 @@ struct CoastPicture {
   std::vector<PictureShore> shores = {PictureShore{}};  // at most 256 kinds; [0] is PictureShore{}
   std::vector<std::uint8_t> edge_shores = {};           // by first vertex; empty: shores[0] for all
   std::shared_ptr<const Structures> structures = nullptr;    // null: none in range
+  std::vector<Racon> racons = {};                            // charted ones in range
   std::shared_ptr<const ElevationGrid> elevation = nullptr;  // null: relief is synthesised
   std::uint8_t shore_of(std::uint32_t edge) const {
     return edge_shores.empty() ? std::uint8_t{0} : edge_shores[edge];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +10,8 @@
 
 namespace skerry::echo {
 namespace {
+
+constexpr double kHighestRacon = 500.0;  // m, as Racon allows
 
 void require_sound(const ChartObject& object) {
   const auto refuse = [&](const std::string& what) {
@@ -42,6 +45,14 @@ LaidObjects::LaidObjects(const std::vector<ChartObject>& objects, const LocalPla
     if (n == 1) {
       all_.points.push_back(
           {first, top, std::max(0.0f, object.cross_section_m2), object.kind, object.identity});
+      if (!object.racon_code.empty()) {
+        Racon racon;
+        racon.place = first;
+        racon.height_m = std::min(static_cast<double>(top), kHighestRacon);
+        racon.code = object.racon_code;
+        racon.identity = object.identity;
+        racons_.push_back(std::move(racon));
+      }
       continue;
     }
     const auto wall = [&](PlanePoint from, PlanePoint to) {
@@ -67,6 +78,13 @@ std::shared_ptr<const Structures> LaidObjects::within(PlanePoint centre, double 
     if (length_of(p.place - centre) <= reach_m) near->points.push_back(p);
   }
   if (near->walls.empty() && near->points.empty()) return nullptr;
+  return near;
+}
+
+std::vector<Racon> LaidObjects::racons_within(PlanePoint centre, double reach_m) const {
+  std::vector<Racon> near;
+  std::copy_if(racons_.begin(), racons_.end(), std::back_inserter(near),
+               [&](const Racon& racon) { return length_of(racon.place - centre) <= reach_m; });
   return near;
 }
 

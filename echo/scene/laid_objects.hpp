@@ -6,6 +6,7 @@
 
 #include "echo/chart/chart_object.hpp"
 #include "echo/chart/local_plane.hpp"
+#include "echo/scene/beacons.hpp"
 #include "echo/scene/structures.hpp"
 
 namespace skerry::echo {
@@ -22,9 +23,12 @@ class LaidObjects {
   // All walls and points within `reach_m` of `centre`, in the order of the chart; null where there
   // are none.
   std::shared_ptr<const Structures> within(PlanePoint centre, double reach_m) const;
+  // The charted racons there: what the chart says of them, all else as Racon has it.
+  std::vector<Racon> racons_within(PlanePoint centre, double reach_m) const;
 
  private:
   Structures all_;
+  std::vector<Racon> racons_;
 };
 
 }  // namespace skerry::echo

@@ -12,15 +12,15 @@
 namespace skerry::navico {
 namespace {
 
-constexpr double kTurn = 63488.0;  // units of a turn
+constexpr double kTurn = kRadiansPerTurn / 1e-4;  // 62831.85 units of 1e-4 rad are a turn
+constexpr std::uint32_t kTurnUnits = 62'832;      // the first that is a turn or more
 constexpr std::array<std::uint8_t, 4> kMark = {'N', 'K', 'O', 'E'};
 constexpr std::size_t kCounter = 8, kKind = 36, kHeading = 65, kCourse = 66, kSpeed = 68;
 constexpr std::uint16_t kHeadingKind = 0xF112, kNavigationKind = 0xF802;  // as little-endian
 
 std::uint16_t to_turn_units(double degrees) {
-  return static_cast<std::uint16_t>(
-      static_cast<std::uint32_t>(std::floor(wrapped_degrees(degrees) / 360.0 * kTurn + 0.5)) %
-      static_cast<std::uint32_t>(kTurn));
+  const double units = wrapped_degrees(degrees) / 360.0 * kTurn;
+  return static_cast<std::uint16_t>(static_cast<std::uint32_t>(std::lround(units)) % kTurnUnits);
 }
 
 std::uint16_t to_steps(double value, double step) {

@@ -16,12 +16,12 @@ inline constexpr std::size_t kShipOctets = 72, kSpeedOctets = 23;
 
 struct HeadingPacket {
   std::uint16_t counter = 0;
-  double heading_deg = 0.0;  // true, [0, 360); in steps of 360/63488
+  double heading_deg = 0.0;  // true, [0, 360); in steps of 1e-4 rad
   friend bool operator==(const HeadingPacket&, const HeadingPacket&) = default;
 };
 struct NavigationPacket {
   std::uint16_t counter = 0;
-  double course_deg = 0.0;  // over ground, in steps of 360/63488
+  double course_deg = 0.0;  // over ground, in steps of 1e-4 rad
   double speed_mps = 0.0;   // over ground, in steps of 0.01, at most 655.35
   friend bool operator==(const NavigationPacket&, const NavigationPacket&) = default;
 };

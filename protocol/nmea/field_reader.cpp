@@ -92,11 +92,14 @@ std::optional<double> FieldReader::degrees_and_minutes(std::size_t index, std::s
   const std::string_view field = text(index);
   if (field.empty()) return std::nullopt;
   const char side = letter(index + 1);
-  const std::string_view degrees = field.substr(0, degree_digits);
-  const std::string_view minute_text = field.substr(std::min(degree_digits, field.size()));
-  const double whole =
-      degrees.size() == degree_digits && are_digits(degrees) ? *unsigned_number(degrees) : -1.0;
-  // Always two digits before the point: otherwise degrees were left out.
+  // Minutes have two digits before the point; what stands before them are degrees, of which some
+  // devices leave out leading zeros ("516.0606" is 5 deg 16.0606 min).  At least one digit of
+  // degrees: "16.06" could be either.
+  const std::size_t point = std::min(field.find('.'), field.size());
+  const std::size_t split = point >= 3 && point <= degree_digits + 2 ? point - 2 : 0;
+  const std::string_view degrees = field.substr(0, split);
+  const std::string_view minute_text = field.substr(split);
+  const double whole = split > 0 && are_digits(degrees) ? *unsigned_number(degrees) : -1.0;
   const bool two_digits = minute_text.size() >= 2 && are_digits(minute_text.substr(0, 2));
   const double minutes = two_digits ? unsigned_number(minute_text).value_or(-1.0) : -1.0;
   if (whole < 0.0 || minutes < 0.0 || minutes >= 60.0) {

@@ -62,13 +62,22 @@ LabelText label_text(const Scan& scan, Orientation orientation, const PpiLabels&
   text.top_left.push_back({orientation == Orientation::head_up ? "HEAD UP RM" : "NORTH UP RM"});
 
   if (labels.own_ship) text.top_right.push_back({printable(labels.own_ship->name(), 28)});
-  text.top_right.push_back({fmt::format("HDG {}", bearing_text(header.heading.in_degrees()))});
+  const bool no_heading = labels.own_ship && labels.own_ship->no_heading();
+  text.top_right.push_back(
+      {no_heading ? std::string("HDG ---")
+                  : fmt::format("HDG {}", bearing_text(header.heading.in_degrees()))});
   if (labels.own_ship) {
-    text.top_right.push_back({fmt::format("SPD {:.1f} KN", labels.own_ship->speed_kn())});
+    text.top_right.push_back({labels.own_ship->no_motion()
+                                  ? std::string("SPD --- KN")
+                                  : fmt::format("SPD {:.1f} KN", labels.own_ship->speed_kn())});
   }
-  const std::string position = position_text(header.own_ship);
-  text.top_right.push_back({position.substr(0, position.find(' '))});
-  text.top_right.push_back({position.substr(position.find(' ') + 1)});
+  if (labels.own_ship && labels.own_ship->no_position()) {
+    text.top_right.push_back({"NO POSITION"});
+  } else {
+    const std::string position = position_text(header.own_ship);
+    text.top_right.push_back({position.substr(0, position.find(' '))});
+    text.top_right.push_back({position.substr(position.find(' ') + 1)});
+  }
 
   if (labels.settings) {
     text.bottom_left.push_back({fmt::format("GAIN {:.0f}", labels.settings->gain())});

@@ -226,6 +226,7 @@ void NavigationOutput::send_datagram(const asio::ip::udp::endpoint& to,
     return;
   }
   counters_->datagrams_unsent.fetch_add(1, std::memory_order_relaxed);
+  if (errno == ECONNREFUSED) return;  // nobody listens there, or not yet
   context_.errors.add("nmea send", fmt::format("{}: {}", address(), std::strerror(errno)));
 }
 

@@ -312,6 +312,12 @@ TEST(NavicoShipData, ComesBackToWithinAStep) {
     EXPECT_NEAR(std::get<SpeedPacket>(*moving).course_deg, degrees, 0.051);
     EXPECT_NEAR(std::get<SpeedPacket>(*moving).speed_mps, speed, 0.051);
   }
+  // In a capture with HDT 296.0 and spokes at 296.02 deg the heading packet says 51657: 295.97 deg.
+  Bytes captured = encode(HeadingPacket{1, 296.0});
+  EXPECT_EQ(read_le<std::uint16_t>(captured, 65), 51662);
+  captured[65] = 0xC9;
+  captured[66] = 0xC9;
+  EXPECT_NEAR(std::get<HeadingPacket>(*decode_ship_packet(captured)).heading_deg, 295.97, 0.005);
   const Bytes heading = encode(HeadingPacket{1, 359.9999});
   EXPECT_EQ(read_le<std::uint16_t>(heading, 65), 0);
   EXPECT_EQ(heading[36], 0x12);

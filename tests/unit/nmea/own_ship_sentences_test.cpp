@@ -77,6 +77,22 @@ TEST(Gll, IsRead) {
   EXPECT_FALSE(decoded(with_checksum("GPGLL,4916.45,N,12311.12,W,225444,V"), decode_gll).valid);
 }
 
+// As a device sent it that leaves out leading zeros.
+TEST(Gll, WithoutLeadingZerosIsReadWhereItCanMeanOneThingOnly) {
+  const Gll gll = decoded(with_checksum("GPGLL,5154.1234,N,516.0606,E,225444,A"), decode_gll);
+  EXPECT_NEAR(gll.position->latitude_deg, 51.902056667, 1e-8);
+  EXPECT_NEAR(gll.position->longitude_deg, 5.267676667, 1e-8);
+  const Gll near = decoded(with_checksum("GPGLL,016.5,S,4516.0606,W,225444,A"), decode_gll);
+  EXPECT_NEAR(near.position->latitude_deg, -0.275, 1e-9);
+  EXPECT_NEAR(near.position->longitude_deg, -45.267676667, 1e-8);
+  for (const char* body : {"GPGLL,5154.1234,N,16.0606,E,225444,A",      // no degrees, or no minutes
+                           "GPGLL,5154.1234,N,561.0606,E,225444,A",     // 61 minutes
+                           "GPGLL,5154.1234,N,1005160.606,E,225444,A",  // too many digits
+                           "GPGLL,05154.1234,N,00516.06,E,225444,A"}) {
+    EXPECT_THROW(decoded(with_checksum(body), decode_gll), std::runtime_error) << body;
+  }
+}
+
 TEST(Vtg, IsAsWritten) {
   const std::string line = encode(Vtg{.course_deg = 5.0, .speed_kn = 10.0});
   EXPECT_EQ(body(line), "$GPVTG,5.0,T,,M,10.00,N,18.52,K,A");

@@ -174,7 +174,7 @@ TEST(FieldReader, WhatIsNoNumberOrOutOfRangeIsAFaultThatNamesTheField) {
 TEST(FieldReader, PositionsAndTimesOutsideTheirRangesAreFaults) {
   for (const char* bad :
        {"4860.0,N,01131.0,E", "4807.0,E,01131.0,E", "9001.0,N,01131.0,E", "4807.0,N,18001.0,E",
-        "807.0,N,01131.0,E", "4807.0,N,1131.0,", "48-7.0,N,01131.0,E", "48,N,011,E"}) {
+        "07.0,N,01131.0,E", "4807.0,N,1131.0,", "48-7.0,N,01131.0,E", "48,N,011,E"}) {
     Fields fields(bad);
     EXPECT_FALSE(fields->position(0)) << bad;
     EXPECT_TRUE(fields->error()) << bad;

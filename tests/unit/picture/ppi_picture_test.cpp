@@ -154,6 +154,14 @@ TEST(LabelText, SaysWhatTheScanShows) {
   EXPECT_EQ(text.bottom_left[0].text, "GAIN 55");
   EXPECT_EQ(text.bottom_right[0].text, "1 OF 256 LOST");
   EXPECT_TRUE(text.bottom_right[0].warning);
+  labels.own_ship->set_no_heading(true);
+  labels.own_ship->set_no_position(true);
+  labels.own_ship->set_no_motion(true);
+  const LabelText untold = label_text(scan, Orientation::head_up, labels);
+  ASSERT_EQ(untold.top_right.size(), 4u);
+  EXPECT_EQ(untold.top_right[1].text, "HDG ---");
+  EXPECT_EQ(untold.top_right[2].text, "SPD --- KN");
+  EXPECT_EQ(untold.top_right[3].text, "NO POSITION");
   labels.settings.reset();
   labels.formed_of_pulses = true;
   labels.warning = "FAULTS: STALLED";

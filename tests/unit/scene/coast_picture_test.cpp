@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "echo/assembly/scene_maker.hpp"
+#include "echo/scene/plane_geometry.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "tests/scenes/charts.hpp"
 #include "tests/unit/scene/coast_helpers.hpp"
@@ -39,6 +41,25 @@ TEST(CoastPicture, AFinerPictureKeepsEveryVertexOfACoarserOne) {
     }
     before = fine;
   }
+}
+
+TEST(CoastPicture, HasTheRaconsOfTheChartForEveryScene) {
+  CoastChart chart = scenes::made_up_chart(scenes::kBergen, nautical_miles(8), 80, 3);
+  ChartObject racon;
+  racon.kind = ObjectClass::racon;
+  racon.height_m = 12.0f;
+  racon.racon_code = "Q";
+  racon.outline = {{scenes::kBergen.latitude_deg + 1.0 / 60.0, scenes::kBergen.longitude_deg}};
+  chart.objects.push_back(racon);
+  racon.outline = {{scenes::kBergen.latitude_deg + 5.0 / 60.0, scenes::kBergen.longitude_deg}};
+  chart.objects.push_back(racon);
+  CoastPreparer preparer(chart, scenes::kBergen, echo::CoastRules{.seed = 1});
+  const auto scene = scene_of(preparer.prepare(scenes::kBergen, resolution(3)),
+                              {.position = scenes::kBergen}, 20.0);
+  ASSERT_EQ(scene->racons.size(), 1u) << "the other is out of range";
+  EXPECT_EQ(scene->racons[0].code, "Q");
+  EXPECT_EQ(scene->racons[0].height_m, 12.0);
+  EXPECT_NEAR(length_of(scene->racons[0].place - scene->own_ship), 1857.0, 5.0);
 }
 
 TEST(CoastPicture, IsTheSameCoastSeenFromElsewhere) {
