@@ -93,6 +93,14 @@ NavigationOutput::NavigationOutput(NetContext& context, const NavigationOutputCo
                                     context.host.radar_count()));
   }
   if (const auto fault = fault_in(config.plan)) fail_output(config, *fault);
+  for (const TrafficItem& other : world_->traffic()) {
+    if (config.plan.own_mmsi == 0 || other.mmsi != config.plan.own_mmsi) continue;
+    fail_output(
+        config,
+        fmt::format("own_mmsi {} is also that of {}: they would be one vessel to every receiver; "
+                    "give another number, or leave it out and own ship has one of her own",
+                    other.mmsi, other.name.empty() ? "a target" : '"' + other.name + '"'));
+  }
   if (config.multicast_ttl < 0 || config.multicast_ttl > 255) {
     fail_output(config, fmt::format("multicast TTL {} is not 0 to 255", config.multicast_ttl));
   }

@@ -1,4 +1,5 @@
 // Navigation data as another program sends and receives it.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -62,6 +63,35 @@ NavigationOutputConfig an_output() {
   NavigationOutputConfig config;
   config.plan.periods = {{rmc, 50ms}, {hdt, 50ms}, {vdm, 50ms}, {vdo, 50ms}, {zda, 50ms}};
   return config;
+}
+
+TEST(NavigationOutput, TwoVesselsHaveTwoNumbers) {
+  NavigationHost host;
+  NetConfig config = test_config();
+  config.navigation_outputs = {an_output()};
+  config.navigation_outputs[0].port = 10'110;
+  config.navigation_outputs[0].plan.own_mmsi = 257'000'222;
+  try {
+    const NetServer server(host, config, {});
+    FAIL() << "own ship has the number of the tanker";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("257000222 is also that of \"Tanker\""));
+  }
+  config.navigation_outputs[0].plan.own_mmsi = 257'000'111;
+  EXPECT_NO_THROW(NetServer(host, config, {})) << "own ship's own";
+}
+
+TEST(NavigationOutput, NobodyListeningIsNoError) {
+  std::uint16_t port = 0;
+  { port = DisplaySocket({kLoopback, 0}, kLoopback).port(); }
+  NavigationHost host;
+  NetConfig config = test_config();
+  config.navigation_outputs = {an_output()};
+  config.navigation_outputs[0].port = port;
+  NetServer server(host, config, {});
+  server.start();
+  ASSERT_TRUE(wait_until([&] { return output_status(server).datagrams_unsent() > 0; }));
+  EXPECT_EQ(server.status().errors().count("nmea send"), 0u);
 }
 
 TEST(NavigationOutput, SendsItsSentencesAsDatagrams) {
