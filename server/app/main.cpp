@@ -28,6 +28,7 @@
 namespace {
 
 using namespace skerry::server;
+namespace wire = skerry::wire;
 
 void greet(const Options& options, const NetServer& net, const std::string& what) {
   const std::string& host = options.net.bind;
@@ -46,6 +47,12 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   for (const DisplayOutputConfig& d : options.net.displays) {
     std::fprintf(stderr, "  %-16s at %s (radar %u)\n", d.identity.family.c_str(),
                  d.interface_address.c_str(), d.sources.front().radar);
+  }
+  const wire::Status status = net.status();
+  for (const wire::OutputStatus& nmea : status.outputs()) {
+    if (!nmea.name().starts_with("nmea")) continue;
+    std::fprintf(stderr, "  %-16s %s (radar %u)\n", nmea.name().c_str(), nmea.address().c_str(),
+                 nmea.radar());
   }
   std::fprintf(stderr, "  stop with Ctrl-C\n");
   if (options.print_ports) {

@@ -121,13 +121,6 @@ class NetServer::Impl {
     const NetConfig& config = context_.config;
     spdlog::info("native TCP on {} port {}, HTTP and WebSocket on port {}", config.bind, tcp_port(),
                  http_port());
-    const wire::Status status = context_.status();
-    for (const wire::OutputStatus& output : status.outputs()) {
-      spdlog::info("output {}: radar {} view {} to {}{}{}", output.name(), output.radar(),
-                   output.view(), output.address(),
-                   output.interface_address().empty() ? "" : " from interface ",
-                   output.interface_address());
-    }
     error_code error;
     if (!is_loopback(asio::ip::make_address(config.bind, error)) && config.control_token.empty()) {
       spdlog::info("other hosts may look but not control: no control token is configured");
