@@ -55,8 +55,8 @@ void require_pointer(const char* name, const void* pointer);
 void require_range(const char* name, std::uint64_t value, std::uint64_t min, std::uint64_t max);
 // The two-call copy of a text with its ending 0.  Error: ARGUMENT, SIZE (*size is set).
 void copy_text(const std::string& text, char* out, std::size_t capacity, std::size_t* size);
-// As much of `known` as the caller knows, 0 behind.  Error: ARGUMENT; SIZE below `first`, what the
-// first version had, and for sizes that make no sense.
+// Copies as much of `known` as the caller has room for, and fills the rest with 0.  Error:
+// ARGUMENT; SIZE below `first`, what the first version had, and for sizes that make no sense.
 void copy_struct(const char* name, const void* known, std::size_t known_size, void* out,
                  std::size_t size, std::size_t first);
 

@@ -33,8 +33,8 @@ class TurnAssembler {
 
   // Spokes of the turn begun, out of geometry.spokes_per_turn; 0 before its beginning has come.
   std::uint32_t received() const { return scan_.received; }
-  // Of all its sweeps: FaultBit.  With those of the sweep that ended it, which has what the board
-  // found out at the ARP.
+  // FaultBits of all its sweeps, and of the sweep that ended it: that one has the faults found at
+  // the ARP.
   std::uint32_t faults() const { return faults_; }
 
  private:

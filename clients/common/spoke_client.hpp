@@ -62,8 +62,8 @@ class SpokeClient {
   ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
   ClientResult<wire::Status> get_status(Duration timeout);
 
-  // Of a server whose Hello says can_record, or playback; asked of another, it is rejected without
-  // a word on the network (such a server may not know the request).  All or nothing.
+  // Only for a server whose Hello says can_record, or playback.  Otherwise it is rejected here and
+  // nothing is sent, because such a server may not know the request.  All or nothing.
   // Error: as set().
   ClientResult<wire::Reply> record(const wire::Record& request, Duration timeout);
   ClientResult<wire::Reply> playback(const wire::Playback& request, Duration timeout);

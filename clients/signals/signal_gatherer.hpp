@@ -45,8 +45,8 @@ class SignalGatherer {
   double done() const;
   double seconds() const;
 
-  // What there is: all that was wished for in state done, what had come until now in state
-  // gathering.  Requires one of these.  The gatherer is empty afterwards.
+  // In state done: everything that was asked for.  In state gathering: what has come until now.
+  // Requires one of these states.  The gatherer is empty afterwards.
   SignalRecording take();
 
  private:

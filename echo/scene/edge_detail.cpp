@@ -21,7 +21,7 @@ double quarter_octave_floor(double x) {
 
 EdgeDetail detail_of(PlanePoint middle, double length_m, const DetailLimit& limit) {
   using Rule = EdgeDetail::Rule;
-  // As for DetailLimit::visible_m: all refinement of an edge lies within six tenths of its length.
+  // See DetailLimit::visible_m: all refinement of an edge lies within six tenths of its length.
   const double distance = length_of(middle - limit.centre);
   const double nearest = std::max(0.0, distance - 0.6 * length_m - limit.slack_m);
   const double farthest = distance + 0.6 * length_m;

@@ -42,6 +42,9 @@ void NavicoFacts::take(const pcap::Datagram& datagram) {
     for (const std::uint8_t instance : {std::uint8_t{1}, std::uint8_t{2}}) {
       const auto groups = locator->find_picture(instance);
       if (groups && told_.size() < kMostKept) told_[groups->data] = groups->report;
+      if (groups && instance == 2 && senders_.size() < kMostKept) {
+        senders_[datagram.from.address].two_ranges = true;
+      }
     }
     return;
   }
@@ -65,8 +68,10 @@ Model NavicoFacts::model_of(std::uint32_t sender, const NavicoForms& forms) cons
   const auto found = senders_.find(sender);
   const Sender facts = found == senders_.end() ? Sender{} : found->second;
   if (forms.first_generation) return facts.type == kType3g ? Model::g3 : Model::br24;
-  // A HALO20 says more in its advanced report than the others; ../navico/README.md.
-  const Model halo = facts.advanced_octets > kAdvancedOctetsHalo ? Model::halo20 : Model::halo;
+  // A HALO20 and a HALO24 say more in their advanced report than a HALO; only the HALO24 has two
+  // ranges.
+  const bool is_20 = facts.advanced_octets > kAdvancedOctetsHalo && !facts.two_ranges;
+  const Model halo = is_20 ? Model::halo20 : Model::halo;
   if (facts.type == kType4g || facts.type == kType3g) return Model::g4;
   if (facts.type == kTypeHalo || facts.heartbeat || facts.advanced_octets >= kAdvancedOctetsHalo) {
     return halo;
@@ -77,7 +82,12 @@ Model NavicoFacts::model_of(std::uint32_t sender, const NavicoForms& forms) cons
 std::string NavicoFacts::name_of(std::uint32_t sender, const NavicoForms& forms) const {
   const auto found = senders_.find(sender);
   if (found != senders_.end() && found->second.type == kType3g) return "3G";
-  return std::string(navico::name_of(model_of(sender, forms)));
+  const Model model = model_of(sender, forms);
+  if (model == Model::halo && found != senders_.end() &&
+      found->second.advanced_octets > kAdvancedOctetsHalo) {
+    return "HALO24";
+  }
+  return std::string(navico::name_of(model));
 }
 
 std::optional<Ipv4Endpoint> NavicoFacts::reports_of(std::uint32_t sender,

@@ -35,6 +35,7 @@ class NavicoFacts {
     std::optional<std::uint8_t> type;  // of its identity
     bool heartbeat = false;
     std::size_t advanced_octets = 0;
+    bool two_ranges = false;  // its locator names a second
     std::set<Ipv4Endpoint> reports;
   };
 

@@ -132,14 +132,53 @@ std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship) {
   return values;
 }
 
-Json own_ship_document(const OwnShip& ship, UtcTime now) {
-  Json tree{{"name", ship.name}};
-  for (const auto& [path, value] : own_ship_values(ship)) {
-    const auto dot = path.find('.');
-    tree[path.substr(0, dot)][path.substr(dot + 1)] =
-        Json{{"value", value}, {"timestamp", iso_time(now)}, {"$source", "skerry"}};
+namespace {
+
+using Values = std::vector<std::pair<std::string, Json>>;
+
+// Values at "a.b" as a tree; the members of one at "" stand at its root.
+Json tree_of(const Values& values, UtcTime now) {
+  Json tree = Json::object();
+  for (const auto& [path, value] : values) {
+    if (path.empty()) {
+      tree.update(value);
+      continue;
+    }
+    Json* at = &tree;
+    for (std::size_t begin = 0; begin <= path.size();) {
+      const std::size_t end = std::min(path.find('.', begin), path.size());
+      at = &(*at)[path.substr(begin, end - begin)];
+      begin = end + 1;
+    }
+    *at = Json{{"value", value}, {"timestamp", iso_time(now)}, {"$source", "skerry"}};
   }
   return tree;
+}
+
+}  // namespace
+
+Json own_ship_document(const OwnShip& ship, UtcTime now) {
+  Values values{{"", Json{{"name", ship.name}}}};
+  for (auto& each : own_ship_values(ship)) values.push_back(std::move(each));
+  return tree_of(values, now);
+}
+
+std::string vessel_key(std::uint32_t mmsi) { return fmt::format("urn:mrn:imo:mmsi:{:09}", mmsi); }
+
+Values other_vessel_values(const OtherVessel& vessel) {
+  Values values{
+      {"", Json{{"name", vessel.ship.name}, {"mmsi", fmt::format("{:09}", vessel.mmsi)}}}};
+  for (auto& each : own_ship_values(vessel.ship)) values.push_back(std::move(each));
+  if (vessel.length_m > 0.0) {
+    values.emplace_back("design.length", Json{{"overall", vessel.length_m}});
+  }
+  if (vessel.beam_m > 0.0) values.emplace_back("design.beam", vessel.beam_m);
+  values.emplace_back("sensors.ais.class", "A");
+  return values;
+}
+
+Json other_vessel_document(const OtherVessel& vessel, UtcTime now) {
+  return tree_of(other_vessel_values(vessel), now);
 }
 
 Json endpoints_document(std::string_view server, std::string_view authority) {
@@ -184,11 +223,12 @@ Json reply_document(unsigned status, std::string_view message) {
               {"message", message}};
 }
 
-Json delta_document(std::string_view source, UtcTime now, Json values, Json meta) {
+Json delta_document(std::string_view source, UtcTime now, Json values, Json meta,
+                    std::string_view context) {
   Json update{{"$source", source}, {"timestamp", iso_time(now)}};
   if (!meta.empty()) update["meta"] = std::move(meta);
   if (!values.empty()) update["values"] = std::move(values);
-  return Json{{"context", kSelf}, {"updates", Json::array({std::move(update)})}};
+  return Json{{"context", context}, {"updates", Json::array({std::move(update)})}};
 }
 
 }  // namespace skerry::signalk

@@ -70,6 +70,18 @@ std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship);
 // The ship as a tree, as /signalk/v1/api/vessels/self has it.
 Json own_ship_document(const OwnShip& ship, UtcTime now);
 
+// Another vessel, as an AIS receiver aboard the own ship would tell of her.
+struct OtherVessel {
+  std::uint32_t mmsi = 0;  // nine digits
+  OwnShip ship;
+  double length_m = 0.0, beam_m = 0.0;  // 0: not known
+};
+// "urn:mrn:imo:mmsi:257000222": in the tree of vessels; behind "vessels.", her context in deltas.
+std::string vessel_key(std::uint32_t mmsi);
+// Name and number are at the path "".
+std::vector<std::pair<std::string, Json>> other_vessel_values(const OtherVessel& vessel);
+Json other_vessel_document(const OtherVessel& vessel, UtcTime now);
+
 Json endpoints_document(std::string_view server, std::string_view authority);
 Json hello_document(std::string_view server, UtcTime now);
 Json features_document();
@@ -79,7 +91,7 @@ Json login_status_document(bool logged_in, bool login_possible);
 // {"state":..,"statusCode":..,"message":..}
 Json reply_document(unsigned status, std::string_view message);
 
-// A delta of one's own ship.
-Json delta_document(std::string_view source, UtcTime now, Json values, Json meta);
+Json delta_document(std::string_view source, UtcTime now, Json values, Json meta,
+                    std::string_view context = kSelf);
 
 }  // namespace skerry::signalk

@@ -12,6 +12,10 @@ bool is_own_ship(const std::string& context) {
          context == "vessels.*";
 }
 
+bool is_others(const std::string& context) {
+  return context == "*" || context == "vessels.*" || context.starts_with("vessels.urn:");
+}
+
 milliseconds period_in(const Json& entry) {
   constexpr double kLongest = 3'600'000;
   if (text_member(entry, "policy") == "instant") return Subscriptions::kShortestPeriod;
@@ -88,12 +92,15 @@ Result<StreamRequest, std::string> read_stream_request(std::string_view text) {
     return Failure{std::string("a message that is no JSON object")};
   }
   StreamRequest request;
-  if (is_own_ship(text_member(*document, "context"))) {
-    if (const Json* list = member(*document, "subscribe")) read_paths(*list, request.subscribe);
+  const std::string context = text_member(*document, "context");
+  const auto read_lists = [&](auto& subscribe, auto& unsubscribe) {
+    if (const Json* list = member(*document, "subscribe")) read_paths(*list, subscribe);
     for (const char* name : {"unsubscribe", "desubscribe"}) {
-      if (const Json* list = member(*document, name)) read_paths(*list, request.unsubscribe);
+      if (const Json* list = member(*document, name)) read_paths(*list, unsubscribe);
     }
-  }
+  };
+  if (is_own_ship(context)) read_lists(request.subscribe, request.unsubscribe);
+  if (is_others(context)) read_lists(request.subscribe_others, request.unsubscribe_others);
   request.request_id = text_member(*document, "requestId").substr(0, Subscriptions::kLongestPath);
   request.token = text_member(*document, "token");
   const Json* put = member(*document, "put");

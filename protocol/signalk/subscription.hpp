@@ -15,7 +15,7 @@ namespace skerry::signalk {
 // True if `path` fits `pattern`, in which '*' stands for any text, none included.
 bool path_matches(std::string_view pattern, std::string_view path);
 
-// Paths of one's own ship, by patterns.
+// Paths of one's own ship, or of the others, by patterns.
 class Subscriptions {
  public:
   static constexpr std::size_t kMost = 64;  // patterns; what comes after is not taken
@@ -43,7 +43,8 @@ struct StreamRequest {
     std::string pattern;
     std::chrono::milliseconds period{};
   };
-  std::vector<Path> subscribe, unsubscribe;  // of one's own ship
+  std::vector<Path> subscribe, unsubscribe;                // of one's own ship
+  std::vector<Path> subscribe_others, unsubscribe_others;  // of the other vessels
   // A control to be set: {"path":..,"value":..}, or a "put" with a request id to be answered.
   std::string put_path = {};
   Json put_value = {};
@@ -51,7 +52,8 @@ struct StreamRequest {
   std::string token = {};
 };
 
-// Paths of other contexts than one's own ship are passed over.  Error: what is wrong with it.
+// Contexts "vessels.*" and "*" are one's own ship and the others, "vessels.urn:..." the others;
+// paths of what is no vessel are passed over.  Error: what is wrong with it.
 Result<StreamRequest, std::string> read_stream_request(std::string_view text);
 
 }  // namespace skerry::signalk

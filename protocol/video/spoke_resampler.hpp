@@ -37,8 +37,8 @@ class CellShares {
 
 // One spoke of the resampled stream; valid during the call that gives it.
 struct ResampledSpoke {
-  // Of the source's spoke that completed it, with index and geometry of the resampled stream; bits
-  // as in the source.
+  // The header of the source's spoke that completed it, with index and geometry of the resampled
+  // stream; bits as in the source.
   const SpokeHeader& header;
   std::span<const std::uint8_t> cells;
   std::span<const DopplerClass> doppler;  // empty if the source has none

@@ -47,7 +47,8 @@ void pack(const std::vector<DopplerClass>& classes, std::string& bytes) {
   }
 }
 
-// Of a message whose geometry is valid.  Empty is no failure: the view asks for none.
+// Requires a message whose geometry is valid.  An empty result is no failure: the view asks for
+// none.
 Result<std::vector<DopplerClass>, WireError> doppler_of(const wire::Spoke& message) {
   const std::string& bytes = message.doppler();
   std::vector<DopplerClass> classes;
@@ -125,7 +126,7 @@ Result<Spoke, WireError> from_message(const wire::Spoke& message) {
   }
   const auto scale = RangeScale::from_index(message.range_scale());
   if (!scale) return out_of_range("range_scale", message.range_scale(), "0 .. 11");
-  // Of the range scale.  Written so that a NaN fails.
+  // Its share of the range scale's cell.  Written so that a NaN fails.
   const double cell_size = header.geometry.cell_size(*scale).in_metres();
   const double share = message.cell_size_m() / cell_size;
   if (!(share >= kShortestReach * (1.0 - kCellSizeTolerance) &&

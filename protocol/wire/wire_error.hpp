@@ -44,7 +44,7 @@ struct WireError {
   std::string text;        // what was wrong, what was expected
 };
 
-// What a decoder gives in place of a value.
+// The error that a decoder returns in place of a value.
 inline Failure<WireError> failure(WireErrorKind kind, std::size_t offset, std::string text) {
   return {WireError{kind, offset, std::move(text)}};
 }

@@ -13,14 +13,14 @@ struct ControlChange {
   std::string before, after;
 };
 
-// Of which a lock speaks: "world" of "world.sea_state".
+// The name that a lock has for it: "world" for "world.sea_state".
 std::string lock_of(const ControlChange& change);
 
-// What differs between two Settings of one view; what follows from other controls (the pulse on the
-// air) and the locks are not looked at.
+// The differences between two Settings of one view, without the locks and without what follows from
+// other controls (the pulse on the air).
 std::vector<ControlChange> differences(const wire::Settings& before, const wire::Settings& after);
 
-// What differs between two states of the world at one time.
+// The differences between two states of the world at one time.
 std::vector<ControlChange> differences(const wire::World& before, const wire::World& after);
 
 }  // namespace skerry::server

@@ -133,7 +133,7 @@ std::optional<wire::Reply> ControlDesk::plan(const wire::Set& set, Next& next) c
 void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
   const ShipState ship = own_ship_of(set.radar());
   const auto add = [&](const char* control, double before, double after) {
-    // What was ordered is known to the roundings of its conversion.
+    // Orders are kept in other units, so they are equal but for rounding.
     if (std::abs(before - after) > 1e-9) {
       next.changes.push_back({control, fmt::format("{:.6g}", before), fmt::format("{}", after)});
     }

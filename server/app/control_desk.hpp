@@ -34,7 +34,7 @@ class ControlDesk {
               InputLog* inputs = nullptr);
   ~ControlDesk();
 
-  // As RadarHost has them.
+  // See RadarHost.
   wire::Reply apply(const wire::Set& set, const std::string& origin);
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const;
   std::uint64_t settings_version() const { return settings_version_.load(); }
@@ -46,7 +46,7 @@ class ControlDesk {
  private:
   struct Next;  // what a Set makes of what it changes
   std::optional<wire::Reply> refusal_by_state(const wire::Set& set) const;
-  // What `set` wants, and what of that is a change.
+  // Puts into `next` what `set` asks for and which of it is a change.
   std::optional<wire::Reply> plan(const wire::Set& set, Next& next) const;
   ShipState own_ship_of(std::uint32_t radar) const;
   void plan_orders(const wire::Set& set, Next& next) const;

@@ -96,7 +96,7 @@ std::optional<wire::Reply> refusal_of_message(const Message& message, const Desc
   return std::nullopt;
 }
 
-// What says where a Set goes and how, and changes nothing by itself.
+// Fields of Set that say where it goes and how, and change nothing by themselves.
 constexpr std::array<std::string_view, 6> kNotControls = {"radar", "view",   "token",
                                                           "lock",  "unlock", "instructor"};
 

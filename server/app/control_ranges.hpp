@@ -16,11 +16,11 @@ namespace skerry::server {
 // the state of the radars is not looked at.
 std::optional<wire::Reply> refusal_of(const wire::Set& set);
 
-// Of that, what concerns values, for any message that carries controls of such a schema.
+// The part of it that looks at values, for any message that carries controls of such a schema.
 std::optional<wire::Reply> refusal_of_values(const wire::Message& set,
                                              const wire::Descriptor& controls);
 
-// As radar.proto has it.
+// The limit that radar.proto states.
 inline constexpr int kMaxSectorsSet = 4;
 
 // The fields of Set, and of the controls it carries, that change something; each may be locked.

@@ -1,4 +1,4 @@
-// What is wrong with a configuration file, and where: all errors of a file in one list.
+// The errors of a configuration file, each with its place, in one list.
 #pragma once
 
 #include <compare>
@@ -47,7 +47,8 @@ class YamlSource {
   // Whether the file gives a value for the path (and not a default).
   bool has(const std::string& path) const { return places_.count(path) != 0; }
 
-  // Of the value at `path`, or of the innermost list or map around it that the file holds.
+  // The place of the value at `path`, or of the innermost list or map around it that the file
+  // holds.
   TextPlace place_of(std::string path) const;
 
   // Adds an error of the value at `path`, which is not sound from now on.

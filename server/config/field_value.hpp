@@ -26,7 +26,7 @@ std::string expected_by(const google::protobuf::FieldDescriptor& field);
 // "75", "the text "fast"", "a list", "keys and values", "nothing".
 std::string given_by(const YamlNode& node);
 
-// What is wrong with a value; its reader knows the place.
+// The fault of a value; its reader knows the place.
 class ValueError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

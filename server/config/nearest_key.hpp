@@ -1,4 +1,4 @@
-// What a mistyped key was meant to be.
+// Finds the key that a mistyped one was probably meant to be.
 #pragma once
 
 #include <string>

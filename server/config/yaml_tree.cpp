@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Where yaml-cpp's marks, which count bytes from 0, lie in the text.
+// Turns yaml-cpp's marks, which count bytes from 0, into lines and columns.
 class Places {
  public:
   explicit Places(std::string_view text) : text_(text) {

@@ -13,7 +13,7 @@ namespace skerry::server {
 // Two ranges that differ by less are the same: makers round (232 m for 1/8 NM).
 inline constexpr double kSameRange = 0.005;
 
-// What a family's radar can be set to, and how far its spokes reach.
+// The ranges that a family's radar can be set to, and how far its spokes reach.
 struct DisplayRanges {
   std::vector<double> ranges_m;  // ascending
   double span_of_range = 1.0;    // a spoke's length over its range, at most 2

@@ -16,10 +16,9 @@
 
 namespace skerry::server {
 
-// What one emulated radar is asked to be.  A member whose key is not in the row stays as it is
-// here.
+// The options of one emulated radar.  A member whose key is not in the row keeps its default.
 struct EmulationSpec {
-  // As displays show it; empty: the model's own, told apart by `number`.
+  // The serial that displays show; empty: the model's own, told apart by `number`.
   std::string serial = {};
   // Sets radars of one model on one host apart; 0 has the usual addresses and serial.
   std::uint32_t number = 0;
@@ -42,7 +41,7 @@ struct EmulatedRadar {
   // Its spokes leave together in bursts so long apart; 0: each when it is complete.
   Duration burst{};
 
-  // What is wrong with it, and what was expected; nothing where all is well.
+  // The fault of a spec and what was expected; nothing if it is sound.
   std::function<std::optional<std::string>(const EmulationSpec&)> fault;
   // Require a spec without fault.
   std::function<std::unique_ptr<RadarEmulation>(const EmulationSpec&)> make;

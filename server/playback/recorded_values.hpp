@@ -1,5 +1,5 @@
-// What a file says of settings, ships and the world, brought into the ranges that the rest of the
-// server counts on.
+// Settings, ships and the world as a file has them, brought into the ranges that the rest of the
+// server relies on.
 #pragma once
 
 #include <google/protobuf/message.h>

@@ -15,7 +15,7 @@ enum class Fixture : std::uint8_t { small_target, turbine, cable, racon, sart, r
 inline constexpr std::uint64_t kFirstTargetEmitter = 1000;  // those of own ships count from 0
 std::uint64_t identity_of(std::uint64_t seed, Fixture kind, std::uint64_t number);
 
-// What is known of a small target beside where it is.
+// A small target without its place.
 echo::PointTarget point_of(const scenario::Target& target, std::uint64_t seed, std::size_t number);
 
 // Small targets without way, wind turbines, cables and racons within the plane's reach.

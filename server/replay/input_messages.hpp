@@ -1,4 +1,4 @@
-// What radars were given <-> recording::Input.
+// The inputs of radars <-> recording::Input.
 #pragma once
 
 #include <optional>

@@ -35,7 +35,8 @@ struct Environment {
 };
 using EnvironmentPtr = std::shared_ptr<const Environment>;
 
-// As the scenario begins.  Its rain cells have the numbers 1, 2, ... in their order.
+// The environment at the scenario's begin.  Its rain cells have the numbers 1, 2, ... in their
+// order.
 Environment environment_of(const scenario::Scenario& scenario);
 
 // Where the middle of a cell is at a time.

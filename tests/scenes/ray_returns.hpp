@@ -1,4 +1,4 @@
-// What land and structures send back on one ray, before beam and receiver.
+// Echoes of land and structures on one ray, before beam and receiver.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace skerry::echo {
 
-// What does not change from ray to ray.
+// The part that is the same for all rays.
 struct RayModel {
   RadarSet set;
   Pulse pulse;

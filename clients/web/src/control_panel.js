@@ -46,7 +46,7 @@ function add(part, control, sameRow) {
     row.append(last, made);
   } else if (widget === 'choice' && last?.matches('.pair') && last.childElementCount < 2) {
     last.append(made);
-  } else if (widget === 'choice' && last?.matches('.row:has(select)')) {
+  } else if (widget === 'choice' && last?.matches('.row') && last.querySelector('select')) {
     const pair = element('div', { className: 'pair top' });
     last.replaceWith(pair);
     pair.append(last, made);

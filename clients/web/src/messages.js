@@ -32,7 +32,7 @@ const Reply = message({
 });
 const Sector = message({ 1: ['fromDeg', 'double'], 2: ['toDeg', 'double'] });
 const BlankedSectors = message({ 1: ['sectors', [Sector]] });
-// What else Settings has, and Set takes: the controls come with the table.
+// The fields of Settings that are no controls; the controls come with the table.
 const SETTINGS_FIELDS = {
   1: ['radar', 'uint32'], 2: ['view', 'uint32'], 11: ['standby', 'bool'], 15: ['pulseLengthUs', 'double'], 16: ['prfHz', 'double'],
   17: ['radarRangeNm', 'double'], 34: ['locked', ['string']],
@@ -65,8 +65,8 @@ const PlaybackState = message({
 });
 let ServerMessage, setFields, worldFields;
 
-// What the table says of one schema: `read` for message(), with a message `more` of those without a field of their
-// own; `own` and `added` for writing.
+// The fields of one schema of the table.  `read` is for message(): a control without a field of its own is in a
+// message `more`.  `own` and `added` are for writing.
 function fieldsOf(table, more, moreFields) {
   const READ = { number: 'double', switch: 'bool', choice: 'uint32', message: BlankedSectors };
   const WRITE = { number: 'double', switch: 'uint32', choice: 'uint32' };

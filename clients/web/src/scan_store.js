@@ -4,7 +4,7 @@
 // its picture. Each row keeps the cell size and the time it was painted with: after a change of range
 // the old rows are still drawn where they belong until the antenna has passed over them.
 // Two bytes a cell: the echo, and the trail, which is full where an echo is and fades with time.
-// Where spokes have Doppler classes, two bits a cell as they have them, beside it.
+// Doppler classes, if spokes have them, lie beside it: two bits a cell.
 import { MAX_CELLS, MAX_SPOKES } from './messages.js';
 
 const TURN = 4294967296;
@@ -96,7 +96,7 @@ export class ScanStore {
     this.dirty[row] = 1;
   }
 
-  // Where spokes share a row, the newer one's classes stay.
+  // If two spokes share a row, the classes of the newer one stay.
   #paintDoppler(row, classes) {
     const at = row * this.dopplerCols;
     if (classes?.length > 0) this.doppler.set(classes.subarray(0, this.dopplerCols), at);

@@ -21,7 +21,7 @@ namespace skerry::server {
 //   automatic
 std::string controls_page(const wire::Descriptor& controls, const wire::Descriptor& artefacts);
 
-// Of wire::Controls and wire::Artefacts.
+// The page of wire::Controls and wire::Artefacts.
 const std::string& controls_page();
 
 }  // namespace skerry::server

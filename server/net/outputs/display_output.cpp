@@ -169,7 +169,7 @@ void DisplayOutput::fit_ranges() {
   for (const auto& range : ranges_) fit_range(*range);
 }
 
-// What a display is told has no picture sends none, not even what waits.
+// A range that says it has no picture sends no spokes, not even those that wait.
 void DisplayOutput::hush() {
   for (const auto& range : ranges_) {
     if (is_silent(*range)) range->pending.clear();

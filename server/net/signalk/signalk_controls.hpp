@@ -37,8 +37,8 @@ class SectorPlaces {
 // All controls but the texts.
 signalk::ControlStates control_states(const wire::Settings& settings, SectorPlaces& sectors);
 
-// What is to be applied for a display's change of a control; radar and view are left alone.  A
-// value without a word of automatic ends the automatic.
+// The Set for a display's change of a control, without radar and view.  A value without a word of
+// automatic ends the automatic.
 wire::Set set_of(const signalk::ControlDefinition& definition, const signalk::ControlChange& change,
                  const wire::Settings& settings, SectorPlaces& sectors);
 

@@ -39,6 +39,9 @@ SignalkDeltaSession::SignalkDeltaSession(NetContext& context, SignalkSite& site,
   if (client.query.find("subscribe=none") == std::string::npos) {
     subscriptions_.subscribe("*", signalk::Subscriptions::kUsualPeriod);
   }
+  if (client.query.find("subscribe=all") != std::string::npos) {
+    of_others_.subscribe("*", signalk::Subscriptions::kUsualPeriod);
+  }
 }
 
 void SignalkDeltaSession::start() {
@@ -92,6 +95,12 @@ void SignalkDeltaSession::handle(const std::string& text) {
   for (const auto& path : request->subscribe) {
     subscriptions_.subscribe(path.pattern, path.period);
   }
+  for (const auto& path : request->unsubscribe_others) of_others_.unsubscribe(path.pattern);
+  for (const auto& path : request->subscribe_others) {
+    of_others_.subscribe(path.pattern, path.period);
+    others_due_ = {};
+  }
+  if (of_others_.empty()) others_sent_.clear();
   if (!request->unsubscribe.empty()) {
     std::erase_if(sent_, [this](const auto& each) { return !subscriptions_.wants(each.first); });
   }
@@ -128,7 +137,33 @@ void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
 }
 
 void SignalkDeltaSession::on_tick(std::chrono::steady_clock::time_point now) {
-  if (queue_.empty() && !closed_) send_news(now);
+  if (!queue_.empty() || closed_) return;
+  send_news(now);
+  send_others(now);
+}
+
+// Once a second, as an AIS receiver hears no more often: of each vessel what is not as it was last
+// told.  Who has gone is told no more.
+void SignalkDeltaSession::send_others(std::chrono::steady_clock::time_point now) {
+  if (of_others_.empty() || now < others_due_) return;
+  others_due_ = now + signalk::Subscriptions::kUsualPeriod;
+  std::map<std::uint32_t, std::map<std::string, Json>> told;
+  for (const signalk::OtherVessel& vessel : site_.vessels()) {
+    std::map<std::string, Json>& mine = told[vessel.mmsi];
+    const auto known = others_sent_.find(vessel.mmsi);
+    Json values = Json::array();
+    for (auto& [path, value] : signalk::other_vessel_values(vessel)) {
+      if (!path.empty() && !of_others_.wants(path)) continue;
+      const bool is_new = known == others_sent_.end() || !known->second.contains(path) ||
+                          known->second.at(path) != value;
+      if (is_new) values.push_back(Json{{"path", path}, {"value", value}});
+      mine.emplace(path, std::move(value));
+    }
+    if (values.empty()) continue;
+    send(signalk::delta_document(kSource, utc_now(), std::move(values), Json::array(),
+                                 "vessels." + signalk::vessel_key(vessel.mmsi)));
+  }
+  others_sent_ = std::move(told);
 }
 
 void SignalkDeltaSession::send_news(std::chrono::steady_clock::time_point now) {

@@ -51,6 +51,7 @@ class SignalkDeltaSession final : public Connection,
   void set_control(const signalk::StreamRequest& request, const std::string& token);
   void send(const signalk::Json& document);
   void send_news(std::chrono::steady_clock::time_point now);
+  void send_others(std::chrono::steady_clock::time_point now);
   void write();
 
   NetContext& context_;
@@ -62,7 +63,10 @@ class SignalkDeltaSession final : public Connection,
   bool from_here_ = false;
   signalk::Subscriptions subscriptions_;
   std::map<std::string, Sent> sent_;  // by path
-  std::deque<std::string> queue_;     // the first is in flight
+  signalk::Subscriptions of_others_;
+  std::map<std::uint32_t, std::map<std::string, signalk::Json>> others_sent_;  // by number and path
+  std::chrono::steady_clock::time_point others_due_{};
+  std::deque<std::string> queue_;  // the first is in flight
   beast::flat_buffer request_{kLongestRequest};
   bool reading_ = false;
   bool closed_ = false;

@@ -154,11 +154,15 @@ class RadarRequest {
   SignalkSite::Mounted* radar_ = nullptr;
 };
 
-// The ship as a tree, or a branch of it.
+// The ships as a tree, or a branch of it.
 WebAnswer full_model(SignalkSite& site, const Parts& parts) {
   Json tree{{"version", "1.7.0"},
             {"self", signalk::kSelf},
             {"vessels", Json{{"self", signalk::own_ship_document(site.own_ship(), utc_now())}}}};
+  for (const signalk::OtherVessel& vessel : site.vessels()) {
+    tree["vessels"][signalk::vessel_key(vessel.mmsi)] =
+        signalk::other_vessel_document(vessel, utc_now());
+  }
   const Json* at = &tree;
   for (const std::string_view name : parts) {
     at = signalk::member(*at, std::string(name).c_str());

@@ -21,6 +21,7 @@ namespace {
 using signalk::Json;
 
 constexpr std::chrono::seconds kTargetPeriod{1};
+constexpr double kVhfRangeNm = 60.0;
 
 unsigned status_of(wire::Reply::Code code) {
   switch (code) {
@@ -101,6 +102,39 @@ std::vector<TrafficItem> SignalkSite::others() const {
     return std::find(item.radars.begin(), item.radars.end(), first_radar_) != item.radars.end();
   });
   return traffic;
+}
+
+std::vector<signalk::OtherVessel> SignalkSite::vessels() const {
+  std::vector<TrafficItem> traffic = others();
+  std::erase_if(traffic, [](const TrafficItem& item) {
+    return item.mmsi == 0 || (item.kind != TrafficKind::ship && item.kind != TrafficKind::boat);
+  });
+  if (const auto here = own_ship().position) {
+    // Metres on a sphere are near enough to tell what VHF carries.
+    const auto off = [&](const TrafficItem& item) {
+      const double north = item.position.latitude_deg - here->latitude_deg;
+      const double east = std::remainder(item.position.longitude_deg - here->longitude_deg, 360.0) *
+                          std::cos(here->latitude_deg * kRadiansPerDegree);
+      return std::hypot(north, east) * 60.0;
+    };
+    std::erase_if(traffic, [&](const TrafficItem& item) { return off(item) > kVhfRangeNm; });
+    std::stable_sort(traffic.begin(), traffic.end(),
+                     [&](const TrafficItem& a, const TrafficItem& b) { return off(a) < off(b); });
+  }
+  if (traffic.size() > kMostVessels) traffic.resize(kMostVessels);
+  std::vector<signalk::OtherVessel> vessels;
+  for (const TrafficItem& item : traffic) {
+    vessels.push_back({.mmsi = item.mmsi,
+                       .ship = {.name = item.name,
+                                .position = item.position,
+                                .heading_deg = item.heading_deg,
+                                .course_over_ground_deg = item.course_over_ground_deg,
+                                .speed_over_ground_mps = item.speed_mps,
+                                .rate_of_turn_deg_min = item.rate_of_turn_deg_min},
+                       .length_m = item.length_m,
+                       .beam_m = item.beam_m});
+  }
+  return vessels;
 }
 
 signalk::ControlStates SignalkSite::states(Mounted& radar) const {

@@ -55,6 +55,9 @@ class SignalkSite {
   signalk::OwnShip own_ship() const;
   signalk::ControlStates states(Mounted& radar) const;
   std::vector<signalk::Json> targets(Mounted& radar) const;
+  // Ships and boats with a number within VHF range, nearest first, at most kMostVessels.
+  static constexpr std::size_t kMostVessels = 300;
+  std::vector<signalk::OtherVessel> vessels() const;
 
   // `body` as signalk::read_change() takes it.  `origin` is for the log.
   SignalkOutcome set_control(Mounted& radar, std::string_view key, const signalk::Json& body,

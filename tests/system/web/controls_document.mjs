@@ -1,4 +1,4 @@
-// What /controls.json is to be, made by protobufjs from the .proto files and not by the server's own code.
+// The expected /controls.json, made by protobufjs from the .proto files and not by the server's own code.
 const RULE = '(skerry.config.rule)', CONTROL = '(skerry.config.control)', CHOICE = '(skerry.config.choice)';
 const TYPES = { double: 'number', bool: 'switch' };
 const optionsOf = (field, name) => (field.parsedOptions ?? []).reduce((all, each) => ({ ...all, ...each[name] }), {});

@@ -3,7 +3,10 @@
 
 #include <cstdlib>
 
+#include "protocol/captures/navico_facts.hpp"
 #include "protocol/captures/ship_track.hpp"
+#include "protocol/navico/locator.hpp"
+#include "protocol/navico/report.hpp"
 #include "protocol/navico/ship_data.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
@@ -151,6 +154,23 @@ TEST_F(ShipTrackTest, HearsThePacketsOfAHalosNetwork) {
   EXPECT_NEAR(ship_.heading()->in_degrees(), 270.0, 0.01);
   EXPECT_NEAR(ship_.own_ship(0, kMoment).speed_over_ground_kn(), 9.719, 0.01);
   EXPECT_FALSE(ship_.position().has_value());
+}
+
+// Both send 22 octets of advanced report; only the HALO24 names a second range.
+TEST(NavicoFacts, TellAHalo24FromAHalo20) {
+  for (const bool two_ranges : {false, true}) {
+    NavicoFacts facts;
+    const auto take = [&](const Bytes& payload) {
+      facts.take({.time = kMoment, .from = kFrom, .to = kTo, .payload = payload});
+    };
+    take(navico::encode_locator(
+        navico::make_locator("1501000123", kFrom, navico::kAddressesA,
+                             two_ranges ? std::optional(navico::kAddressesB) : std::nullopt)));
+    take(navico::encode(navico::Model::halo20, navico::AdvancedReport{}));
+    EXPECT_EQ(facts.model_of(kFrom.address, {}),
+              two_ranges ? navico::Model::halo : navico::Model::halo20);
+    EXPECT_EQ(facts.name_of(kFrom.address, {}), two_ranges ? "HALO24" : "HALO20");
+  }
 }
 
 TEST_F(ShipTrackTest, SaysWhatItHasNotHeard) {

@@ -146,6 +146,8 @@ TEST(DisplayOutput, WhatAConsoleChangesReachesDisplaysAndTheViewsInstrumentedRan
   set.set_range_nm(6);
   host.apply(set, "console");
   EXPECT_EQ(display.report("a gain "), "71");
+  display.report(
+      "tick");  // the view is fitted after the emulation has reported, and before its next tick
   EXPECT_EQ(host.settings(0, 1).instrumented_range_m(), 6 * 1852.0 * 1.5);
 }
 

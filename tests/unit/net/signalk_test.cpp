@@ -251,6 +251,41 @@ TEST_F(Signalk, AStreamSaysHelloAndThenWhatWasSubscribedTo) {
   EXPECT_FALSE(value_in(changed, "navigation.position").has_value()) << "was not asked for";
 }
 
+// As an AIS receiver would tell of them.
+TEST_F(Signalk, OtherShipsAreVesselsOfTheirOwn) {
+  host_.traffic_items[0].mmsi = 257'000'222;
+  host_.traffic_items[0].length_m = 12.0;
+  host_.traffic_items[2].mmsi = 257'900'001;  // own ship's
+  host_.traffic_items.push_back({.number = 11,
+                                 .kind = TrafficKind::ship,
+                                 .name = "beyond VHF",
+                                 .mmsi = 257'000'333,
+                                 .position = {1.1, 0.0}});
+  start();
+  const std::string boat = "urn:mrn:imo:mmsi:257000222";
+  const Json vessels = get("/signalk/v1/api/vessels");
+  EXPECT_EQ(vessels.size(), 2u) << vessels << ": self and the boat; marks are no vessels";
+  EXPECT_EQ(vessels[boat]["name"], "boat");
+  EXPECT_EQ(vessels[boat]["mmsi"], "257000222");
+  EXPECT_EQ(vessels[boat]["navigation"]["speedOverGround"]["value"], 5.0);
+  EXPECT_EQ(vessels[boat]["design"]["length"]["value"]["overall"], 12.0);
+  EXPECT_EQ(get("/signalk/v1/api/vessels/" + boat + "/navigation/position")["value"]["latitude"],
+            0.0);
+
+  TestWebSocket stream(server_->http_port(), "/signalk/v1/stream?subscribe=none");
+  stream.send(R"({"context":"vessels.*","subscribe":[{"path":"navigation.position"}]})");
+  const auto is_boats = [&](const Json& delta) {
+    return delta.contains("context") && delta["context"] == "vessels." + boat;
+  };
+  const Json delta = receive(stream, is_boats);
+  EXPECT_EQ(value_in(delta, "")->at("name"), "boat");
+  EXPECT_EQ(value_in(delta, "navigation.position")->at("latitude"), 0.0);
+  EXPECT_FALSE(value_in(delta, "navigation.speedOverGround")) << "nobody asked for it";
+
+  TestWebSocket all(server_->http_port(), "/signalk/v1/stream?subscribe=all");
+  EXPECT_TRUE(value_in(receive(all, is_boats), "navigation.speedOverGround"));
+}
+
 TEST_F(Signalk, AStreamTakesChangesOfControls) {
   start();
   TestWebSocket stream(server_->http_port(), "/signalk/v1/stream?subscribe=none");
