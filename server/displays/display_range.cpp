@@ -30,6 +30,14 @@ double range_shown_m(const DisplayRanges& ranges, RangeScale scale) {
   return is_same(nearest_m, scale_m, kSameRange) ? nearest_m : scale_m;
 }
 
+std::optional<double> range_of_rows(const DisplayRanges& ranges, const wire::Settings& settings) {
+  const double reach_m = settings.instrumented_range_m();
+  if (!(reach_m > 0.0)) return std::nullopt;
+  const double range_m = nearest_range_m(ranges, reach_m / ranges.span_of_range);
+  if (!is_same(range_m * ranges.span_of_range, reach_m, kSameRange)) return std::nullopt;
+  return range_m;
+}
+
 SpokeSpan spoke_span(const DisplayRanges& ranges, double range_m, RangeScale scale) {
   const double scale_m = scale.length().in_metres();
   const double span_m = std::min(range_m * ranges.span_of_range, 2.0 * scale_m);
@@ -49,7 +57,9 @@ SpokeSpan span_of_rows(const DisplayRanges& ranges, RangeScale scale, double rea
     if (!(scale_holding(range_m) == scale)) continue;
     if (const auto chosen = candidate(range_m)) return *chosen;
   }
-  return {reach_m / ranges.span_of_range, reach_m, 1};
+  const double range_m = reach_m / ranges.span_of_range;
+  const double nearest_m = nearest_range_m(ranges, range_m);
+  return {is_same(nearest_m, range_m, kSameRange) ? nearest_m : range_m, reach_m, 1};
 }
 
 }  // namespace skerry::server

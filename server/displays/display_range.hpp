@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocol/video/range_scale.hpp"
+#include "protocol/wire/radar.pb.h"
 
 namespace skerry::server {
 
@@ -39,6 +40,10 @@ double range_shown_m(const DisplayRanges& ranges, RangeScale scale);
 // The span of a spoke at a range.  The spoke lies in rows of the range's scale or of `scale`, at
 // most twice as long.
 SpokeSpan spoke_span(const DisplayRanges& ranges, double range_m, RangeScale scale);
+// The range whose spokes reach as far as the view's rows do by themselves: a recording of such a
+// radar, or an instrumented range that somebody has set.  Nothing if the view has none (0), or
+// there is no such range.
+std::optional<double> range_of_rows(const DisplayRanges& ranges, const wire::Settings& settings);
 // The one whose rows reach so far, so that rows tell which range a display has chosen; rows of any
 // other length are one spoke.
 SpokeSpan span_of_rows(const DisplayRanges& ranges, RangeScale scale, double reach_m);

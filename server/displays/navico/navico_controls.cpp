@@ -79,8 +79,42 @@ bool NavicoControls::set_range(const Command& command, wire::Set& set) {
   return true;
 }
 
+namespace {
+
+// The range whose spokes reach as far as the view's rows do by themselves: of a recording of such a
+// radar, say. A header says a reach in steps of up to 10 m (4G), 2.5 dm (HALO): a range that
+// displays have is looked for first.
+std::optional<std::uint32_t> range_of_rows(navico::Model model, const wire::Settings& settings) {
+  const double reach_m = settings.instrumented_range_m();
+  if (!(reach_m > 0.0)) return std::nullopt;
+  const double ratio = navico::spoke_range(model, 100'000).reach.in_metres() / 10'000.0;
+  const double wanted_dm = reach_m / ratio * 10.0;
+  const auto fits = [&](double dm) {
+    if (dm < navico::kMinRangeDm || dm > navico::max_range_dm(model)) return false;
+    const double reach =
+        navico::spoke_range(model, static_cast<std::uint32_t>(dm)).reach.in_metres();
+    return std::fabs(reach - reach_m) <= 1e-3 * reach_m;
+  };
+  constexpr double kEighthNm = kDmPerNauticalMile / 8.0;
+  for (const double step : {kEighthNm, 500.0, 1.0}) {
+    const double dm = std::floor(std::floor(wanted_dm / step + 0.5) * step + 0.5);
+    if (fits(dm)) return static_cast<std::uint32_t>(dm);
+  }
+  // Short ones are coarse: the header's step is more than the ratio tells.
+  constexpr int kCoarseDm = 100;
+  for (int off = 1; off <= kCoarseDm; ++off) {
+    for (const double dm : {std::floor(wanted_dm) - off, std::floor(wanted_dm) + off}) {
+      if (fits(dm)) return static_cast<std::uint32_t>(dm);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::uint32_t NavicoControls::range_dm(const wire::Settings& settings) const {
   if (asked_dm_ != 0 && std::fabs(settings.range_nm() - asked_scale_nm_) < 1e-6) return asked_dm_;
+  if (const auto recorded = range_of_rows(model_, settings)) return *recorded;
   const double dm = std::floor(settings.range_nm() * kDmPerNauticalMile + 0.5);
   return static_cast<std::uint32_t>(std::clamp(dm, static_cast<double>(navico::kMinRangeDm),
                                                static_cast<double>(navico::max_range_dm(model_))));

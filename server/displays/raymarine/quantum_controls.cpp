@@ -52,6 +52,7 @@ QuantumControls::QuantumControls() {
 
 double QuantumControls::range_m(const wire::Settings& now) const {
   if (const auto chosen = range_.of(now.range_nm())) return *chosen;
+  if (const auto recorded = range_of_rows(ranges_, now)) return *recorded;
   const auto scale = RangeScale::find(now.range_nm());
   return range_shown_m(ranges_, scale.value_or(RangeScale{}));
 }

@@ -17,6 +17,7 @@ namespace skerry::server {
 namespace {
 
 constexpr int kMostUnfitSectors = 64;
+constexpr double kSameReach = 5e-3;
 // Datagrams that are due so soon leave now: a timer is not finer.
 constexpr Duration kSoon = std::chrono::microseconds(200);
 
@@ -184,8 +185,16 @@ bool DisplayOutput::is_silent(const Range& range) const {
 // fault of the emulation.
 void DisplayOutput::fit_range(Range& range) {
   RadarHost& host = context_.host;
-  const double wanted =
-      emulation_->instrumented_range_m(range.channel, host.settings(range.radar, range.controlled));
+  const wire::Settings now = settings(range.channel);
+  double wanted = emulation_->instrumented_range_m(range.channel, now);
+  // Rows that are as long as a spoke by themselves, but for the rounding of a recorded header, stay
+  // as they are: a recording of such a radar leaves cell by cell as it came.  `wanted` is a whole
+  // number of spokes.
+  const double as_they_are = now.instrumented_range_m();
+  if (as_they_are > 0.0) {
+    const double spokes = std::round(wanted / as_they_are);
+    if (std::abs(as_they_are * spokes - wanted) <= kSameReach * wanted) wanted = as_they_are;
+  }
   if (range.reach_m != wanted) range.reach_before_m = std::exchange(range.reach_m, wanted);
   if (host.settings(range.radar, range.shown).instrumented_range_m() == wanted) return;
   wire::Set set;
@@ -240,7 +249,10 @@ wire::Reply DisplayOutput::change(RangeChannel channel, const wire::Set& set) {
 
 wire::Settings DisplayOutput::settings(RangeChannel channel) const {
   const Range& range = range_of(channel);
-  return context_.host.settings(range.radar, range.controlled);
+  wire::Settings settings = context_.host.settings(range.radar, range.controlled);
+  // A view of the output's own has that of fit_range(), which says nothing new.
+  if (range.controlled == range.shown) settings.clear_instrumented_range_m();
+  return settings;
 }
 
 wire::OwnShip DisplayOutput::own_ship() const {

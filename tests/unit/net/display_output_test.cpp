@@ -151,6 +151,24 @@ TEST(DisplayOutput, WhatAConsoleChangesReachesDisplaysAndTheViewsInstrumentedRan
   EXPECT_EQ(host.settings(0, 1).instrumented_range_m(), 6 * 1852.0 * 1.5);
 }
 
+TEST(DisplayOutput, RowsThatAreASpokeLongStayAsTheyAre) {
+  FakeHost host;
+  Display display(kHere);
+  const DisplayServer server(host, {radar_at(kHere)});
+  display.report("here ");
+  wire::Set set;
+  set.set_instrumented_range_m(12 * 1852.0 * 0.752);  // half of what is wanted, but for a rounding
+  host.apply(set, "playback");
+  display.report("a gain ");
+  display.report("tick");
+  EXPECT_EQ(host.settings(0, 1).instrumented_range_m(), 12 * 1852.0 * 0.752);
+  set.set_instrumented_range_m(12 * 1852.0 * 0.9);
+  host.apply(set, "playback");
+  display.report("a gain ");
+  display.report("tick");
+  EXPECT_EQ(host.settings(0, 1).instrumented_range_m(), 12 * 1852.0 * 1.5);
+}
+
 TEST(DisplayOutput, TwoRadarsOfOneFamilyOnTwoAddressesDoNotHearEachOthersDisplays) {
   FakeHost host(2);
   Display here(kHere), there(kThere);
