@@ -8,9 +8,11 @@
 
 #include <fcntl.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,10 +23,20 @@ inline std::string text_of_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A folder of its own for each test.
+// A folder of its own for each test; they are removed when the test program ends.
 inline std::string test_folder() {
+  struct Folders {
+    std::vector<std::string> made;
+    ~Folders() {
+      std::error_code ignored;
+      for (const std::string& each : made) std::filesystem::remove_all(each, ignored);
+    }
+  };
+  static Folders folders;
   std::string pattern = testing::TempDir() + "skerry_cli_XXXXXX";
-  return ::mkdtemp(pattern.data()) ? pattern : testing::TempDir();
+  if (::mkdtemp(pattern.data()) == nullptr) return testing::TempDir();
+  folders.made.push_back(pattern);
+  return pattern;
 }
 
 class Program {
