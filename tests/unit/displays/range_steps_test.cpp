@@ -35,7 +35,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t kRadarAddress = ipv4(127, 0, 0, 61);
+// Each dialect is at an address of its own, so that all can be tried at once.
+constexpr std::uint32_t kFirstAddress = ipv4(127, 0, 0, 61);
 constexpr std::uint32_t kTurnSpokes = 2048, kRowCells = 1024, kBlocks = 16;
 constexpr const char* kScenario =
     "name: s\nown_ships: [{name: F, position: {lat: 60, lon: 5}, radars: [{}]}]\n";
@@ -103,6 +104,15 @@ Dialect quantum_dialect() {
           raymarine::encode_quantum_command(raymarine::QuantumControl::stay_alive, 0)};
 }
 
+std::vector<Dialect> all_dialects() {
+  return {navico_dialect("navico_br24", navico::Model::br24),
+          navico_dialect("navico_3g", navico::Model::g3),
+          navico_dialect("navico_4g", navico::Model::g4),
+          navico_dialect("navico_halo", navico::Model::halo),
+          garmin_dialect(),
+          quantum_dialect()};
+}
+
 // A closed walk over every ordered pair of 0 .. count-1.
 std::vector<std::size_t> every_step(std::size_t count) {
   std::vector<std::size_t> walk;
@@ -117,18 +127,19 @@ std::vector<std::size_t> every_step(std::size_t count) {
 // A server without antennas, whose spokes the test makes, and a display of its emulated radar.
 class Exchange {
  public:
-  explicit Exchange(const Dialect& dialect)
-      : row_(*find_emulated_radar(dialect.name)),
+  explicit Exchange(const Dialect& dialect, std::uint32_t address = kFirstAddress)
+      : address_(address),
+        row_(*find_emulated_radar(dialect.name)),
         probe_(row_.make({})),
         server_(parse_scenario(kScenario, "test.yaml"), open_charts({}, {}), 0, {}),
         net_(server_, config(), {}),
-        data_(probe_->data_address(RangeChannel::a), kRadarAddress),
-        sends_({0, 0}, kRadarAddress) {
+        data_(probe_->data_address(RangeChannel::a), address_),
+        sends_({0, 0}, address_) {
     commands_ = probe_->listens().front().at;
-    if (commands_.address == 0) commands_.address = kRadarAddress;
+    if (commands_.address == 0) commands_.address = address_;
     shown_ = server_.views(0).back().number;
     captures::PictureTraits traits;
-    traits.key = {dialect.family, kRadarAddress, probe_->data_address(RangeChannel::a), 0};
+    traits.key = {dialect.family, address_, probe_->data_address(RangeChannel::a), 0};
     traits.model = dialect.model;
     decoder_ = captures::make_picture(traits);
     net_.start();
@@ -198,7 +209,7 @@ class Exchange {
   // Those that come within `patience`.
   std::vector<captures::CapturedSpoke> next(std::chrono::milliseconds patience = 30s) {
     std::vector<captures::CapturedSpoke> spokes;
-    const auto received = data_.receive(kRadarAddress, patience);
+    const auto received = data_.receive(address_, patience);
     if (!received) {
       if (patience >= 30s) throw std::runtime_error("no spoke came");
       return spokes;
@@ -233,8 +244,7 @@ class Exchange {
   // The datagrams of spokes, until none comes for so long.
   std::vector<DisplaySocket::Received> data_of(std::chrono::milliseconds patience) {
     std::vector<DisplaySocket::Received> all;
-    while (auto received = data_.receive(kRadarAddress, patience))
-      all.push_back(std::move(*received));
+    while (auto received = data_.receive(address_, patience)) all.push_back(std::move(*received));
     return all;
   }
 
@@ -247,11 +257,13 @@ class Exchange {
     display.name = row_.name;
     display.make = [this] { return row_.make({}); };
     display.identity = row_.identity({});
-    display.interface_address = "127.0.0.61";
+    const std::string at = text_of({address_, 0});
+    display.interface_address = at.substr(0, at.find(':'));
     config.displays = {display};
     return config;
   }
 
+  const std::uint32_t address_;
   const EmulatedRadar& row_;
   std::unique_ptr<RadarEmulation> probe_;
   RadarServer server_;
@@ -275,9 +287,8 @@ double echo_of(const captures::CapturedSpoke& spoke) {
 
 class RangeSteps : public testing::TestWithParam<Dialect> {};
 
-TEST_P(RangeSteps, ADisplaysStepLeavesEveryEchoWhereItIs) {
-  const Dialect& dialect = GetParam();
-  Exchange exchange(dialect);
+void try_every_step(const Dialect& dialect, std::uint32_t address) {
+  Exchange exchange(dialect, address);
   double worst = 0.0;
   std::size_t steps = 0;
   double before_m = 0.0;
@@ -362,7 +373,7 @@ TEST(Standby, NoSpokeLeavesAfterTheReportOfIt) {
                                     std::pair{"navico_halo", navico::Model::halo}}) {
     const Dialect dialect = navico_dialect(name, model);
     Exchange exchange(dialect);
-    DisplaySocket reports(navico::kAddressesA.report, kRadarAddress);
+    DisplaySocket reports(navico::kAddressesA.report, kFirstAddress);
     exchange.command(dialect.command(8), dialect.nothing);  // obeyed: it is on the network
     exchange.publish(1000.0, 2ms);  // the frames of it would leave over a quarter of a second
     std::this_thread::sleep_for(150ms);
@@ -372,7 +383,7 @@ TEST(Standby, NoSpokeLeavesAfterTheReportOfIt) {
     const auto spokes = exchange.data_of(400ms);
     ASSERT_FALSE(spokes.empty()) << name << ": nothing left before it either";
     std::chrono::nanoseconds told{};
-    while (const auto report = reports.receive(kRadarAddress, 100ms)) {
+    while (const auto report = reports.receive(kFirstAddress, 100ms)) {
       const auto decoded = navico::decode_report(report->payload);
       const auto* state = decoded ? std::get_if<navico::StateReport>(&*decoded) : nullptr;
       if (state != nullptr && state->state == navico::RadarState::standby && told == told.zero()) {
@@ -386,12 +397,23 @@ TEST(Standby, NoSpokeLeavesAfterTheReportOfIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllDialects, RangeSteps,
-                         testing::Values(navico_dialect("navico_br24", navico::Model::br24),
-                                         navico_dialect("navico_3g", navico::Model::g3),
-                                         navico_dialect("navico_4g", navico::Model::g4),
-                                         navico_dialect("navico_halo", navico::Model::halo),
-                                         garmin_dialect(), quantum_dialect()),
+// All at once: each waits most of the time for the next command that its radar may take.
+TEST(AllDialects, ADisplaysStepLeavesEveryEchoWhereItIs) {
+  const std::vector<Dialect> dialects = all_dialects();
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < dialects.size(); ++i) {
+    threads.emplace_back([&dialects, i] {
+      try {
+        try_every_step(dialects[i], kFirstAddress + static_cast<std::uint32_t>(i));
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << dialects[i].name << ": " << error.what();
+      }
+    });
+  }
+  for (std::thread& each : threads) each.join();
+}
+
+INSTANTIATE_TEST_SUITE_P(AllDialects, RangeSteps, testing::ValuesIn(all_dialects()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
