@@ -7,6 +7,7 @@
 
 #include "protocol/recording/cell_differences.hpp"
 #include "protocol/recording/recording.pb.h"
+#include "protocol/wire/varint.hpp"
 
 namespace skerry::recording {
 namespace {
@@ -36,25 +37,17 @@ constexpr std::array<std::size_t, SpokeNumbers::kFields> kOrder = {
     kRadar,     kView,     kSequence, kIndex,    kScan,      kSpokesPerTurn, kRangeScale, kBits,
     kCellCount, kCellSize, kHeading,  kLatitude, kLongitude, kUtc,           kScenario};
 
-// The most octets of a spoke's numbers: a mask, and ten octets for each field's difference.
-constexpr std::size_t kMaxNumberBytes = 3 + 10 * SpokeNumbers::kFields;
+// The most octets of a spoke's numbers: a mask, and a varint for each field's difference.
+constexpr std::size_t kMaxNumberBytes = 3 + kMaxVarintOctets * SpokeNumbers::kFields;
 // Before and between the parts of a message.
 constexpr std::size_t kMaxFrameBytes = 64;
 
-void put_varint(Bytes& out, std::uint64_t value) {
-  for (; value >= 0x80; value >>= 7) out.push_back(static_cast<std::uint8_t>(value | 0x80));
-  out.push_back(static_cast<std::uint8_t>(value));
-}
-
-// nullopt beyond the end, and for more than 64 bits.
+// Moves `offset` behind the varint that stands there; nullopt if there is none.
 std::optional<std::uint64_t> varint_at(std::span<const std::uint8_t> in, std::size_t& offset) {
-  std::uint64_t value = 0;
-  for (int shift = 0; shift < 64 && offset < in.size(); shift += 7) {
-    const std::uint8_t octet = in[offset++];
-    value |= std::uint64_t{octet & 0x7FU} << shift;
-    if ((octet & 0x80) == 0) return value;
-  }
-  return std::nullopt;
+  const Varint varint = read_varint(in.subspan(offset));
+  if (varint.octets == 0) return std::nullopt;
+  offset += varint.octets;
+  return varint.value;
 }
 
 std::uint64_t zigzag(std::uint64_t difference) {
@@ -148,9 +141,9 @@ bool SpokePacker::add(std::span<const std::uint8_t> spoke, std::uint64_t time_ns
     differences[field] = numbers.values[field] - forecast_.of(field, numbers);
     if (differences[field] != 0) mask |= std::uint64_t{1} << field;
   }
-  put_varint(numbers_, mask);
+  append_varint(numbers_, mask);
   for (const std::size_t field : kOrder) {
-    if (differences[field] != 0) put_varint(numbers_, zigzag(differences[field]));
+    if (differences[field] != 0) append_varint(numbers_, zigzag(differences[field]));
   }
   forecast_.take(numbers);
   cells_.insert(cells_.end(), cells.begin(), cells.end());
@@ -165,9 +158,9 @@ std::size_t SpokePacker::size_bound() const {
 void SpokePacker::finish(Bytes& out) {
   Bytes data;
   data.reserve(size_bound());
-  put_varint(data, cell_bytes_);
-  put_varint(data, doppler_bytes_);
-  put_varint(data, numbers_.size());
+  append_varint(data, cell_bytes_);
+  append_varint(data, doppler_bytes_);
+  append_varint(data, numbers_.size());
   data.insert(data.end(), numbers_.begin(), numbers_.end());
   append_differences(cells_, cell_bytes_, data);
   append_differences(doppler_, doppler_bytes_, data);

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstring>
 
+#include "protocol/wire/varint.hpp"
+
 namespace skerry::signalk {
 namespace {
 
@@ -35,8 +37,7 @@ class HeadWriter {
 
  private:
   void varint(std::uint64_t value) {
-    for (; value >= 0x80; value >>= 7) bytes_[size_++] = static_cast<std::uint8_t>(value | 0x80);
-    bytes_[size_++] = static_cast<std::uint8_t>(value);
+    size_ = static_cast<std::size_t>(write_varint(bytes_ + size_, value) - bytes_);
   }
   std::uint8_t bytes_[kMaxHead];
   std::size_t size_ = 0;

@@ -5,13 +5,12 @@
 #include <google/protobuf/message_lite.h>
 
 #include "protocol/wire/spoke_message.hpp"
+#include "protocol/wire/varint.hpp"
 
 namespace skerry {
 namespace {
 
 using google::protobuf::io::CodedOutputStream;
-
-constexpr std::size_t kMaxLengthBytes = 5;  // of a 32-bit varint
 
 struct Length32 {
   std::uint32_t value = 0;
@@ -19,16 +18,11 @@ struct Length32 {
   bool malformed = false;
 };
 
-// The varint at the front of `in`.
+// The length at the front of `in`.
 Length32 read_length(std::span<const std::uint8_t> in) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < in.size() && i < kMaxLengthBytes; ++i) {
-    value |= std::uint64_t{in[i] & 0x7Fu} << (7 * i);
-    if ((in[i] & 0x80) == 0) {
-      return {static_cast<std::uint32_t>(value), i + 1, value > 0xFFFFFFFF};
-    }
-  }
-  return {0, 0, in.size() >= kMaxLengthBytes};
+  const Varint length = read_varint(in, kMaxVarint32Octets);
+  if (length.octets == 0) return {0, 0, in.size() >= kMaxVarint32Octets};
+  return {static_cast<std::uint32_t>(length.value), length.octets, length.value > 0xFFFFFFFF};
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ const std::vector<Room>& table() {
         "protocol/wire/byte_order.hpp", "protocol/wire/ipv4_endpoint.hpp"}},
       {"protocol/signalk",
        {"protocol/quantity/", "protocol/video/", "protocol/wire/wire_error.hpp",
-        "protocol/wire/schema.hpp", "protocol/wire/controls.pb.h"}},
+        "protocol/wire/schema.hpp", "protocol/wire/varint.hpp", "protocol/wire/controls.pb.h"}},
       {"protocol/nmea",
        {"protocol/quantity/", "protocol/wire/wire_error.hpp", "protocol/wire/ipv4_endpoint.hpp"}},
       {"protocol/recording", {"protocol/quantity/", "protocol/video/", "protocol/wire/"}},
