@@ -10,6 +10,7 @@
 
 #include "clients/signals/output_file.hpp"
 #include "clients/signals/sha512.hpp"
+#include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
@@ -156,8 +157,7 @@ SignalFile write_data(const std::string& path, Waveform& waveform, Sha512& hash,
     waveform.fill(result.samples, samples);
     bytes.resize(2 * count);
     for (std::size_t i = 0; i < count; ++i) {
-      bytes[2 * i] = static_cast<std::uint8_t>(samples[i] & 0xFF);
-      bytes[2 * i + 1] = static_cast<std::uint8_t>((samples[i] >> 8) & 0xFF);
+      put_little_endian(bytes, 2 * i, static_cast<std::uint16_t>(samples[i]), 2);
     }
     file.write(bytes);
     hash.add(bytes);

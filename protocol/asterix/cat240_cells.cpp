@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include "protocol/wire/byte_order.hpp"
+
 namespace skerry::cat240 {
 namespace {
 
@@ -97,7 +99,7 @@ std::vector<std::uint32_t> wide_cells(std::span<const std::uint8_t> octets, std:
   std::vector<std::uint32_t> cells(count);
   const std::size_t width = bits / 8;
   for (std::uint32_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < width; ++k) cells[i] = cells[i] << 8 | octets[i * width + k];
+    cells[i] = big_endian_at<std::uint32_t>(octets, i * width, width);
   }
   return cells;
 }

@@ -82,9 +82,7 @@ std::size_t begin_cat240_block(Bytes& out) {
 }
 
 void end_cat240_block(Bytes& out, std::size_t begun) {
-  const std::size_t length = out.size() - begun;
-  out[begun + 1] = static_cast<std::uint8_t>(length >> 8);
-  out[begun + 2] = static_cast<std::uint8_t>(length);
+  put_big_endian(out, begun + 1, out.size() - begun, 2);
 }
 
 void append_cat240_video_record(Bytes& out, const SpokeHeader& header,

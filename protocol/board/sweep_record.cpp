@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/board/little_endian.hpp"
 #include "protocol/board/record_layout.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::board {
 namespace {
@@ -25,7 +25,7 @@ class Header {
   }
   template <std::unsigned_integral T>
   void put(std::size_t offset, T value) {
-    put_little_endian(std::span<std::uint8_t>(bytes_), offset, value);
+    put_little_endian(bytes_, offset, value, sizeof(T));
   }
   void append_to(Bytes& out) const { out.insert(out.end(), bytes_.begin(), bytes_.end()); }
 
@@ -117,7 +117,7 @@ void append_record(Bytes& out, std::uint64_t sequence, const Sweep& sweep) {
   const std::size_t begin = out.size();
   header.append_to(out);
   for (std::size_t c = 0; c < 2; ++c) {
-    append_values(out, std::span(sweep.samples[c]).first(counts[c]));
+    append_little_endian(out, std::span(sweep.samples[c]).first(counts[c]));
     pad(out, begin);
   }
 }
@@ -137,9 +137,8 @@ void append_record(Bytes& out, std::uint64_t sequence, const Edges& edges) {
   out.resize(begin + size, 0);
   const std::span<std::uint8_t> bytes = std::span(out).subspan(begin + kEdgesHeader);
   for (std::size_t i = 0; i < count; ++i) {
-    put_little_endian(bytes, i * kEdgeBytes + kTick, edges.edges[i].tick);
-    put_little_endian(bytes, i * kEdgeBytes + kLine,
-                      static_cast<std::uint8_t>(edges.edges[i].line));
+    put_little_endian(bytes, i * kEdgeBytes + kTick, edges.edges[i].tick, 8);
+    bytes[i * kEdgeBytes + kLine] = static_cast<std::uint8_t>(edges.edges[i].line);
   }
 }
 

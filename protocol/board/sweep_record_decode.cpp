@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "protocol/board/little_endian.hpp"
 #include "protocol/board/record_layout.hpp"
 #include "protocol/board/sweep_record.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::board {
 namespace {
@@ -18,7 +18,7 @@ class Fields {
 
   template <std::unsigned_integral T>
   T get(std::size_t offset) const {
-    return get_little_endian<T>(bytes_, offset);
+    return little_endian_at<T>(bytes_, offset);
   }
   std::uint32_t u32(std::size_t offset) const { return get<std::uint32_t>(offset); }
   std::uint64_t u64(std::size_t offset) const { return get<std::uint64_t>(offset); }
@@ -100,7 +100,7 @@ SweepMeta read_meta(Fields& in) {
 void read_samples(Fields& in, const ChannelFormat& format, std::size_t at,
                   std::vector<std::uint16_t>& samples) {
   samples.resize(format.samples);
-  read_values(in.part(at, 2 * samples.size()), samples);
+  read_little_endian(in.part(at, 2 * samples.size()), samples);
   if (format.mode == DecimationMode::sum) return;
   std::uint32_t any = 0;
   for (const std::uint16_t sample : samples) any |= sample;
@@ -199,9 +199,9 @@ Event read_event(Fields& in, std::size_t size) {
 std::optional<RecordPrefix> record_prefix(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kRecordAlignment) return std::nullopt;
   RecordPrefix prefix;
-  prefix.size = get_little_endian<std::uint32_t>(bytes, layout::kSize);
+  prefix.size = little_endian_at<std::uint32_t>(bytes, layout::kSize);
   prefix.kind = bytes[layout::kKind];
-  prefix.sequence = get_little_endian<std::uint64_t>(bytes, layout::kSequence);
+  prefix.sequence = little_endian_at<std::uint64_t>(bytes, layout::kSequence);
   const bool possible = prefix.size >= kRecordAlignment && prefix.size <= kMaxRecordBytes &&
                         prefix.size % kRecordAlignment == 0;
   return possible ? std::optional(prefix) : std::nullopt;
@@ -213,7 +213,7 @@ Result<DecodedRecord, WireError> decode_record(std::span<const std::uint8_t> byt
         WireErrorKind::truncated, bytes.size(),
         fmt::format("{} bytes, a record has at least {}", bytes.size(), kRecordAlignment));
   }
-  const std::size_t size = get_little_endian<std::uint32_t>(bytes, layout::kSize);
+  const std::size_t size = little_endian_at<std::uint32_t>(bytes, layout::kSize);
   if (size > kMaxRecordBytes) {
     return failure(WireErrorKind::oversized, layout::kSize,
                    fmt::format("size is {}, at most {}", size, kMaxRecordBytes));
@@ -243,7 +243,7 @@ Result<DecodedRecord, WireError> decode_record(std::span<const std::uint8_t> byt
     return failure(WireErrorKind::out_of_range, layout::kFormat,
                    fmt::format("format {}, expected {}", bytes[layout::kFormat], layout::kVersion));
   }
-  const std::size_t stated = get_little_endian<std::uint16_t>(bytes, layout::kHeader);
+  const std::size_t stated = little_endian_at<std::uint16_t>(bytes, layout::kHeader);
   if (stated != header || size < header) {
     return failure(WireErrorKind::malformed, layout::kHeader,
                    fmt::format("header of {} bytes in {}, expected {}", stated, size, header));

@@ -9,11 +9,11 @@
 #include <new>
 #include <stdexcept>
 
-#include "protocol/board/little_endian.hpp"
 #include "protocol/board/record_layout.hpp"
 #include "protocol/board/ring_memory.hpp"
 #include "protocol/board/sweep_record.hpp"
 #include "protocol/board/sweep_ring.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::board {
 namespace {
@@ -117,8 +117,7 @@ void SweepRingWriter::publish(std::span<const std::uint8_t> records) {
   copy_in(records.first(before_end));
   if (filler > 0) {
     std::array<std::uint8_t, kRecordAlignment> prefix = {};
-    put_little_endian(std::span<std::uint8_t>(prefix), layout::kSize,
-                      static_cast<std::uint32_t>(filler));
+    put_little_endian(prefix, layout::kSize, filler, 4);
     prefix[layout::kKind] = static_cast<std::uint8_t>(RecordKind::filler);
     copy_in(prefix);
     position_ += filler - prefix.size();

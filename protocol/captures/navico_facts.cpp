@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "protocol/navico/frame.hpp"
-#include "protocol/navico/little_endian.hpp"
 #include "protocol/navico/locator.hpp"
 #include "protocol/navico/report.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::captures {
 namespace {
@@ -31,8 +31,8 @@ void NavicoForms::take(std::span<const std::uint8_t> frame) {
     first_generation = true;
     return;
   }
-  const auto large = navico::read_le<std::uint16_t>(header, 6);
-  const auto small = navico::read_le<std::uint16_t>(header, 12);
+  const auto large = little_endian_at<std::uint16_t>(header, 6);
+  const auto small = little_endian_at<std::uint16_t>(header, 12);
   if (large == kSmallForm || large == 0) return;
   (small == kLargeForm4g ? large_4g : large_halo) = true;
 }

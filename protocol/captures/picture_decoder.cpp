@@ -3,9 +3,9 @@
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/navico/frame.hpp"
-#include "protocol/navico/little_endian.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/raymarine/rd_packets.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::captures {
 namespace {
@@ -14,7 +14,7 @@ using Octets = std::span<const std::uint8_t>;
 
 bool is_navico_frame(Octets payload) {
   return payload.size() >= navico::kFrameHeader + navico::kSpokeOctets && payload[0] == 1 &&
-         navico::read_le<std::uint16_t>(payload, 6) == navico::kSpokeCells / 2 &&
+         little_endian_at<std::uint16_t>(payload, 6) == navico::kSpokeCells / 2 &&
          payload.size() == navico::kFrameHeader + payload[5] * navico::kSpokeOctets;
 }
 
@@ -38,7 +38,7 @@ std::optional<PictureKey> picture_of(const pcap::Datagram& datagram) {
   if (payload.size() < 8) return std::nullopt;
   PictureKey key{Family::navico, datagram.from.address, datagram.to, 0};
   if (is_navico_frame(payload)) return key;
-  const auto type = navico::read_le<std::uint32_t>(payload, 0);
+  const auto type = little_endian_at<std::uint32_t>(payload, 0);
   if (type == static_cast<std::uint32_t>(garmin::Type::spoke)) {
     key.family = Family::garmin;
   } else if (type == raymarine::kQuantumSpokeType) {

@@ -121,8 +121,7 @@ Bytes encode_ranges() {
 
 Bytes encode_heartbeat(std::uint16_t count) {
   auto payload = kHeartbeat;
-  payload[kHeartbeatCount] = static_cast<std::uint8_t>(count);
-  payload[kHeartbeatCount + 1] = static_cast<std::uint8_t>(count >> 8);
+  put_little_endian(payload, kHeartbeatCount, count, 2);
   return encode_packet(static_cast<std::uint32_t>(Type::heartbeat), payload);
 }
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "protocol/navico/little_endian.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -131,10 +131,10 @@ std::optional<Command> read(const Row& row, std::span<const std::uint8_t> in) {
       command.value = in[2];
       break;
     case Form::word:
-      command.value = read_le<std::uint16_t>(in, 2);
+      command.value = little_endian_at<std::uint16_t>(in, 2);
       break;
     case Form::long_word:
-      command.value = clamped(read_le<std::uint32_t>(in, 2));
+      command.value = clamped(little_endian_at<std::uint32_t>(in, 2));
       break;
     case Form::level:
       kind = find(kLevels, in[2]);
@@ -154,12 +154,12 @@ std::optional<Command> read(const Row& row, std::span<const std::uint8_t> in) {
     case Form::angles:
       command.sector = in[2];
       command.value = in[6];
-      command.from = read_le<std::uint16_t>(in, 7);
-      command.to = read_le<std::uint16_t>(in, 9);
+      command.from = little_endian_at<std::uint16_t>(in, 7);
+      command.to = little_endian_at<std::uint16_t>(in, 9);
       break;
     case Form::antenna:
       kind = find(kAntenna, in[2]);
-      command.value = read_le<std::uint16_t>(in, 6);
+      command.value = little_endian_at<std::uint16_t>(in, 6);
       break;
   }
   if (!kind) return std::nullopt;
@@ -182,7 +182,7 @@ Result<Command, WireError> decode_command(std::span<const std::uint8_t> datagram
     return Failure{wrong_command(WireErrorKind::oversized, kMaxCommand,
                                  fmt::format("{} octets, expected at most {}", size, kMaxCommand))};
   }
-  const auto code = static_cast<std::uint16_t>(datagram[0] << 8 | datagram[1]);
+  const auto code = big_endian_at<std::uint16_t>(datagram, 0);
   const auto row =
       std::find_if(kRows.begin(), kRows.end(), [&](const Row& each) { return each.code == code; });
   if (row == kRows.end()) {
@@ -222,42 +222,41 @@ Bytes encode_command(const Command& command, bool halo) {
   }
   const auto value = static_cast<std::uint32_t>(command.value);
   Bytes out(octets_of(row->form));
-  out[0] = static_cast<std::uint8_t>(row->code >> 8);
-  out[1] = static_cast<std::uint8_t>(row->code);
+  put_big_endian(out, 0, row->code, 2);
   switch (row->form) {
     case Form::none:
       break;
     case Form::octet:
-      write_le(out, 2, value, 1);
+      put_little_endian(out, 2, value, 1);
       break;
     case Form::word:
-      write_le(out, 2, value, 2);
+      put_little_endian(out, 2, value, 2);
       break;
     case Form::long_word:
-      write_le(out, 2, value, 4);
+      put_little_endian(out, 2, value, 4);
       break;
     case Form::level:
       out[2] = control;
       out[6] = command.automatic;
-      write_le(out, 10, value, 1);
+      put_little_endian(out, 10, value, 1);
       break;
     case Form::halo_sea:
       out[2] = control == 2 ? 0 : control == 4 ? 1 : command.automatic;
-      if (control != 1) write_le(out, 4, value, 1);
-      if (control == 2) write_le(out, 3, value, 1);
+      if (control != 1) put_little_endian(out, 4, value, 1);
+      if (control == 2) put_little_endian(out, 3, value, 1);
       out[5] = control;
       break;
     case Form::sector:
     case Form::angles:
       out[2] = command.sector;
-      write_le(out, 6, value, 1);
+      put_little_endian(out, 6, value, 1);
       if (row->form == Form::sector) break;
-      write_le(out, 7, command.from, 2);
-      write_le(out, 9, command.to, 2);
+      put_little_endian(out, 7, command.from, 2);
+      put_little_endian(out, 9, command.to, 2);
       break;
     case Form::antenna:
       out[2] = control;
-      write_le(out, 6, value, 2);
+      put_little_endian(out, 6, value, 2);
       out.resize(10);
       break;
   }

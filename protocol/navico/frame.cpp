@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "protocol/navico/little_endian.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -28,7 +28,7 @@ Result<std::vector<FrameSpoke>, WireError> decode_frame(Model model,
                     fmt::format("{} octets, expected at most {}", datagram.size(), kFrameOctets))};
   }
   const std::size_t spokes = datagram[5];
-  if (datagram[0] != 1 || read_le<std::uint16_t>(datagram, 6) != kSpokeCells / 2) {
+  if (datagram[0] != 1 || little_endian_at<std::uint16_t>(datagram, 6) != kSpokeCells / 2) {
     return Failure{wrong_frame(WireErrorKind::malformed, 0,
                                "does not begin 01, or spokes are not of 512 "
                                "octets")};
@@ -47,10 +47,10 @@ Result<std::vector<FrameSpoke>, WireError> decode_frame(Model model,
     }
     SpokeFields& fields = out[i].fields;
     fields.status = header[1];
-    fields.scan = read_le<std::uint16_t>(header, 2);
-    fields.angle = read_le<std::uint16_t>(header, 8);
-    fields.heading = read_le<std::uint16_t>(header, 10);
-    fields.rotation = read_le<std::uint16_t>(header, 14);
+    fields.scan = little_endian_at<std::uint16_t>(header, 2);
+    fields.angle = little_endian_at<std::uint16_t>(header, 8);
+    fields.heading = little_endian_at<std::uint16_t>(header, 10);
+    fields.rotation = little_endian_at<std::uint16_t>(header, 14);
     fields.reach = reach_of(model, header);
     if (fields.angle >= kTurnUnits) {
       return Failure{wrong_frame(WireErrorKind::malformed, at + 8,
@@ -86,10 +86,10 @@ void append_spoke(Bytes& out, const SpokeFields& fields, const SpokeRange& range
   std::array<std::uint8_t, kSpokeHeader> header{};
   header[0] = kSpokeHeader;
   header[1] = fields.status;
-  write_le(header, 2, fields.scan, 2);
+  put_little_endian(header, 2, fields.scan, 2);
   for (std::size_t i = 0; i < range.at_4.size(); ++i) header[4 + i] = range.at_4[i];
-  write_le(header, 8, fields.angle, 2);
-  write_le(header, 10, fields.heading, 2);
+  put_little_endian(header, 8, fields.angle, 2);
+  put_little_endian(header, 10, fields.heading, 2);
   for (std::size_t i = 0; i < range.at_12.size(); ++i) header[12 + i] = range.at_12[i];
   if (is_first_generation(model)) {
     // The same in every spoke of the recordings.
@@ -98,7 +98,7 @@ void append_spoke(Bytes& out, const SpokeFields& fields, const SpokeRange& range
     header[21] = 0x40;
     header[23] = 0xC3;
   } else {
-    write_le(header, 14, fields.rotation, 2);
+    put_little_endian(header, 14, fields.rotation, 2);
     header[19] = 0x80;
     header[23] = 0xA0;
   }

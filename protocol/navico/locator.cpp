@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "protocol/navico/little_endian.hpp"
 #include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
@@ -12,11 +11,6 @@ namespace {
 
 constexpr std::size_t kSerialCharacters = 16;
 constexpr std::uint8_t kServiceMark = 0x20;
-
-void append_le(Bytes& out, std::uint64_t value, std::size_t octets) {
-  out.resize(out.size() + octets);
-  write_le(out, out.size() - octets, value, octets);
-}
 
 // Addresses stand in network order, everything else little-endian.
 void append_endpoint(Bytes& out, const Ipv4Endpoint& endpoint) {
@@ -89,14 +83,14 @@ Bytes encode_locator(const Locator& locator) {
     out.push_back(i < locator.serial.size() ? static_cast<std::uint8_t>(locator.serial[i]) : 0);
   }
   append_endpoint(out, locator.radar);
-  append_le(out, locator.services.size(), 2);
+  append_little_endian(out, locator.services.size(), 2);
   for (const LocatorService& service : locator.services) {
-    append_le(out, service.kind, 2);
+    append_little_endian(out, service.kind, 2);
     out.push_back(kServiceMark);
     out.push_back(service.instance);
-    append_le(out, service.groups.size(), 2);
+    append_little_endian(out, service.groups.size(), 2);
     for (const LocatorGroup& group : service.groups) {
-      append_le(out, group.role, 4);
+      append_little_endian(out, group.role, 4);
       append_endpoint(out, group.at);
     }
   }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "protocol/navico/little_endian.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -28,8 +28,8 @@ Bytes begin_report(std::uint8_t kind, std::size_t octets) {
 void put_sectors(Bytes& out, std::size_t at, const BlankedSectors& sectors) {
   for (const BlankedSector& each : sectors) {
     out[at] = each.on ? 1 : 0;
-    write_le(out, at + 1, each.from, 2);
-    write_le(out, at + 3, each.to, 2);
+    put_little_endian(out, at + 1, each.from, 2);
+    put_little_endian(out, at + 3, each.to, 2);
     at += 5;
   }
 }
@@ -38,8 +38,8 @@ BlankedSectors get_sectors(std::span<const std::uint8_t> in, std::size_t at) {
   BlankedSectors sectors;
   for (BlankedSector& each : sectors) {
     each.on = in[at] != 0;
-    each.from = read_le<std::uint16_t>(in, at + 1);
-    each.to = read_le<std::uint16_t>(in, at + 3);
+    each.from = little_endian_at<std::uint16_t>(in, at + 1);
+    each.to = little_endian_at<std::uint16_t>(in, at + 3);
     at += 5;
   }
   return sectors;
@@ -55,7 +55,7 @@ void put_text(Bytes& out, std::size_t at, const std::string& text) {
 std::string get_text(std::span<const std::uint8_t> in, std::size_t at) {
   std::string text;
   for (std::size_t i = 0; i < kFirmwareCharacters; ++i) {
-    const auto unit = read_le<std::uint16_t>(in, at + 2 * i);
+    const auto unit = little_endian_at<std::uint16_t>(in, at + 2 * i);
     if (unit == 0) break;
     text += unit < 128 ? static_cast<char>(unit) : '?';
   }
@@ -69,9 +69,9 @@ StateReport read_state(std::span<const std::uint8_t> in) {
 
 ControlReport read_controls(std::span<const std::uint8_t> in) {
   ControlReport report;
-  report.range_dm = read_le<std::uint32_t>(in, 2);
+  report.range_dm = little_endian_at<std::uint32_t>(in, 2);
   report.mode = in[7];
-  report.gain_auto = read_le<std::uint32_t>(in, 8) > 0;
+  report.gain_auto = little_endian_at<std::uint32_t>(in, 8) > 0;
   report.gain = in[12];
   report.sea_auto = in[13];
   report.sea = in[17];
@@ -84,9 +84,9 @@ ControlReport read_controls(std::span<const std::uint8_t> in) {
 
 InstallationReport read_installation(std::span<const std::uint8_t> in) {
   InstallationReport report;
-  report.bearing_alignment = read_le<std::uint16_t>(in, 6);
-  report.parking = read_le<std::uint16_t>(in, 8);
-  report.antenna_height_mm = read_le<std::uint16_t>(in, 10);
+  report.bearing_alignment = little_endian_at<std::uint16_t>(in, 6);
+  report.parking = little_endian_at<std::uint16_t>(in, 8);
+  report.antenna_height_mm = little_endian_at<std::uint16_t>(in, 10);
   report.accent_light = in[19];
   report.sectors = get_sectors(in, kInstallationSectors);
   return report;
@@ -105,7 +105,7 @@ AdvancedReport read_advanced(std::span<const std::uint8_t> in) {
   report.halo_sea = in[14];
   report.halo_sea_adjust = static_cast<std::int8_t>(in[15]);
   report.doppler = in[18];
-  report.doppler_threshold_cms = read_le<std::uint16_t>(in, 19);
+  report.doppler_threshold_cms = little_endian_at<std::uint16_t>(in, 19);
   return report;
 }
 
@@ -127,7 +127,7 @@ Bytes encode(Model model, const StateReport& report) {
 
 Bytes encode(Model, const ControlReport& report) {
   Bytes out = begin_report(0x02, kControlOctets);
-  write_le(out, 2, report.range_dm, 4);
+  put_little_endian(out, 2, report.range_dm, 4);
   out[7] = report.mode;
   out[8] = report.gain_auto ? 1 : 0;
   out[12] = report.gain;
@@ -143,7 +143,7 @@ Bytes encode(Model, const ControlReport& report) {
 Bytes encode(Model, const IdentityReport& report) {
   Bytes out = begin_report(0x03, kIdentityOctets);
   out[2] = report.type;
-  write_le(out, 34, report.hours, 4);
+  put_little_endian(out, 34, report.hours, 4);
   put_text(out, kFirmwareDate, report.firmware_date);
   put_text(out, kFirmwareTime, report.firmware_time);
   out[122] = 0x02;  // in all recordings
@@ -152,9 +152,9 @@ Bytes encode(Model, const IdentityReport& report) {
 
 Bytes encode(Model model, const InstallationReport& report) {
   Bytes out = begin_report(0x04, kInstallationOctets);
-  write_le(out, 6, report.bearing_alignment, 2);
-  write_le(out, 8, report.parking, 2);
-  write_le(out, 10, report.antenna_height_mm, 2);
+  put_little_endian(out, 6, report.bearing_alignment, 2);
+  put_little_endian(out, 8, report.parking, 2);
+  put_little_endian(out, 10, report.antenna_height_mm, 2);
   out[19] = report.accent_light;
   if (is_halo(model)) put_sectors(out, kInstallationSectors, report.sectors);
   return out;
@@ -187,7 +187,7 @@ Bytes encode(Model model, const AdvancedReport& report) {
   out[15] = static_cast<std::uint8_t>(report.halo_sea_adjust);
   out[16] = 0x01;  // in all recordings
   out[18] = report.doppler;
-  write_le(out, 19, report.doppler_threshold_cms, 2);
+  put_little_endian(out, 19, report.doppler_threshold_cms, 2);
   return out;
 }
 
@@ -202,7 +202,7 @@ Result<Report, WireError> decode_report(std::span<const std::uint8_t> in) {
     return Failure{
         wrong_report(WireErrorKind::oversized, kMaxReport, fmt::format("{} octets", size))};
   }
-  const unsigned code = static_cast<unsigned>(in[0]) << 8 | in[1];
+  const unsigned code = big_endian_at<std::uint16_t>(in, 0);
   const auto not_of = [&](std::size_t expected) {
     return Failure{
         wrong_report(size < expected ? WireErrorKind::truncated : WireErrorKind::oversized,
@@ -223,7 +223,7 @@ Result<Report, WireError> decode_report(std::span<const std::uint8_t> in) {
       return Report(read_controls(in));
     case 0x03C4:
       if (size != kIdentityOctets) return not_of(kIdentityOctets);
-      return Report(IdentityReport{in[2], read_le<std::uint32_t>(in, 34),
+      return Report(IdentityReport{in[2], little_endian_at<std::uint32_t>(in, 34),
                                    get_text(in, kFirmwareDate), get_text(in, kFirmwareTime)});
     case 0x04C4:
       if (size != kInstallationOctets) return not_of(kInstallationOctets);

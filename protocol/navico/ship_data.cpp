@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "protocol/navico/little_endian.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -33,9 +33,8 @@ Bytes begin_packet(std::uint16_t counter, std::uint16_t kind) {
   out[5] = 0x01;
   out[6] = 0x90;
   out[7] = 0x02;
-  out[kCounter] = static_cast<std::uint8_t>(counter >> 8);
-  out[kCounter + 1] = static_cast<std::uint8_t>(counter);
-  write_le(out, kKind, kind, 2);
+  put_big_endian(out, kCounter, counter, 2);
+  put_little_endian(out, kKind, kind, 2);
   return out;
 }
 
@@ -47,14 +46,14 @@ WireError wrong_packet(WireErrorKind kind, std::size_t offset, std::string text)
 
 Bytes encode(const HeadingPacket& packet) {
   Bytes out = begin_packet(packet.counter, kHeadingKind);
-  write_le(out, kHeading, to_turn_units(packet.heading_deg), 2);
+  put_little_endian(out, kHeading, to_turn_units(packet.heading_deg), 2);
   return out;
 }
 
 Bytes encode(const NavigationPacket& packet) {
   Bytes out = begin_packet(packet.counter, kNavigationKind);
-  write_le(out, kCourse, to_turn_units(packet.course_deg), 2);
-  write_le(out, kSpeed, to_steps(packet.speed_mps, 0.01), 2);
+  put_little_endian(out, kCourse, to_turn_units(packet.course_deg), 2);
+  put_little_endian(out, kSpeed, to_steps(packet.speed_mps, 0.01), 2);
   return out;
 }
 
@@ -62,8 +61,8 @@ Bytes encode(const SpeedPacket& packet) {
   Bytes out(kSpeedOctets);
   out[0] = 0x01;
   out[1] = 0xD3;
-  write_le(out, 6, to_steps(packet.speed_mps, 0.1), 2);
-  write_le(out, 14, to_steps(wrapped_degrees(packet.course_deg), 0.1) % 3600, 2);
+  put_little_endian(out, 6, to_steps(packet.speed_mps, 0.1), 2);
+  put_little_endian(out, 14, to_steps(wrapped_degrees(packet.course_deg), 0.1) % 3600, 2);
   return out;
 }
 
@@ -78,22 +77,23 @@ Result<std::variant<HeadingPacket, NavigationPacket, SpeedPacket>, WireError> de
         std::min(in.size(), expected), fmt::format("{} octets, expected {}", in.size(), expected))};
   }
   const auto degrees = [&](std::size_t at, double turn) {
-    return read_le<std::uint16_t>(in, at) / turn * 360.0;
+    return little_endian_at<std::uint16_t>(in, at) / turn * 360.0;
   };
   const auto beyond = [&](std::size_t at) {
-    return Failure{wrong_packet(WireErrorKind::out_of_range, at,
-                                fmt::format("an angle of {}", read_le<std::uint16_t>(in, at)))};
+    return Failure{
+        wrong_packet(WireErrorKind::out_of_range, at,
+                     fmt::format("an angle of {}", little_endian_at<std::uint16_t>(in, at)))};
   };
   if (speed) {
-    const SpeedPacket packet{read_le<std::uint16_t>(in, 6) * 0.1, degrees(14, 3600.0)};
+    const SpeedPacket packet{little_endian_at<std::uint16_t>(in, 6) * 0.1, degrees(14, 3600.0)};
     if (packet.course_deg >= 360.0) return beyond(14);
     return Packet(packet);
   }
   if (!std::equal(kMark.begin(), kMark.end(), in.begin())) {
     return Failure{wrong_packet(WireErrorKind::unknown_kind, 0, "does not begin NKOE")};
   }
-  const auto counter = static_cast<std::uint16_t>(in[kCounter] << 8 | in[kCounter + 1]);
-  const auto kind = read_le<std::uint16_t>(in, kKind);
+  const auto counter = big_endian_at<std::uint16_t>(in, kCounter);
+  const auto kind = little_endian_at<std::uint16_t>(in, kKind);
   if (kind == kHeadingKind) {
     const HeadingPacket packet{counter, degrees(kHeading, kTurn)};
     if (packet.heading_deg >= 360.0) return beyond(kHeading);
@@ -101,7 +101,7 @@ Result<std::variant<HeadingPacket, NavigationPacket, SpeedPacket>, WireError> de
   }
   if (kind == kNavigationKind) {
     const NavigationPacket packet{counter, degrees(kCourse, kTurn),
-                                  read_le<std::uint16_t>(in, kSpeed) * 0.01};
+                                  little_endian_at<std::uint16_t>(in, kSpeed) * 0.01};
     if (packet.course_deg >= 360.0) return beyond(kCourse);
     return Packet(packet);
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/navico/little_endian.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -24,8 +24,8 @@ constexpr double kHalo20Most_m = 57'860.0;
 SpokeRange later(std::uint16_t large, std::uint16_t small, double reach_m) {
   SpokeRange range;
   range.at_4 = {0x00, 0x44, 0, 0};
-  write_le(range.at_4, 2, large, 2);
-  write_le(range.at_12, 0, small, 2);
+  put_little_endian(range.at_4, 2, large, 2);
+  put_little_endian(range.at_12, 0, small, 2);
   range.reach = metres(reach_m);
   return range;
 }
@@ -43,7 +43,7 @@ SpokeRange spoke_range(Model model, std::uint32_t range_dm) {
     const auto units = static_cast<std::uint32_t>(range_m * kFirstGenerationFactor);
     SpokeRange range;
     range.at_4 = {0x00, 0x44, 0x0D, 0x0E};
-    write_le(range.at_12, 0, units, 3);
+    put_little_endian(range.at_12, 0, units, 3);
     range.reach = metres(units * kFirstGenerationUnit);
     return range;
   }
@@ -69,10 +69,10 @@ SpokeRange spoke_range(Model model, std::uint32_t range_dm) {
 
 Length reach_of(Model model, std::span<const std::uint8_t> header) {
   if (is_first_generation(model)) {
-    return metres(read_le<std::uint32_t>(header, 12, 3) * kFirstGenerationUnit);
+    return metres(little_endian_at<std::uint32_t>(header, 12, 3) * kFirstGenerationUnit);
   }
-  const auto large = read_le<std::uint16_t>(header, 6);
-  const auto small = read_le<std::uint16_t>(header, 12);
+  const auto large = little_endian_at<std::uint16_t>(header, 6);
+  const auto small = little_endian_at<std::uint16_t>(header, 12);
   if (large == kSmallForm) return metres(small / 4.0);
   if (model == Model::g4) return metres(static_cast<std::int16_t>(large) * kG4Step_m);
   return metres(static_cast<double>(large) * small / 512.0);

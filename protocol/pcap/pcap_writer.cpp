@@ -31,7 +31,8 @@ void append_mac_of(Bytes& out, const Ipv4Endpoint& to) {
 // RFC 791: of the header's 16-bit words, the checksum's own taken as zero.
 std::uint16_t ipv4_checksum(std::span<const std::uint8_t> header) {
   std::uint32_t sum = 0;
-  for (std::size_t i = 0; i + 1 < header.size(); i += 2) sum += header[i] << 8 | header[i + 1];
+  for (std::size_t i = 0; i + 1 < header.size(); i += 2)
+    sum += big_endian_at<std::uint16_t>(header, i);
   while (sum > 0xFFFF) sum = (sum & 0xFFFF) + (sum >> 16);
   return static_cast<std::uint16_t>(~sum);
 }
@@ -78,9 +79,7 @@ void PcapWriter::add_frame(UtcTime time, Ipv4Endpoint from, Ipv4Endpoint to, std
   append_big_endian(packet, 0, 2);
   append_big_endian(packet, from.address, 4);
   append_big_endian(packet, to.address, 4);
-  const std::uint16_t checksum = ipv4_checksum(packet);
-  packet[10] = static_cast<std::uint8_t>(checksum >> 8);
-  packet[11] = static_cast<std::uint8_t>(checksum);
+  put_big_endian(packet, 10, ipv4_checksum(packet), 2);
 
   const std::int64_t ns = std::max<std::int64_t>(time.time_since_epoch().count(), 0);
   const std::size_t size = 14 + packet.size() + octets.size();

@@ -47,7 +47,7 @@ constexpr std::array<Form, 23> kForms = {{
 }};
 
 std::int64_t signed_value(std::span<const std::uint8_t> bytes) {
-  const auto bits = ByteReader(bytes).little_endian<std::uint32_t>(bytes.size());
+  const auto bits = little_endian_at<std::uint32_t>(bytes, 0, bytes.size());
   return bytes.size() == 2 ? static_cast<std::int16_t>(bits) : static_cast<std::int32_t>(bits);
 }
 
@@ -85,15 +85,12 @@ Bytes encode_quantum_command(QuantumControl control, std::int32_t value) {
   const auto form = std::find_if(kForms.begin(), kForms.end(),
                                  [&](const Form& each) { return each.control == control; });
   Bytes out(form->length);
-  const auto put = [&](std::size_t offset, std::uint32_t bits, int octets) {
-    for (int i = 0; i < octets; ++i) out[offset++] = static_cast<std::uint8_t>(bits >> 8 * i);
-  };
-  put(0, form->code, 4);
+  put_little_endian(out, 0, form->code, 4);
   if (control == QuantumControl::stay_alive) {
     constexpr std::array<std::uint8_t, 5> kRadar = {'R', 'a', 'd', 'a', 'r'};
     std::copy(kRadar.begin(), kRadar.end(), out.begin() + 4);
   }
-  put(form->offset, static_cast<std::uint32_t>(value), form->octets);
+  put_little_endian(out, form->offset, static_cast<std::uint32_t>(value), form->octets);
   return out;
 }
 

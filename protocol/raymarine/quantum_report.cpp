@@ -52,10 +52,6 @@ constexpr std::array<ShortReport, kQuantumShortTypes.size()> kShortReports = {{
 
 constexpr std::uint32_t kLongType = 0x280008, kCountType = 0x288942;
 
-void put_number(Bytes& out, std::size_t offset, std::uint32_t number) {
-  for (int i = 0; i < 4; ++i) out[offset++] = static_cast<std::uint8_t>(number >> 8 * i);
-}
-
 std::string text_at(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t length) {
   const auto letters = bytes.subspan(offset, length);
   return {letters.begin(), std::find(letters.begin(), letters.end(), 0)};
@@ -80,8 +76,8 @@ Result<QuantumStatus, WireError> decode_quantum_status(std::span<const std::uint
   }
   QuantumStatus status;
   status.transmits = datagram[kState] == 1;
-  status.bearing_offset = static_cast<std::int16_t>(
-      ByteReader(datagram.subspan(kBearingOffset)).little_endian<std::uint16_t>());
+  status.bearing_offset =
+      static_cast<std::int16_t>(little_endian_at<std::uint16_t>(datagram, kBearingOffset));
   status.rejection = datagram[kRejection];
   status.range_index = datagram[kRange];
   if (status.range_index >= status.ranges.size()) {
@@ -114,9 +110,7 @@ Result<QuantumStatus, WireError> decode_quantum_status(std::span<const std::uint
 Bytes encode_quantum_status(const QuantumStatus& status) {
   Bytes out(kStatusHead.begin(), kStatusHead.end());
   out[kState] = status.transmits ? 1 : 0;
-  const auto offset = static_cast<std::uint16_t>(status.bearing_offset);
-  out[kBearingOffset] = static_cast<std::uint8_t>(offset);
-  out[kBearingOffset + 1] = static_cast<std::uint8_t>(offset >> 8);
+  put_little_endian(out, kBearingOffset, static_cast<std::uint16_t>(status.bearing_offset), 2);
   out[kRejection] = status.rejection;
   out[kRange] = status.range_index;
   out[kMode] = static_cast<std::uint8_t>(status.mode);
@@ -169,8 +163,8 @@ Bytes encode_quantum_short(std::uint32_t type) {
 
 Bytes encode_quantum_long() {
   Bytes out(532);
-  put_number(out, 0, kLongType);
-  put_number(out, 4, 7);
+  put_little_endian(out, 0, kLongType, 4);
+  put_little_endian(out, 4, 7, 4);
   out[20] = 1;
   out[24] = 16;
   out[28] = 25;
@@ -179,8 +173,8 @@ Bytes encode_quantum_long() {
 
 Bytes encode_quantum_count(std::uint32_t count) {
   Bytes out(72);
-  put_number(out, 0, kCountType);
-  put_number(out, 4, count);
+  put_little_endian(out, 0, kCountType, 4);
+  put_little_endian(out, 4, count, 4);
   return out;
 }
 

@@ -71,9 +71,7 @@ void append_quantum_spoke(Bytes& out, const QuantumSpoke& spoke) {
   const std::size_t length_at = out.size();
   append_little_endian(out, 0, 2);
   append_runs(out, spoke.cells);
-  const std::size_t length = out.size() - length_at - 2;
-  out[length_at] = static_cast<std::uint8_t>(length);
-  out[length_at + 1] = static_cast<std::uint8_t>(length >> 8);
+  put_little_endian(out, length_at, out.size() - length_at - 2, 2);
 }
 
 }  // namespace skerry::raymarine

@@ -31,12 +31,7 @@ class Open {
   }
   Open(const Open&) = delete;
   Open& operator=(const Open&) = delete;
-  ~Open() {
-    std::uint64_t length = out_.size() - start_;
-    for (std::size_t i = 0; i < 8; ++i) {
-      out_[start_ - 8 + i] = static_cast<std::uint8_t>(length >> 8 * i);
-    }
-  }
+  ~Open() { put_little_endian(out_, start_ - 8, out_.size() - start_, 8); }
   std::size_t start() const { return start_; }
 
  private:

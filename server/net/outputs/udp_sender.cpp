@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/frame.hpp"
 #include "server/net/common/output_socket.hpp"
 #include "server/net/common/tcp_peer.hpp"
@@ -158,8 +159,7 @@ void UdpSender::cut_cat240(const EncodedSector& sector) {
   std::size_t begin = 0;
   for (std::uint32_t spoke = 0; spoke < sector.spoke_count(); ++spoke) {
     while (begin + kCat240BlockHeader <= sector.spoke_ends[spoke]) {
-      const std::size_t length =
-          std::size_t{sector.bytes[begin + 1]} << 8 | sector.bytes[begin + 2];
+      const auto length = big_endian_at<std::size_t>(sector.bytes, begin + 1, 2);
       datagrams_.push_back({begin, begin + length, spoke});
       begin += length;
     }

@@ -5,10 +5,10 @@
 
 #include "protocol/navico/command.hpp"
 #include "protocol/navico/frame.hpp"
-#include "protocol/navico/little_endian.hpp"
 #include "protocol/navico/locator.hpp"
 #include "protocol/navico/report.hpp"
 #include "protocol/navico/ship_data.hpp"
+#include "protocol/wire/byte_order.hpp"
 
 namespace skerry::navico {
 namespace {
@@ -314,12 +314,12 @@ TEST(NavicoShipData, ComesBackToWithinAStep) {
   }
   // In a capture with HDT 296.0 and spokes at 296.02 deg the heading packet says 51657: 295.97 deg.
   Bytes captured = encode(HeadingPacket{1, 296.0});
-  EXPECT_EQ(read_le<std::uint16_t>(captured, 65), 51662);
+  EXPECT_EQ(little_endian_at<std::uint16_t>(captured, 65), 51662);
   captured[65] = 0xC9;
   captured[66] = 0xC9;
   EXPECT_NEAR(std::get<HeadingPacket>(*decode_ship_packet(captured)).heading_deg, 295.97, 0.005);
   const Bytes heading = encode(HeadingPacket{1, 359.9999});
-  EXPECT_EQ(read_le<std::uint16_t>(heading, 65), 0);
+  EXPECT_EQ(little_endian_at<std::uint16_t>(heading, 65), 0);
   EXPECT_EQ(heading[36], 0x12);
   EXPECT_EQ(heading[37], 0xF1);
   EXPECT_EQ(encode(SpeedPacket{}).size(), 23u);
