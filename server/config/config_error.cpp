@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "protocol/wire/utf8.hpp"
+
 namespace skerry::server {
 
 namespace {
@@ -85,47 +87,17 @@ ConfigError YamlSource::all_errors() const {
   return ConfigError(all);
 }
 
-std::size_t utf8_length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0};
-  };
-  const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0) == 0x80; };
-  const std::uint8_t first = byte(at);
-  const std::uint8_t second = byte(at + 1);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return continues(at + 1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
-    return continues(at + 1) && continues(at + 2) ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
-    return continues(at + 1) && continues(at + 2) && continues(at + 3) ? 4 : 0;
-  }
-  return 0;
-}
-
-std::size_t character_count(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::string printable(std::string_view text, std::size_t longest) {
   std::string out;
-  for (std::size_t at = 0; at < text.size();) {
+  while (!text.empty()) {
     if (out.size() >= longest) return out + "...";
-    const std::size_t length = utf8_length(text, at);
-    const auto byte = static_cast<std::uint8_t>(text[at]);
-    // C1 controls are U+0080 to U+009F: C2 80 to C2 9F.
-    const bool control =
-        byte < 0x20 || byte == 0x7F ||
-        (length == 2 && byte == 0xC2 && static_cast<std::uint8_t>(text[at + 1]) < 0xA0);
-    if (length == 0 || control) {
-      out += fmt::format("\\x{:02x}", byte);
-      ++at;
+    const std::string_view from = text;
+    const auto point = take_code_point(text);
+    if (!point || is_control_character(*point)) {
+      out += fmt::format("\\x{:02x}", static_cast<std::uint8_t>(from.front()));
+      text = from.substr(1);
     } else {
-      out += text.substr(at, length);
-      at += length;
+      out += from.substr(0, from.size() - text.size());
     }
   }
   return out;

@@ -90,11 +90,4 @@ class YamlSource {
 // after `longest` bytes, at a character's border, with "..." in place of the rest.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
-// The number of bytes of the UTF-8 character that begins at `at`; 0 if none does (RFC 3629: no
-// overlong form, no surrogate, nothing above U+10FFFF).  Requires at < text.size().
-std::size_t utf8_length(std::string_view text, std::size_t at);
-
-// Characters of UTF-8 text.
-std::size_t character_count(std::string_view text);
-
 }  // namespace skerry::server

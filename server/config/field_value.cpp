@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "protocol/wire/utf8.hpp"
+
 namespace skerry::server {
 namespace {
 

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "protocol/wire/utf8.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -181,10 +183,10 @@ class TreeBuilder : public YAML::EventHandler {
 };
 
 void require_text(std::string_view text, YamlSource& source, const Places& places) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = utf8_length(text, at);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t at = text.size() - rest.size();
     const auto byte = static_cast<unsigned char>(text[at]);
-    if (length == 0) {
+    if (!take_code_point(rest)) {
       source.fail(fmt::format("byte 0x{:02x} is not UTF-8; save the file as UTF-8", byte),
                   places.of_byte(at));
     }
@@ -192,7 +194,6 @@ void require_text(std::string_view text, YamlSource& source, const Places& place
       source.fail(fmt::format("control character 0x{:02x}; allowed: text", byte),
                   places.of_byte(at));
     }
-    at += length;
   }
 }
 

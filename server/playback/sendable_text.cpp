@@ -1,6 +1,6 @@
 #include "server/playback/sendable_text.hpp"
 
-#include "server/core/utf8.hpp"
+#include "protocol/wire/utf8.hpp"
 
 namespace skerry::server {
 

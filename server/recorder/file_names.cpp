@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-#include "server/core/utf8.hpp"
+#include "protocol/wire/utf8.hpp"
 
 namespace skerry::server {
 namespace {
@@ -54,7 +54,7 @@ std::optional<std::string> fault_in_mark_name(std::string_view name) {
   while (!name.empty()) {
     const auto c = take_code_point(name);
     if (!c) return "the name is not UTF-8";
-    if (*c < 0x20 || (*c >= 0x7f && *c < 0xa0)) return "the name has a control character";
+    if (is_control_character(*c)) return "the name has a control character";
   }
   return std::nullopt;
 }

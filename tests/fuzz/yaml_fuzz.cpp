@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/wire/utf8.hpp"
 #include "server/config/config_error.hpp"
 #include "server/config/yaml_message.hpp"
 #include "server/world/scenario.hpp"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "server/core/utf8.hpp"
+#include "protocol/wire/utf8.hpp"
 
 namespace skerry::server {
 namespace {
@@ -77,7 +77,7 @@ void append_escaped(std::string& out, std::string_view value) {
     const std::string_view from = value;
     const auto point = take_code_point(value);
     if (!point) value.remove_prefix(1);
-    if (!point || (*point < 0x20 && *point != '\n') || (*point >= 0x7f && *point < 0xa0)) {
+    if (!point || (is_control_character(*point) && *point != '\n')) {
       out += '?';
     } else if (*point == '\n') {
       out += "\\n";

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -35,33 +34,6 @@ TEST(PrintableText, IsCutAtACharactersBorder) {
   EXPECT_EQ(printable("abcdef", 6), "abcdef");
   EXPECT_EQ(printable("abcdefg", 6), "abcdef...");
   EXPECT_EQ(printable("abcde\xC3\xB8g", 6), "abcde\xC3\xB8...");
-}
-
-// Against the code points themselves: every one is encoded and must be read at its length, and
-// surrogates, overlong forms and what lies above U+10FFFF refused.
-TEST(Utf8, AcceptsEveryCodePointInItsShortestFormAndNoOther) {
-  const auto encoded = [](std::uint32_t code, int bytes) {
-    constexpr std::uint32_t kLead[] = {0, 0x00, 0xC0, 0xE0, 0xF0};
-    std::string text(static_cast<std::size_t>(bytes), '\0');
-    for (int i = bytes - 1; i > 0; --i, code >>= 6) {
-      text[static_cast<std::size_t>(i)] = static_cast<char>(0x80 | (code & 0x3F));
-    }
-    text[0] = static_cast<char>(kLead[bytes] | code);
-    return text;
-  };
-  for (std::uint32_t code = 0; code < 0x200000; ++code) {
-    const int shortest = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-    const bool exists = code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
-    ASSERT_EQ(utf8_length(encoded(code, shortest), 0),
-              exists ? static_cast<std::size_t>(shortest) : 0u)
-        << code;
-    for (int overlong = shortest + 1; overlong <= 4; ++overlong) {
-      ASSERT_EQ(utf8_length(encoded(code, overlong), 0), 0u) << code;
-    }
-    if (shortest > 1) {
-      ASSERT_EQ(utf8_length(encoded(code, shortest).substr(0, shortest - 1u), 0), 0u) << code;
-    }
-  }
 }
 
 TEST(YamlSource, PlacesWhatTheFileLeavesOutInWhatIsAroundIt) {

@@ -1,9 +1,9 @@
-#include "server/core/utf8.hpp"
+#include "protocol/wire/utf8.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 
-namespace skerry::server {
+namespace skerry {
 
 std::optional<char32_t> take_code_point(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
@@ -26,4 +26,9 @@ std::optional<char32_t> take_code_point(std::string_view& text) {
   return value;
 }
 
-}  // namespace skerry::server
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+}  // namespace skerry
