@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/signals/output_file.hpp"
-#include "clients/signals/sha512.hpp"
+#include "protocol/digest/digest.hpp"
 #include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/printable_text.hpp"
 
@@ -22,14 +22,10 @@ constexpr const char* kVersion = "1.2.0";
 constexpr const char* kRecorder = "skerry";
 constexpr std::uint64_t kMetaBytes = 4096;
 
-std::span<const std::uint8_t> octets_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 std::string sha512_of(const std::string& text) {
   Sha512 hash;
-  hash.add(octets_of(text));
-  return hash.finish();
+  hash.add(text);
+  return hexadecimal(hash.take());
 }
 
 // RFC 3339 with nine decimals.
@@ -198,7 +194,7 @@ SigmfFiles write_sigmf(const std::string& name, const SignalRecording& recording
       return go_on((static_cast<double>(c) + done) / static_cast<double>(channels.size()));
     });
     const std::string meta =
-        text_of(Meta(recording, waveform, channels[c]).json(data, hash.finish()));
+        text_of(Meta(recording, waveform, channels[c]).json(data, hexadecimal(hash.take())));
     try {
       write_text(meta_path, meta);
     } catch (...) {

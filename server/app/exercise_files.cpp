@@ -11,12 +11,12 @@
 #include <stdexcept>
 
 #include "echo/chart/gshhg_reader.hpp"
+#include "protocol/digest/digest.hpp"
 #include "server/app/coast_rules.hpp"
 #include "server/app/control_ranges.hpp"
 #include "server/app/radar_config.hpp"
 #include "server/app/world_change.hpp"
 #include "server/config/yaml_message.hpp"
-#include "server/core/sha256.hpp"
 #include "server/replay/recorded_exercise.hpp"
 #include "server/world/scenario.hpp"
 

@@ -1,6 +1,6 @@
 #include "server/recorder/checkpoints.hpp"
 
-#include "server/core/sha256.hpp"
+#include "protocol/digest/digest.hpp"
 
 namespace skerry::server {
 

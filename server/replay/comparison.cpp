@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "protocol/digest/digest.hpp"
 #include "protocol/wire/spoke_message.hpp"
-#include "server/core/sha256.hpp"
 
 namespace skerry::server {
 

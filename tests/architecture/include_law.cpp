@@ -26,6 +26,7 @@ const std::vector<Room>& table() {
       {"protocol/video", {"protocol/quantity/"}},
       // Bytes <-> values.
       {"protocol/wire", {"protocol/quantity/", "protocol/video/"}},
+      {"protocol/digest", {}},
       // Scans as pictures.
       {"protocol/picture", {"protocol/quantity/", "protocol/video/", "protocol/wire/"}},
       {"protocol/asterix",
@@ -179,6 +180,7 @@ const std::vector<Owned>& owned_headers() {
        "pass the options in as values"},
       {"png.h", {"protocol/picture/"}, "use protocol/picture/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},
+      {"openssl/", {"protocol/digest/"}, "use protocol/digest/digest.hpp"},
       {"zlib.h",
        {"protocol/asterix/", "protocol/pcap/"},
        "use protocol/asterix/cat240.hpp or protocol/pcap/capture_reader.hpp"},

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "clients/recording/recording_info.hpp"
+#include "protocol/digest/digest.hpp"
 #include "protocol/recording/reader.hpp"
 #include "protocol/recording/topics.hpp"
 #include "protocol/wire/byte_order.hpp"
-#include "server/core/sha256.hpp"
 
 namespace skerry::client {
 namespace {
@@ -35,19 +35,19 @@ std::vector<std::string> names() {
 
 // For each topic the SHA-256 of its items in order: time and size as 8 octets each, then the bytes.
 std::map<std::string, std::string> sums_of(const RecordingReader& reader) {
-  std::map<std::string, server::Sha256> digests;
+  std::map<std::string, Sha256> digests;
   recording::ItemCursor cursor = reader.items();
   while (const auto item = cursor.next()) {
     Bytes head;
     append_little_endian(head, static_cast<std::uint64_t>(item->time.time_since_epoch().count()),
                          8);
     append_little_endian(head, item->bytes.size(), 8);
-    server::Sha256& digest = digests[name_of(recording::ChannelKind{item->topic})];
+    Sha256& digest = digests[name_of(recording::ChannelKind{item->topic})];
     digest.add(head);
     digest.add(item->bytes);
   }
   std::map<std::string, std::string> sums;
-  for (auto& [topic, digest] : digests) sums[topic] = server::hexadecimal(digest.take());
+  for (auto& [topic, digest] : digests) sums[topic] = hexadecimal(digest.take());
   return sums;
 }
 

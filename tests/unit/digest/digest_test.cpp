@@ -1,10 +1,10 @@
-#include "server/core/sha256.hpp"
+#include "protocol/digest/digest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace skerry::server {
+namespace skerry {
 namespace {
 
 // FIPS 180-2, appendix B.1 to B.3.
@@ -27,5 +27,14 @@ TEST(Sha256, OfNothingToo) {
             "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
+// FIPS 180-2, appendix C.1.
+TEST(Sha512, GivesTheStandardsExample) {
+  Sha512 hash;
+  hash.add("abc");
+  EXPECT_EQ(hexadecimal(hash.take()),
+            "ddaf35a193617abacc417349ae20413112e6fa4e89a97ea20a9eeee64b55d39a"
+            "2192992a274fc1a836ba3c23a3feebbd454d4423643ce80e2a9ac94fa54ca49f");
+}
+
 }  // namespace
-}  // namespace skerry::server
+}  // namespace skerry
