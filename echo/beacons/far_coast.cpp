@@ -6,9 +6,9 @@
 #include "echo/beacons/second_trace.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "echo/targets/sector_view.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

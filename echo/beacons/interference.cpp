@@ -8,8 +8,8 @@
 #include "echo/beacons/listening.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/beam.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

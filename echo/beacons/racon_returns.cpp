@@ -5,8 +5,8 @@
 #include "echo/beacons/listening.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "protocol/quantity/plane_geometry.hpp"
+
 namespace skerry::echo {
 namespace {
 

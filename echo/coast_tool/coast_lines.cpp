@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "echo/measure/ruler_walk.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -98,12 +99,6 @@ CoastLines coast_lines(const CoastChart& chart, const LocalPlane& plane, const C
   out.mean_spacing_m = out.length_m / static_cast<double>(spacings.size());
   out.p90_spacing_m = spacings[spacings.size() * 9 / 10];
   return out;
-}
-
-double length_of(const PlaneLine& line) {
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
-  return length;
 }
 
 PlaneLine stretch_of(const PlaneLine& line, double from_m, double to_m) {

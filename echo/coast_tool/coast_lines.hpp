@@ -30,6 +30,5 @@ CoastLines coast_lines(const CoastChart& chart, const LocalPlane& plane, const C
 
 // A stretch of a line, from one place along it to another.
 PlaneLine stretch_of(const PlaneLine& line, double from_m, double to_m);
-double length_of(const PlaneLine& line);
 
 }  // namespace skerry::echo

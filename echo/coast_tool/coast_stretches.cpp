@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "echo/measure/ruler_walk.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -5,19 +5,10 @@
 
 #include "echo/fractal/koch_edge.hpp"
 #include "echo/kernel/hash.hpp"
-#include "protocol/quantity/geo_point.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
-
-// Square of the distance.
-double point_to_segment2(PlanePoint p, PlanePoint a, PlanePoint b) {
-  const PlanePoint ab = b - a, ap = p - a;
-  const double length2 = dot(ab, ab);
-  const double t = length2 > 0.0 ? std::clamp(dot(ap, ab) / length2, 0.0, 1.0) : 0.0;
-  const PlanePoint d = ap - ab * t;
-  return dot(d, d);
-}
 
 bool boxes_meet(const ShoreEdge& p, const ShoreEdge& q) {
   const auto meet = [](double a, double b, double c, double d) {
@@ -67,9 +58,10 @@ std::uint64_t ShoreEdge::seed() const { return mixed(from_id, to_id); }
 
 double segment_distance(const ShoreEdge& p, const ShoreEdge& q) {
   if (crosses(p, q)) return 0.0;
-  return std::sqrt(std::min(
-      std::min(point_to_segment2(p.from, q.from, q.to), point_to_segment2(p.to, q.from, q.to)),
-      std::min(point_to_segment2(q.from, p.from, p.to), point_to_segment2(q.to, p.from, p.to))));
+  return std::sqrt(std::min(std::min(distance_squared_to_segment(p.from, q.from, q.to),
+                                     distance_squared_to_segment(p.to, q.from, q.to)),
+                            std::min(distance_squared_to_segment(q.from, p.from, p.to),
+                                     distance_squared_to_segment(q.to, p.from, p.to))));
 }
 
 Clearance::Clearance(std::span<const ShoreEdge> edges) : edges_(edges), known_(edges.size(), -1) {
@@ -137,7 +129,7 @@ double Clearance::half_angle_tan(std::uint32_t edge) {
 
 double Clearance::measure(const ShoreEdge& e, std::uint32_t index) const {
   const PlanePoint along = e.to - e.from;
-  const double length = std::sqrt(dot(along, along));
+  const double length = length_of(along);
   if (length == 0.0) return 0.0;
   // No edge farther away than this can bind: 0.47 d >= tan(30 deg) * length / 2.
   const double reach = length * kMaxHalfAngleTan / (2.0 * 0.47);

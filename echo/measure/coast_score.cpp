@@ -7,16 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "protocol/quantity/geo_point.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
 
-double line_length(const PlaneLine& line) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += length_of(line[i] - line[i - 1]);
-  return sum;
-}
 double chord_of(const PlaneLine& line) { return length_of(line.back() - line.front()); }
 
 // A line in the coordinates of its chord: along it from its first end, and off it to the left.
@@ -59,7 +54,7 @@ constexpr int kFractions = 64;
 using Offsets = std::array<double, kFractions - 1>;
 Offsets offsets_of(const PlaneLine& line) {
   const std::vector<OffChord> points = off_chord(line);
-  const double whole = line_length(line);
+  const double whole = length_of(line);
   Offsets offsets{};
   double passed = 0.0;
   std::size_t i = 1;
@@ -95,11 +90,7 @@ void add_spectrum(const PlaneLine& line, std::array<double, kSpectrumOctaves>& s
 double distance_to(PlanePoint p, const PlaneLine& line) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const PlanePoint ab = line[i] - line[i - 1], ap = p - line[i - 1];
-    const double square = dot(ab, ab);
-    const double t = square > 0.0 ? std::clamp(dot(ap, ab) / square, 0.0, 1.0) : 0.0;
-    const PlanePoint d = ap - ab * t;
-    least = std::min(least, dot(d, d));
+    least = std::min(least, distance_squared_to_segment(p, line[i - 1], line[i]));
   }
   return std::sqrt(least);
 }
@@ -149,7 +140,7 @@ std::vector<bool> has_offsets(const CoastPieces& real) {
   std::vector<bool> counts;
   for (const PlaneLine& line : real)
     counts.push_back(line.size() >= 2 && chord_of(line) > 0.0 &&
-                     line_length(line) <= 3.0 * chord_of(line));
+                     length_of(line) <= 3.0 * chord_of(line));
   return counts;
 }
 
@@ -160,7 +151,7 @@ CoastShape shape_of(const CoastPieces& pieces, const ScoreScales& scales,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const PlaneLine& line = pieces[i];
     if (line.size() < 2) throw std::invalid_argument("coast piece of fewer than two points");
-    shape.length_km += 1e-3 * line_length(line);
+    shape.length_km += 1e-3 * length_of(line);
     if (chord_of(line) <= 0.0) continue;
     chords_km += 1e-3 * chord_of(line);
     find_bays(line, scales.least_depth_m, shape);

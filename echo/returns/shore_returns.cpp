@@ -7,7 +7,7 @@
 
 #include "echo/returns/land_ray.hpp"
 #include "echo/returns/natural_land.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

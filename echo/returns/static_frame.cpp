@@ -10,8 +10,8 @@
 #include "echo/radar/beam.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/hidden_water.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -9,8 +9,8 @@
 #include "echo/returns/moved_rows.hpp"
 #include "echo/returns/shore_stretch.hpp"
 #include "echo/returns/static_frame.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/radar/radar_equation.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

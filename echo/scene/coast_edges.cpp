@@ -8,9 +8,9 @@
 #include <string>
 #include <tuple>
 
-#include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/shore_guess.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

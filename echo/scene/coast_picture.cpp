@@ -10,9 +10,9 @@
 #include "echo/scene/edge_detail.hpp"
 #include "echo/scene/laid_objects.hpp"
 #include "echo/scene/picture_memory.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/style_refiners.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 

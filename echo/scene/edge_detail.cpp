@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "echo/fractal/koch_edge.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

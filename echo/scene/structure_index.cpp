@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/scene/plane_geometry.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 

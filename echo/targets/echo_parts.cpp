@@ -6,8 +6,8 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "echo/targets/fluctuation.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

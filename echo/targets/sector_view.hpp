@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include "echo/kernel/exact_math.hpp"
-#include "echo/scene/plane_geometry.hpp"
 #include "echo/scene/spoke_aim.hpp"
 #include "echo/scene/targets.hpp"
 #include "protocol/quantity/bearing.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 

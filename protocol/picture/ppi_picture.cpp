@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "protocol/picture/canvas.hpp"
 #include "protocol/picture/label_text.hpp"
+#include "protocol/quantity/angle.hpp"
 
 namespace skerry {
 namespace {
@@ -73,7 +73,7 @@ class Painter {
 
   // The point at `degrees` clockwise from the top and `radius` pixels from the centre.
   Pixels polar(double degrees, double radius) const {
-    const double angle = degrees * std::numbers::pi / 180.0;
+    const double angle = degrees * kRadiansPerDegree;
     return {centre().x + radius * std::sin(angle), centre().y - radius * std::cos(angle)};
   }
 

@@ -1,15 +1,11 @@
 #include "server/radar/coast_keeper.hpp"
 
-#include <cmath>
-
 namespace skerry::server {
 namespace {
 
 bool serves(const CoastInSight& coast, const CoastWish& wish) {
   const PlanePoint at = coast.picture->plane.to_plane(wish.own_ship);
-  const auto away = [&](PlanePoint from) {
-    return std::hypot(at.east_m - from.east_m, at.north_m - from.north_m);
-  };
+  const auto away = [&](PlanePoint from) { return length_of(at - from); };
   return coast.picture->range_m >= wish.resolution.range_m &&
          away(coast.index_centre) <= 0.5 * coast.index_slack_m &&
          away(coast.picture->centre) <= 0.5 * coast.picture->slack_m;

@@ -4,16 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace skerry::server {
-namespace {
-
-double metres_between(PlanePoint a, PlanePoint b) {
-  return std::hypot(a.east_m - b.east_m, a.north_m - b.north_m);
-}
-
-}  // namespace
 
 CoastService::CoastService(std::unique_ptr<const echo::ChartSource> chart, std::size_t radars,
                            const echo::CoastRules& rules)
@@ -32,9 +24,9 @@ void CoastService::serve(Slot& slot, const CoastWish& wish) {
   // Half of the picture's slack is left for the way sailed until the next wish is served.
   const CoastInSightPtr before = slot.in_sight.get();
   echo::CoastPicturePtr picture = before ? before->picture : nullptr;
-  const bool fresh = picture && !laid_anew && wish.resolution == slot.made_for &&
-                     metres_between(picture->plane.to_plane(wish.own_ship), picture->centre) <=
-                         0.5 * picture->slack_m;
+  const bool fresh =
+      picture && !laid_anew && wish.resolution == slot.made_for &&
+      length_of(picture->plane.to_plane(wish.own_ship) - picture->centre) <= 0.5 * picture->slack_m;
   if (laid_anew) slot.origin.laid = wish.tag;
   if (!fresh) {
     picture = slot.maker.picture(wish);

@@ -1,24 +1,15 @@
 #include "server/radar/laid_fixtures.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "echo/kernel/hash.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 #include "server/world/ship_units.hpp"
 
 namespace skerry::server {
 namespace {
 
 constexpr double kPlaneLatitudes = 3.5;  // degrees to either side: 210 NM
-
-// From the point to the nearest place of the line.
-double distance_to_line(PlanePoint point, const echo::OverheadCable& cable) {
-  const PlanePoint along = cable.to - cable.from, to = point - cable.from;
-  const double length2 = dot(along, along);
-  const double part = length2 > 0.0 ? std::clamp(dot(to, along) / length2, 0.0, 1.0) : 0.0;
-  return length_of(point - (cable.from + along * part));
-}
 
 echo::Fluctuation fluctuation_of(scenario::Target::Fluctuation fluctuation) {
   switch (fluctuation) {
@@ -113,7 +104,8 @@ void LaidFixtures::add_to(echo::Scene& scene, double reach_m) const {
     if (near(turbine.place)) scene.turbines.push_back(turbine);
   }
   for (const auto& cable : cables_) {
-    if (distance_to_line(scene.own_ship, cable) <= reach_m) scene.cables.push_back(cable);
+    if (distance_to_segment(scene.own_ship, cable.from, cable.to) <= reach_m)
+      scene.cables.push_back(cable);
   }
   for (const auto& racon : racons_) {
     if (near(racon.place)) scene.racons.push_back(racon);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "echo/assembly/scene_maker.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 #include "server/radar/laid_fixtures.hpp"
 
 namespace skerry::server {

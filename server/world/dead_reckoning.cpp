@@ -1,7 +1,6 @@
 #include "server/world/dead_reckoning.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "protocol/quantity/angle.hpp"
 #include "server/world/rhumb_step.hpp"
@@ -9,7 +8,7 @@
 namespace skerry::server {
 
 double chord_of_arc(double turn_deg) {
-  const double x = turn_deg * (std::numbers::pi / 360.0);
+  const double x = turn_deg * (0.5 * kRadiansPerDegree);
   return std::fabs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
 }
 

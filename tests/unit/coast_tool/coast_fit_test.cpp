@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "echo/chart/gshhg_reader.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 #include "tests/unit/measure/exact_fbm.hpp"
 
 namespace skerry::echo {

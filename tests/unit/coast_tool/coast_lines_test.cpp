@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "echo/coast_tool/coast_stretches.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "echo/assembly/scene_maker.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "tests/scenes/charts.hpp"
 #include "tests/unit/scene/coast_helpers.hpp"

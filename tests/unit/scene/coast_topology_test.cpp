@@ -9,7 +9,7 @@
 #include <random>
 
 #include "echo/chart/land_mask.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 #include "tests/scenes/charts.hpp"
 #include "tests/scenes/every_method.hpp"
 #include "tests/unit/scene/coast_helpers.hpp"

@@ -12,7 +12,7 @@
 #include "echo/scene/coast_edges.hpp"
 #include "echo/scene/edge_detail.hpp"
 #include "echo/scene/picture_memory.hpp"
-#include "echo/scene/plane_geometry.hpp"
+#include "protocol/quantity/plane_geometry.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "tests/scenes/charts.hpp"
 #include "tests/scenes/every_method.hpp"
