@@ -9,6 +9,14 @@
 #include "server/world/radar_sets.hpp"
 
 namespace skerry::server {
+namespace {
+
+std::string no_control_text(const std::string& name) {
+  return fmt::format("there is no control \"{}\"; allowed: {}", name,
+                     fmt::join(control_names(), ", "));
+}
+
+}  // namespace
 
 RadarConfig radar_config(const scenario::Radar& radar, std::uint32_t index, std::size_t own_ship,
                          std::uint64_t seed) {
@@ -40,9 +48,7 @@ void check_locks(const scenario::Scenario& scenario, YamlSource& source) {
       const auto& locked = scenario.own_ships(s).radars(r).locked();
       for (int i = 0; i < locked.size(); ++i) {
         if (is_control(locked[i])) continue;
-        source.refuse(fmt::format("{}[{}]", path, i),
-                      fmt::format("there is no control \"{}\"; allowed: {}",
-                                  printable(locked[i], 40), fmt::join(control_names(), ", ")));
+        source.refuse(fmt::format("{}[{}]", path, i), no_control_text(printable(locked[i], 40)));
       }
     }
   }
@@ -55,9 +61,8 @@ std::vector<std::vector<std::string>> initial_locks(const scenario::Scenario& sc
       locks.emplace_back(radar.locked().begin(), radar.locked().end());
       for (const std::string& name : radar.locked()) {
         if (is_control(name)) continue;
-        throw std::runtime_error(fmt::format("{}: locked: there is no control \"{}\"; allowed: {}",
-                                             radar.name(), name.substr(0, 40),
-                                             fmt::join(control_names(), ", ")));
+        throw std::runtime_error(
+            fmt::format("{}: locked: {}", radar.name(), no_control_text(name.substr(0, 40))));
       }
     }
   }

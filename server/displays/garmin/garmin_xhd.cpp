@@ -13,6 +13,7 @@
 #include "server/displays/garmin/xhd_controls.hpp"
 #include "server/displays/garmin/xhd_encoder.hpp"
 #include "server/displays/garmin/xhd_scanner.hpp"
+#include "server/displays/one_range_radar.hpp"
 
 namespace skerry::server {
 namespace {
@@ -61,14 +62,10 @@ const garmin::ReportSlot* find_slot(Type type) {
   return found == slots.end() ? nullptr : &*found;
 }
 
-class GarminXhd final : public RadarEmulation {
+class GarminXhd final : public OneRangeRadar<GarminOptions, XhdControls> {
  public:
-  explicit GarminXhd(const GarminOptions& options) : options_(options) {}
+  explicit GarminXhd(const GarminOptions& options) : OneRangeRadar(options) {}
 
-  std::vector<RangeChannel> channels() const override { return {RangeChannel::a}; }
-  std::vector<EmulationListen> listens() const override {
-    return {{Ipv4Endpoint{0, options_.command_port}}};
-  }
   void begin(std::uint32_t interface_address, std::span<const std::uint16_t> ports,
              ScenarioTime now, EmulationPort& port) override;
   void on_time(ScenarioTime now, EmulationPort& port) override;
@@ -82,11 +79,6 @@ class GarminXhd final : public RadarEmulation {
     return [encoder](const Sector& sector) { return encoder->encode(sector); };
   }
   Ipv4Endpoint data_address(RangeChannel) const override { return options_.spokes; }
-  double instrumented_range_m(RangeChannel, const wire::Settings& settings) const override {
-    const auto scale = RangeScale::find(settings.range_nm());
-    return spoke_span(controls_.ranges(), controls_.range_m(settings), scale.value_or(RangeScale{}))
-        .reach_m();
-  }
 
  private:
   void obey(const garmin::Command& command, ScenarioTime now, EmulationPort& port);
@@ -100,8 +92,6 @@ class GarminXhd final : public RadarEmulation {
   std::int64_t number_of(const garmin::ReportSlot& slot, ScenarioTime now,
                          const wire::Settings& settings) const;
 
-  GarminOptions options_;
-  XhdControls controls_;
   XhdScanner scanner_{{}, false, ScenarioTime{}};
   XhdAntenna antenna_ = std::make_shared<std::atomic<std::uint32_t>>(0);
   double spin_angle_ = 0.0;  // of kAnglesPerTurn, while there is no picture

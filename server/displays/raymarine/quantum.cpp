@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/raymarine/quantum_report.hpp"
+#include "server/displays/one_range_radar.hpp"
 #include "server/displays/raymarine/quantum_controls.hpp"
 #include "server/displays/raymarine/quantum_encoder.hpp"
 
@@ -21,14 +22,10 @@ constexpr std::int64_t kFifthSecondTick = 209, kTicksPerFiveSeconds = 500;
 // The 25 counts leave in five groups of four ticks, two at the last of each.
 constexpr std::int64_t kCountsPerGroup = 5, kTicksPerGroup = 4;
 
-class Quantum final : public RadarEmulation {
+class Quantum final : public OneRangeRadar<QuantumOptions, QuantumControls> {
  public:
-  explicit Quantum(const QuantumOptions& options) : options_(options) {}
+  explicit Quantum(const QuantumOptions& options) : OneRangeRadar(options) {}
 
-  std::vector<RangeChannel> channels() const override { return {RangeChannel::a}; }
-  std::vector<EmulationListen> listens() const override {
-    return {{Ipv4Endpoint{0, options_.command_port}}};
-  }
   void begin(std::uint32_t interface_address, std::span<const std::uint16_t> ports,
              ScenarioTime now, EmulationPort& port) override;
   void on_time(ScenarioTime now, EmulationPort& port) override;
@@ -42,11 +39,6 @@ class Quantum final : public RadarEmulation {
     return [encoder](const Sector& sector) { return encoder->encode(sector); };
   }
   Ipv4Endpoint data_address(RangeChannel) const override { return options_.data; }
-  double instrumented_range_m(RangeChannel, const wire::Settings& settings) const override {
-    const auto scale = RangeScale::find(settings.range_nm());
-    return spoke_span(controls_.ranges(), controls_.range_m(settings), scale.value_or(RangeScale{}))
-        .reach_m();
-  }
 
  private:
   void tell_range(EmulationPort& port);
@@ -55,8 +47,6 @@ class Quantum final : public RadarEmulation {
   void send_round(std::int64_t tick, EmulationPort& port);
   void stand_by_if_alone(ScenarioTime now, EmulationPort& port);
 
-  QuantumOptions options_;
-  QuantumControls controls_;
   Ipv4Endpoint radar_;  // where it takes commands
   ScenarioTime begin_{}, heard_at_{};
   std::int64_t next_tick_ = 0;
