@@ -78,7 +78,7 @@ void FarEchoes::add_points(const Look& look) {
 }
 
 void FarEchoes::add_coast(const Look& look) {
-  const CoastPicturePtr& coast = far_coast_ ? far_coast_ : look.scene.coast;
+  const CoastPicturePtr& coast = look.scene.coast;
   if (!coast || coast->range_m + coast->slack_m < nearest_m_) return;
   const PlanePoint own = look.view.own_ship();
   const PlanePoint sailed = own - made_at_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "echo/beacons/second_trace.hpp"
@@ -31,9 +30,6 @@ class FarEchoes {
 
   explicit FarEchoes(const RadarModel& model);
 
-  // A picture of the coast that reaches farther than the scene's; null: the scene's own.
-  void set_coast(CoastPicturePtr coast) { far_coast_ = std::move(coast); }
-
   // Adds what spokes first to last (less than half a turn) see to `out`.  `propagation` must reach
   // kFarthest.  Thread: the radar's.
   void append(const Scene& scene, const Propagation& propagation, const SpokeAim& first,
@@ -55,7 +51,7 @@ class FarEchoes {
   RadarModel model_;
   std::uint32_t reach_units_;
   double nearest_m_, farthest_m_;
-  CoastPicturePtr far_coast_, made_of_;  // made_of_: that shores_ are of
+  CoastPicturePtr made_of_;  // that shores_ are of
   PlanePoint made_at_;
   std::vector<Shore> shores_;
   std::vector<PointEcho> found_;

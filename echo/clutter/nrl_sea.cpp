@@ -50,10 +50,6 @@ double wind_of_sea_state(double sea_state) {
   return sea_state > 0.0 ? 3.16 * power_of(sea_state, 0.8) : 0.0;
 }
 
-double wave_height_of_wind(double wind_m_s) {
-  return wind_m_s > 0.0 ? 0.00452 * power_of(wind_m_s, 2.5) : 0.0;
-}
-
 double sine_of_grazing(double range_m, double antenna_height_m, double effective_earth_m) {
   const double twice = 2.0 * effective_earth_m;
   return std::min(1.0,

@@ -26,9 +26,8 @@ double bessel_i0(double x);
 
 inline constexpr double kGravity = 9.80665;  // m/s2
 
-// Wind that raises a sea, m/s, and the mean height of its waves, m (GIT; SOURCES.md "Sea").
-double wind_of_sea_state(double sea_state);   // 3.16 SS^0.8
-double wave_height_of_wind(double wind_m_s);  // 0.00452 U^2.5
+// Wind that raises a sea, m/s: 3.16 SS^0.8 (GIT; SOURCES.md "Sea").
+double wind_of_sea_state(double sea_state);
 
 // Sine of the grazing angle at the water `range_m` off an antenna that high over an Earth of radius
 // `effective_earth_m`; 0 or less beyond the horizon, at most 1.  SOURCES.md "Propagation".

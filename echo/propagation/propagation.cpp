@@ -1,9 +1,6 @@
 #include "echo/propagation/propagation.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "echo/kernel/exact_math.hpp"
 
 namespace skerry::echo {
 
@@ -25,13 +22,6 @@ float Propagation::body(double range_m, double height_m) const {
 }
 
 float Propagation::gas(double range_m) const { return table_->gas(static_cast<float>(range_m)); }
-
-double Propagation::grazing(double range_m) const {
-  const double h = conditions_.antenna_height_m, twice = 2.0 * conditions_.effective_earth_m;
-  const double r = std::max(range_m, 1e-3);
-  const double sine = std::clamp(h / r * (1.0 + h / twice) - r / twice, 0.0, 1.0);
-  return exact_atan2(sine, std::sqrt(1.0 - sine * sine));
-}
 
 double Propagation::hidden_height(double range_m) const {
   const double beyond = range_m - horizon_m();

@@ -40,9 +40,6 @@ class Propagation {
   float body(double range_m, double height_m) const;
   // Two-way power factor of gas alone, for surfaces, whose sigma0 holds the rest.
   float gas(double range_m) const;
-  // Grazing angle of the sea at that range, radians, 0 beyond the horizon:
-  // sin(psi) = (h/R)(1 + h/(2 ae)) - R/(2 ae).  Source: SOURCES.md "Propagation".
-  double grazing(double range_m) const;
   // Height that the Earth hides at that range, metres; a duct takes its share away.
   double hidden_height(double range_m) const;
   double horizon_m() const;          // of the antenna over the sea

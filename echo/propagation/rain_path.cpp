@@ -75,15 +75,6 @@ constexpr float kMostOctaves = 66.0f;     // 199 dB two-way: all is lost
 
 }  // namespace
 
-double rain_rate_at(std::span<const RainCell> rain, PlanePoint place, double dt) {
-  double rate = 0.0;
-  for (const RainCell& cell : rain) {
-    const PlanePoint off = place - (cell.centre + cell.velocity * dt);
-    rate += cell.rate_mm_h * rain_profile(dot(off, off), cell.radius_m);
-  }
-  return rate;
-}
-
 double rain_profile(double distance_squared, double radius_m) {
   const double radius = radius_m * radius_m;
   const double s = std::clamp((radius - distance_squared) / (0.75 * radius), 0.0, 1.0);
@@ -183,17 +174,6 @@ void RainPath::lay(const Scene& scene, const RadarModel& model, const SpokeAim& 
   spread_knots(knots_, step_, row.subspan(first_, wet));
   fill_row(1.0f, row.first(first_));
   fill_row(knots_.back(), row.subspan(end_));
-}
-
-double RainPath::transmission_at(double range_m) const {
-  const double at = range_m / cell_m_ - 0.5;
-  if (!(at > 0.0)) return static_cast<double>(transmission_.front());
-  const std::size_t last = transmission_.size() - 1;
-  const auto cell = static_cast<std::size_t>(std::min(at, static_cast<double>(last)));
-  const double here = static_cast<double>(transmission_[cell]);
-  const double next = static_cast<double>(transmission_[std::min(cell + 1, last)]);
-  return here + (at - static_cast<double>(cell) < 1.0 ? at - static_cast<double>(cell) : 0.0) *
-                    (next - here);
 }
 
 }  // namespace skerry::echo

@@ -27,9 +27,6 @@ double rain_db_per_km(const RainLaw& law, double rate_mm_h);
 // within half its radius, 0 from the radius on, a smoothstep of the squared distance between.
 double rain_profile(double distance_squared, double radius_m);
 
-// Rate at a place of the plane, mm/h, `dt` seconds after the scene's time: the clouds' sum.
-double rain_rate_at(std::span<const RainCell> rain, PlanePoint place, double dt);
-
 // Rate along a spoke and the two-way attenuation up to each cell (P.838-3; SOURCES.md
 // "Propagation"). Nothing is done, and any() is false, where no cell of rain lies under the spoke.
 //
@@ -56,7 +53,6 @@ class RainPath {
   std::span<const float> rate_mm_h() const { return rate_; }  // per cell
   // Per cell, to its middle: two-way power factor in (0, 1].
   std::span<const float> transmission() const { return transmission_; }
-  double transmission_at(double range_m) const;
 
  private:
   void find_clouds(const Scene& scene, const RadarModel& model, const SpokeAim& aim);

@@ -151,10 +151,6 @@ void ViewReceiver::lay_learnt(double constant, std::span<const double> bins) {
             offsets_.end(), laid(bins.back()));
 }
 
-double ViewReceiver::lag_spokes() const {
-  return 0.5 * (memory_.stages().integrated - 1) + memory_.stages().stretch;
-}
-
 double ViewReceiver::level_of(double power, std::uint32_t cell) const {
   return static_cast<double>(scale_.per_octave) * (exact_log2(power) + noise_->scale_octaves()) +
          static_cast<double>(offsets_[cell]);

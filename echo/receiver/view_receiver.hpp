@@ -31,8 +31,9 @@ namespace skerry::echo {
 // Views of one radar share its rows and its noise: the same noise, cell by cell, on the same range
 // scale and decimation.  The receiver is blind, and its video 0, before model.blind_cells and
 // beyond the radar's rows.
-// Integration and stretch across spokes look back only: what they show lies lag_spokes() late.
-// Target separation looks to either side, for which it wants rows_ahead() rows of what comes.
+// Integration and stretch across spokes look back only: what they show lies late by half of the
+// spokes between the first and the last that they take. Target separation looks to either side, for
+// which it wants rows_ahead() rows of what comes.
 //
 // Deterministic: the video is a function of the sequence of rows and controls, of no matter how
 // many spokes to a call, threads or instruction set.  Calls go on where the last one ended; after a
@@ -52,7 +53,6 @@ class ViewReceiver {
   void set_row_cells(std::uint32_t cells);
   // Whether the radar's rows cover the view's range; what they do not is 0.
   bool reaches() const { return resampler_.reach() == model_.geometry.cells; }
-  double lag_spokes() const;
   // How many rows beyond those of a call it can use.
   std::uint32_t rows_ahead() const { return powers_.stages().reach; }
   static constexpr double kMostNoiseDb = 12.0;  // at noise rejection 100

@@ -131,9 +131,8 @@ TEST(FarEchoes, KnowNothingOfACoastBeyondThePicture) {
   Scene scene = ducted();
   scene.coast = coast_at(30.0 * kNauticalMile, 12.0 * kNauticalMile);
   EXPECT_TRUE(echoes_of(model, scene).empty());
-  FarEchoes far(model);
-  far.set_coast(coast_at(30.0 * kNauticalMile, 100e3));
-  EXPECT_FALSE(echoes_of(far, model, scene).empty());
+  scene.coast = coast_at(30.0 * kNauticalMile, 100e3);
+  EXPECT_FALSE(echoes_of(model, scene).empty());
 }
 
 TEST(FarEchoes, AreNoneWhereThePulsesAreFarApart) {
