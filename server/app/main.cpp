@@ -1,6 +1,7 @@
 // skerryd: the marine-radar video server.
 #include <google/protobuf/stubs/logging.h>
 #include <signal.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -8,13 +9,14 @@
 #include <exception>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <sstream>
 #include <string>
 #include <variant>
 
+#include "server/app/change_log.hpp"
 #include "server/app/charts.hpp"
 #include "server/app/exercise_files.hpp"
-#include "server/app/log_tap.hpp"
 #include "server/app/options.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/verification.hpp"
@@ -29,6 +31,32 @@ namespace {
 
 using namespace skerry::server;
 namespace wire = skerry::wire;
+
+// Lines of the server's log, for the recorder: a sink of the log that hands on to a recorder, if
+// there is one.  Thread: any.
+class LogTap final : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  // nullptr: none from now on; when it returns, no line is on its way to the one before.
+  void set(Recorder* recorder) {
+    const std::lock_guard lock(mutex_);
+    recorder_ = recorder;
+  }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& line) override {
+    if (recorder_ == nullptr) return;
+    std::string text(line.payload.data(), line.payload.size());
+    const std::string_view logger(line.logger_name.data(), line.logger_name.size());
+    if (logger == kControlLogger) {
+      recorder_->control_changed(std::move(text));
+    } else {
+      recorder_->log(static_cast<int>(line.level), std::move(text));
+    }
+  }
+  void flush_() override {}
+
+  Recorder* recorder_ = nullptr;  // under the sink's mutex
+};
 
 void greet(const Options& options, const NetServer& net, const std::string& what) {
   const std::string& host = options.net.bind;

@@ -5,7 +5,7 @@
 //   azimuth_counter   what a digitiser makes of the pulses
 //   sweep_maker       echo or test_pattern, as samples
 //   record_writer, sweep_fifo   the ways out
-// board_unit puts it on a thread, with record_frames and shared_ring to the outside, and fault_log.
+// board_unit puts it on a thread, with record_frames and shared_ring to the outside.
 #pragma once
 
 #include <cstdint>

@@ -6,9 +6,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -18,10 +21,11 @@
 #include "server/net/common/listener.hpp"
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/http_session.hpp"
+#include "server/net/native/byte_transport.hpp"
 #include "server/net/native/native_session.hpp"
-#include "server/net/native/tcp_transport.hpp"
-#include "server/net/navigation/navigation_ports.hpp"
-#include "server/net/outputs/display_outputs.hpp"
+#include "server/net/navigation/navigation_input.hpp"
+#include "server/net/navigation/navigation_output.hpp"
+#include "server/net/outputs/display_output.hpp"
 #include "server/net/outputs/stream_outputs.hpp"
 #include "server/net/outputs/udp_sender.hpp"
 #include "server/net/signalk/signalk_service.hpp"
@@ -32,6 +36,133 @@ namespace {
 constexpr std::chrono::milliseconds kSettingsPeriod{100};
 constexpr int kOwnShipPeriods = 10;  // own ship once a second
 constexpr int kNiceness = -5;
+
+// The native protocol straight on TCP.
+class TcpTransport final : public ByteTransport {
+ public:
+  explicit TcpTransport(TcpSocket socket) : socket_(std::move(socket)), peer_(peer_of(socket_)) {
+    set_stream_options(socket_);
+  }
+
+  void read_some(std::span<std::uint8_t> into, Done done) override {
+    socket_.async_read_some(asio::buffer(into.data(), into.size()), std::move(done));
+  }
+  void write(const std::vector<asio::const_buffer>& buffers, Done done) override {
+    asio::async_write(socket_, buffers, std::move(done));
+  }
+  void finish() override {
+    error_code ignored;
+    socket_.shutdown(asio::socket_base::shutdown_send, ignored);
+  }
+  void close() override {
+    error_code ignored;
+    socket_.close(ignored);
+  }
+  void limit_send_buffer(std::size_t bytes) override { set_send_buffer(socket_, bytes); }
+
+  std::string name() const override { return "tcp"; }
+  std::string peer() const override { return peer_.text; }
+  bool peer_is_loopback() const override { return peer_.is_loopback; }
+
+ private:
+  TcpSocket socket_;
+  TcpPeer peer_;
+};
+
+std::unique_ptr<ByteTransport> make_tcp_transport(TcpSocket socket) {
+  return std::make_unique<TcpTransport>(std::move(socket));
+}
+
+// All navigation outputs and inputs of the server.
+// Thread: constructed anywhere, then net-0.
+class NavigationPorts {
+ public:
+  // Opens what context.config names.  Error: as of its parts.
+  explicit NavigationPorts(NetContext& context);
+
+  void start();
+  void close();
+
+ private:
+  std::vector<std::unique_ptr<NavigationOutput>> outputs_;
+  std::vector<std::unique_ptr<NavigationInput>> inputs_;
+};
+
+NavigationPorts::NavigationPorts(NetContext& context) {
+  for (const auto& config : context.config.navigation_outputs) {
+    outputs_.push_back(std::make_unique<NavigationOutput>(context, config));
+  }
+  for (const auto& config : context.config.navigation_inputs) {
+    inputs_.push_back(std::make_unique<NavigationInput>(context, config));
+  }
+}
+
+void NavigationPorts::start() {
+  for (const auto& output : outputs_) output->start();
+  for (const auto& input : inputs_) input->start();
+}
+
+void NavigationPorts::close() {
+  for (const auto& output : outputs_) output->close();
+  for (const auto& input : inputs_) input->close();
+}
+
+// All emulated radars of the server.
+// Thread: constructed anywhere, then net-0.
+class DisplayOutputs {
+ public:
+  // The period of RadarEmulation::on_time().
+  static constexpr std::chrono::milliseconds kTick{10};
+
+  // Opens the outputs of context.config.displays.
+  // Error: std::runtime_error naming the output and the reason, among them that two of them cannot
+  // be on one host (output_conflicts.hpp).
+  explicit DisplayOutputs(NetContext& context);
+
+  void start();
+  void close();
+
+ private:
+  void tick();
+
+  std::vector<std::unique_ptr<DisplayOutput>> outputs_;
+  Timer timer_;
+  std::chrono::steady_clock::time_point due_;
+  bool closed_ = false;
+};
+
+DisplayOutputs::DisplayOutputs(NetContext& context) : timer_(context.io) {
+  std::vector<OutputClaim> claims;
+  for (const DisplayOutputConfig& config : context.config.displays) {
+    outputs_.push_back(std::make_unique<DisplayOutput>(context, config, outputs_.size()));
+    claims.push_back(outputs_.back()->claim());
+  }
+  if (const auto conflict = conflict_among(claims)) throw std::runtime_error(*conflict);
+  for (const auto& output : outputs_) output->open();
+}
+
+void DisplayOutputs::start() {
+  if (outputs_.empty()) return;
+  for (const auto& output : outputs_) output->start();
+  due_ = std::chrono::steady_clock::now();
+  tick();
+}
+
+void DisplayOutputs::close() {
+  closed_ = true;  // a tick may be on its way already
+  timer_.cancel();
+  for (const auto& output : outputs_) output->close();
+}
+
+void DisplayOutputs::tick() {
+  due_ = std::max(due_ + kTick, std::chrono::steady_clock::now());
+  timer_.expires_at(due_);
+  timer_.async_wait([this](error_code error) {
+    if (error || closed_) return;
+    for (const auto& output : outputs_) output->tick();
+    tick();
+  });
+}
 
 }  // namespace
 

@@ -1,16 +1,41 @@
 // RecordingFolder: the folder a recorder writes into, its lock, and which files there are its own.
 #pragma once
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "server/core/file_descriptor.hpp"
-
 namespace skerry::server {
+
+// An open file of the system's, closed at the end of its life.
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int number) : number_(number) {}
+  ~FileDescriptor() { close(); }
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    if (this == &other) return *this;
+    close();
+    number_ = std::exchange(other.number_, -1);
+    return *this;
+  }
+
+  bool is_open() const { return number_ >= 0; }
+  int get() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_ = -1;  // -1: none
+};
 
 // Bytes free for this process where a folder is, or would be made; nothing if the system does not
 // say.  `folder` absolute.

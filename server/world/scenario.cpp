@@ -15,7 +15,6 @@
 #include "server/world/ais_identities.hpp"
 #include "server/world/board_registers.hpp"
 #include "server/world/radar_sets.hpp"
-#include "server/world/target_kinds.hpp"
 
 namespace skerry::server {
 namespace {
@@ -25,6 +24,44 @@ constexpr Length kShortestLeg = metres(1.0);
 constexpr Length kLongestLeg = nautical_miles(5000.0);
 constexpr Length kShortestCable = metres(1.0);
 constexpr Length kLongestCable = metres(20'000.0);
+
+// Height over the water and cross-section of a target smaller than the radar can resolve.
+struct KindSize {
+  double height_m;
+  double x_band_m2, s_band_m2;
+  scenario::Target::Fluctuation fluctuation;
+};
+
+// What is meant by a buoy, a reflector or a small craft.  Requires a kind other than `ship`.
+// Source: the rows of MSC.192(79) Table 2 and its footnotes on cross-section, the latter as
+// reported by others (SOURCES.md "Rules"); MSC.164(78) for the reflector.  Fluctuation is this
+// project's choice.
+KindSize size_of(scenario::Target::Kind kind) {
+  switch (kind) {
+    case scenario::Target::reflector_buoy:
+      return {3.5, 10.0, 1.0, scenario::Target::rayleigh};
+    case scenario::Target::small_craft:
+      return {2.0, 2.5, 1.4, scenario::Target::rayleigh};
+    case scenario::Target::reflector_craft:
+      return {4.0, 7.5, 0.5, scenario::Target::rayleigh};
+    case scenario::Target::channel_marker:
+      return {1.0, 1.0, 0.1, scenario::Target::rayleigh};
+    case scenario::Target::reflector:
+      return {4.0, 7.5, 0.5, scenario::Target::steady};
+    default:
+      return {3.5, 5.0, 0.5, scenario::Target::rayleigh};
+  }
+}
+
+// Sets what the file has not given of a target other than a ship: `height_given` says whether it
+// has the height.
+void fill_in_size(scenario::Target& target, bool height_given) {
+  const KindSize size = size_of(target.kind());
+  if (!height_given) target.set_height_m(size.height_m);
+  if (!target.has_x_band_m2()) target.set_x_band_m2(size.x_band_m2);
+  if (!target.has_s_band_m2()) target.set_s_band_m2(size.s_band_m2);
+  if (!target.has_fluctuation()) target.set_fluctuation(size.fluctuation);
+}
 
 // Names that must differ, and the paths of those who bear them.
 using Names = std::map<std::string, std::string>;
@@ -202,7 +239,8 @@ class ScenarioChecker {
                   const char* allowed) const {
     if (!source_.has(path + "." + key)) return;
     source_.refuse(path + "." + key,
-                   fmt::format("given for kind {}; allowed: {}", name_of(target.kind()), allowed));
+                   fmt::format("given for kind {}; allowed: {}",
+                               scenario::Target::Kind_Name(target.kind()), allowed));
   }
 
   void check_keys_of_kind(const scenario::Target& target, const std::string& path) const {

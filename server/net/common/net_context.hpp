@@ -1,26 +1,59 @@
 // NetContext: what the connections of one server share.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "protocol/wire/radar.pb.h"
 #include "server/core/error_counts.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/net/common/asio.hpp"
 #include "server/net/common/client_registry.hpp"
 #include "server/net/common/connection_table.hpp"
 #include "server/net/common/net_config.hpp"
-#include "server/net/common/output_registry.hpp"
 #include "server/net/common/recording_news.hpp"
 #include "server/net/common/spoke_feed.hpp"
 
 namespace skerry::server {
+
+// One emulated radar's counters.  Thread: written by net-0, read by any.
+struct OutputCounters {
+  explicit OutputCounters(wire::OutputStatus what) : fixed(std::move(what)) {}
+
+  const wire::OutputStatus fixed;  // name, radar, views, addresses
+  std::atomic<std::uint64_t> datagrams{0}, reports{0}, bytes{0};
+  std::atomic<std::uint64_t> spokes_lost{0}, datagrams_unsent{0};
+  std::atomic<std::uint64_t> commands{0}, commands_refused{0}, commands_dropped{0};
+
+  void set_last_display(const std::string& address);
+  std::string last_display() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::string last_display_;
+};
+using OutputPtr = std::shared_ptr<OutputCounters>;
+
+// What the emulated radars send and are told, for the status message.
+// Knows each output for as long as somebody holds its counters.  Thread: any.
+class OutputRegistry {
+ public:
+  OutputPtr add(wire::OutputStatus what);
+  void append_to(wire::Status& status) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::weak_ptr<OutputCounters>> outputs_;
+};
 
 // A ServerMessage as a frame that any number of sessions can send.
 SharedBytes make_frame(const wire::ServerMessage& message);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,8 +14,8 @@
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/net/http/metrics_page.hpp"
+#include "server/net/native/byte_transport.hpp"
 #include "server/net/native/native_session.hpp"
-#include "server/net/native/ws_transport.hpp"
 #include "server/net/signalk/signalk_delta_session.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
 #include "server/net/signalk/signalk_spoke_session.hpp"
@@ -43,6 +44,54 @@ std::string headers_of(const http::request<http::string_body>& request, http::fi
     joined.append(header->value().data(), header->value().size());
   }
   return joined;
+}
+
+// The native protocol in binary WebSocket messages, for browsers.
+class WsTransport final : public ByteTransport {
+ public:
+  explicit WsTransport(std::unique_ptr<WsStream> stream)
+      : stream_(std::move(stream)), peer_(peer_of(beast::get_lowest_layer(*stream_).socket())) {
+    set_stream_options(beast::get_lowest_layer(*stream_).socket());
+    beast::get_lowest_layer(*stream_).expires_never();
+    stream_->binary(true);
+    stream_->auto_fragment(false);  // a batch is one message: header and shared buffers, no copy
+    stream_->read_message_max(0);   // read piecewise; FrameReader bounds what is kept
+  }
+
+  void read_some(std::span<std::uint8_t> into, Done done) override {
+    stream_->async_read_some(
+        asio::buffer(into.data(), into.size()),
+        [stream = stream_.get(), done = std::move(done)](error_code error, std::size_t size) {
+          if (!error && stream->got_text()) {
+            error = make_error_code(boost::system::errc::bad_message);
+          }
+          done(error, size);
+        });
+  }
+  void write(const std::vector<asio::const_buffer>& buffers, Done done) override {
+    stream_->async_write(buffers, std::move(done));
+  }
+  void finish() override {
+    // The owner's pending read keeps the stream until this is done or the connection closed.
+    stream_->async_close(websocket::close_code::policy_error, [](error_code) {});
+  }
+  void close() override { beast::get_lowest_layer(*stream_).close(); }
+  void limit_send_buffer(std::size_t bytes) override {
+    set_send_buffer(beast::get_lowest_layer(*stream_).socket(), bytes);
+  }
+
+  std::string name() const override { return "websocket"; }
+  std::string peer() const override { return peer_.text; }
+  bool peer_is_loopback() const override { return peer_.is_loopback; }
+
+ private:
+  std::unique_ptr<WsStream> stream_;
+  TcpPeer peer_;
+};
+
+// Requires a stream whose WebSocket handshake is done.
+std::unique_ptr<ByteTransport> make_ws_transport(std::unique_ptr<WsStream> stream) {
+  return std::make_unique<WsTransport>(std::move(stream));
 }
 
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
