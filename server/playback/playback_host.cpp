@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "protocol/wire/radar.pb.h"
+#include "protocol/wire/schema.hpp"
 #include "protocol/wire/spoke_message.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/playback/play_request.hpp"
 #include "server/playback/recorded_values.hpp"
-#include "server/playback/same_settings.hpp"
 #include "server/playback/sendable_text.hpp"
 
 namespace skerry::server {
@@ -53,6 +55,43 @@ bool is_reach_alone(wire::Set set) {
 }
 
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+using wire::FieldDescriptor;
+using wire::Message;
+
+// Whether all that is present in `asked`, a Set or the controls it carries, is so.
+bool is_same(const Message& asked, const wire::Settings& settings);
+
+bool is_same(const Message& asked, const FieldDescriptor& field, const wire::Settings& settings) {
+  if (field.message_type() == wire::Controls::descriptor()) {
+    return is_same(asked.GetReflection()->GetMessage(asked, &field), settings);
+  }
+  const auto* const control = wire::Controls::descriptor()->FindFieldByName(field.name());
+  if (control == nullptr || control->message_type() != nullptr) return false;
+  return wire::value_of(asked, *control) == wire::value_of(settings, *control);
+}
+
+bool says_where_or_who(const FieldDescriptor& field) {
+  return field.name() == "radar" || field.name() == "view" || field.name() == "instructor" ||
+         field.name() == "token";
+}
+
+bool is_same(const Message& asked, const wire::Settings& settings) {
+  if (!asked.GetReflection()->GetUnknownFields(asked).empty()) return false;
+  std::vector<const FieldDescriptor*> present;
+  asked.GetReflection()->ListFields(asked, &present);
+  for (const FieldDescriptor* field : present) {
+    if (!says_where_or_who(*field) && !is_same(asked, *field, settings)) return false;
+  }
+  return true;
+}
+
+// Whether a Set asks for what is so already.  Displays say "transmit" to a radar that transmits,
+// and set a control to what it is: that is not refused by a playback.  Locks, orders to the ship
+// and the world always ask for a change.
+bool is_so_already(const wire::Set& set, const wire::Settings& settings) {
+  return is_same(set, settings);
+}
 
 }  // namespace
 
