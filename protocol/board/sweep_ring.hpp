@@ -56,7 +56,9 @@ class SweepRingReader {
   // The next record into `out`, whole (its size is in its header).
   // Checks everything it reads from the memory; where that makes no sense there is no record.
   State take(Bytes& out);
-  // Sleeps until there is one, or the ring is closed; false: time is up, or a signal came.
+  // Sleeps until there is one, or the ring is closed.  False: not yet; time is up, a signal came,
+  // or the wake was that of a record already taken (a reader may take one before its writer comes
+  // to wake it).
   bool wait(std::chrono::nanoseconds timeout);
 
   // Since open(), exactly: by the records' sequence.

@@ -159,25 +159,19 @@ bool SweepRingReader::wait(std::chrono::nanoseconds timeout) {
     pause_briefly();
   }
   const std::atomic<std::uint32_t>& word = header_of(memory_).wakes;
-  for (auto left = timeout; !ready();) {
-    const std::uint32_t seen = word.load(std::memory_order_acquire);
-    if (ready()) break;
-    if (left <= left.zero()) return false;
-    timespec time = timespec_of(left);
-    const auto begun = std::chrono::steady_clock::now();
-    // Sleeping on a word needs no right to write it.
-    const long slept = syscall(SYS_futex, reinterpret_cast<const std::uint32_t*>(&word), FUTEX_WAIT,
-                               seen, &time, nullptr, 0);
-    if (slept != 0 && errno == EINTR) return ready();
-    if (slept != 0 && errno != EAGAIN && errno != ETIMEDOUT) {
-      // A kind of memory that cannot be slept on (pages private to a process).
-      time = timespec_of(std::min<std::chrono::nanoseconds>(left, std::chrono::milliseconds(1)));
-      if (nanosleep(&time, nullptr) != 0) return ready();
-    }
-    // A wake may belong to a record that was taken before the writer came to wake: look again.
-    left -= std::chrono::steady_clock::now() - begun;
+  const std::uint32_t seen = word.load(std::memory_order_acquire);
+  if (ready()) return true;
+  if (timeout <= timeout.zero()) return false;
+  timespec time = timespec_of(timeout);
+  // Sleeping on a word needs no right to write it.
+  const long slept = syscall(SYS_futex, reinterpret_cast<const std::uint32_t*>(&word), FUTEX_WAIT,
+                             seen, &time, nullptr, 0);
+  if (slept != 0 && errno != EAGAIN && errno != ETIMEDOUT && errno != EINTR) {
+    // A kind of memory that cannot be slept on (pages private to a process).
+    time = timespec_of(std::min<std::chrono::nanoseconds>(timeout, std::chrono::milliseconds(1)));
+    nanosleep(&time, nullptr);
   }
-  return true;
+  return ready();
 }
 
 }  // namespace skerry::board

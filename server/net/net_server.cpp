@@ -73,6 +73,8 @@ std::unique_ptr<ByteTransport> make_tcp_transport(TcpSocket socket) {
   return std::make_unique<TcpTransport>(std::move(socket));
 }
 
+}  // namespace
+
 // All navigation outputs and inputs of the server.
 // Thread: constructed anywhere, then net-0.
 class NavigationPorts {
@@ -163,8 +165,6 @@ void DisplayOutputs::tick() {
     tick();
   });
 }
-
-}  // namespace
 
 class NetServer::Impl {
  public:
