@@ -14,10 +14,10 @@
 #include <string>
 #include <variant>
 
-#include "server/app/change_log.hpp"
-#include "server/app/charts.hpp"
+#include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
-#include "server/app/options.hpp"
+#include "server/app/options/charts.hpp"
+#include "server/app/options/options.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"

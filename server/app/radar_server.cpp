@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "protocol/quantity/angle.hpp"
-#include "server/app/coast_rules.hpp"
-#include "server/app/radar_config.hpp"
+#include "server/app/control/world_change.hpp"
+#include "server/app/options/coast_rules.hpp"
+#include "server/app/options/radar_config.hpp"
 #include "server/app/traffic_list.hpp"
 #include "server/app/version.hpp"
-#include "server/app/world_change.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/radar/turn_echoes.hpp"
 #include "server/world/board_registers.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "echo/chart/chart_source.hpp"
-#include "server/app/control_desk.hpp"
+#include "server/app/control/control_desk.hpp"
 #include "server/board/board_unit.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"

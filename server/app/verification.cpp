@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "protocol/recording/reader.hpp"
-#include "server/app/charts.hpp"
+#include "server/app/options/charts.hpp"
 #include "server/app/version.hpp"
 #include "server/replay/comparison.hpp"
 #include "server/replay/video_file.hpp"

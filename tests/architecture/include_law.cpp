@@ -59,6 +59,10 @@ const std::vector<Room>& table() {
       {"echo/kernel", {"protocol/quantity/"}},
       {"echo/chart", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
       {"echo/chart/gdal", {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/"}},
+      {"echo/chart/gdal/polygons",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/"}},
+      {"echo/chart/gdal/s57",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/"}},
       {"echo/fractal", {"protocol/quantity/", "protocol/video/", "echo/kernel/"}},
       {"echo/fractal/as_printed", {"protocol/quantity/", "echo/kernel/", "echo/fractal/"}},
       // Dimension, spectrum and statistics of curves and pictures.
@@ -139,6 +143,8 @@ const std::vector<Room>& table() {
       // A recording in place of radars.
       {"server/playback", {"protocol/", "server/core/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
+      {"server/app/control", {"protocol/", "echo/", "server/"}},
+      {"server/app/options", {"protocol/", "echo/", "server/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.
@@ -146,8 +152,13 @@ const std::vector<Room>& table() {
       {"clients/signals", {"protocol/", "clients/common/"}},
       {"clients/recording", {"protocol/", "clients/common/"}},
       {"clients/cli",
-       {"protocol/", "clients/common/", "clients/board/", "clients/signals/",
+       {"protocol/", "clients/common/", "clients/cli/", "clients/board/", "clients/signals/",
         "clients/recording/"}},
+      {"clients/cli/board",
+       {"protocol/", "clients/common/", "clients/cli/", "clients/board/", "clients/signals/"}},
+      {"clients/cli/live", {"protocol/", "clients/common/", "clients/cli/"}},
+      {"clients/cli/recording",
+       {"protocol/", "clients/common/", "clients/cli/", "clients/recording/"}},
       {"clients/examples", {"protocol/", "clients/common/"}},
   };
   return rooms;

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "echo/chart/gdal/chart_sheet.hpp"
-#include "echo/chart/gdal/clip_area.hpp"
-#include "echo/chart/gdal/cut_lines.hpp"
-#include "echo/chart/gdal/seam_lines.hpp"
+#include "echo/chart/gdal/polygons/clip_area.hpp"
+#include "echo/chart/gdal/polygons/cut_lines.hpp"
+#include "echo/chart/gdal/polygons/seam_lines.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "echo/chart/gdal/layered_chart.hpp"
-#include "echo/chart/gdal/s57_chart.hpp"
+#include "echo/chart/gdal/s57/s57_chart.hpp"
 #include "echo/chart/gdal/vector_chart.hpp"
 #include "echo/chart/gshhg_reader.hpp"
 

@@ -12,11 +12,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "echo/chart/gdal/cut_lines.hpp"
 #include "echo/chart/gdal/gdal_session.hpp"
-#include "echo/chart/gdal/land_polygon.hpp"
-#include "echo/chart/gdal/object_defaults.hpp"
-#include "echo/chart/gdal/shared_edges.hpp"
+#include "echo/chart/gdal/polygons/cut_lines.hpp"
+#include "echo/chart/gdal/polygons/land_polygon.hpp"
+#include "echo/chart/gdal/polygons/shared_edges.hpp"
+#include "echo/chart/gdal/s57/object_defaults.hpp"
 #include "echo/kernel/hash.hpp"
 
 namespace skerry::echo {

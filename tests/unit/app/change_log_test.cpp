@@ -1,5 +1,5 @@
 // The log of changes: every change is told or counted, and nobody can flood it.
-#include "server/app/change_log.hpp"
+#include "server/app/control/change_log.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "server/app/coast_rules.hpp"
+#include "server/app/options/coast_rules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "server/app/radar_config.hpp"
+#include "server/app/options/radar_config.hpp"
 #include "server/world/scenario.hpp"
 
 namespace skerry::server {

@@ -1,5 +1,5 @@
 // Controls are decided in one place: all or nothing, locks, followers, the log.
-#include "server/app/control_desk.hpp"
+#include "server/app/control/control_desk.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/app/radar_config.hpp"
+#include "server/app/options/radar_config.hpp"
 #include "server/world/scenario.hpp"
 #include "tests/unit/radar/open_sea.hpp"
 

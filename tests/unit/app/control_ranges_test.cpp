@@ -1,5 +1,5 @@
 // The bounds of a Set message.
-#include "server/app/control_ranges.hpp"
+#include "server/app/control/control_ranges.hpp"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>

@@ -16,7 +16,7 @@
 #include "protocol/video/range_scale.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/schema.hpp"
-#include "server/app/control_ranges.hpp"
+#include "server/app/control/control_ranges.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/radar/control_values.hpp"
 #include "tests/unit/app/extra_control.pb.h"

@@ -1,5 +1,5 @@
 // Outputs from the command line and the configuration file.
-#include "server/app/outputs.hpp"
+#include "server/app/options/outputs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "server/app/options.hpp"
-#include "server/app/output_text.hpp"
+#include "server/app/options/options.hpp"
+#include "server/app/options/output_text.hpp"
 #include "server/displays/emulated_radars.hpp"
 
 namespace skerry::server {

@@ -1,4 +1,4 @@
-#include "server/app/playback_options.hpp"
+#include "server/app/options/playback_options.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "server/app/options.hpp"
+#include "server/app/options/options.hpp"
 
 namespace skerry::server {
 namespace {

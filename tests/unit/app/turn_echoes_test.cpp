@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "server/app/radar_config.hpp"
+#include "server/app/options/radar_config.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/world.hpp"
 #include "tests/unit/radar/open_sea.hpp"

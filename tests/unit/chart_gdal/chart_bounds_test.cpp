@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/chart/gdal/box_tree.hpp"
 #include "echo/chart/gdal/chart_sheet.hpp"
-#include "echo/chart/gdal/clip_area.hpp"
-#include "echo/chart/gdal/cut_lines.hpp"
 #include "echo/chart/gdal/layered_chart.hpp"
+#include "echo/chart/gdal/polygons/box_tree.hpp"
+#include "echo/chart/gdal/polygons/clip_area.hpp"
+#include "echo/chart/gdal/polygons/cut_lines.hpp"
 #include "echo/chart/gdal/vector_chart.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "echo/kernel/hash.hpp"

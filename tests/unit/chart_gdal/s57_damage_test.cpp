@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/chart/gdal/cell_file.hpp"
-#include "echo/chart/gdal/s57_chart.hpp"
+#include "echo/chart/gdal/s57/cell_file.hpp"
+#include "echo/chart/gdal/s57/s57_chart.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "echo/kernel/hash.hpp"
 #include "tests/unit/chart_gdal/geo_box.hpp"

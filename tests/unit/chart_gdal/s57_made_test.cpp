@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "echo/chart/gdal/s57_chart.hpp"
+#include "echo/chart/gdal/s57/s57_chart.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "tests/unit/chart_gdal/geo_box.hpp"
 #include "tests/unit/chart_gdal/made_cell.hpp"

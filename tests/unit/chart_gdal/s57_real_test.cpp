@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "echo/chart/gdal/s57_chart.hpp"
+#include "echo/chart/gdal/s57/s57_chart.hpp"
 #include "echo/chart/land_mask.hpp"
 #include "tests/unit/chart_gdal/temporary_folder.hpp"
 

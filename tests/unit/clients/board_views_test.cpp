@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "clients/cli/board_scope.hpp"
-#include "clients/cli/board_turn.hpp"
-#include "clients/cli/board_words.hpp"
+#include "clients/cli/board/board_scope.hpp"
+#include "clients/cli/board/board_turn.hpp"
+#include "clients/cli/board/board_words.hpp"
 #include "tests/unit/clients/fake_board.hpp"
 
 namespace skerry::client {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "clients/cli/play_words.hpp"
+#include "clients/cli/recording/play_words.hpp"
 
 namespace skerry::client {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "server/app/coast_rules.hpp"
+#include "server/app/options/coast_rules.hpp"
 #include "server/world/scenario.hpp"
 #include "tests/unit/clients/program.hpp"
 #include "tests/unit/measure/exact_fbm.hpp"

@@ -22,7 +22,7 @@
 #include "protocol/raymarine/quantum_command.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/video/range_scale.hpp"
-#include "server/app/charts.hpp"
+#include "server/app/options/charts.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/displays/emulated_radars.hpp"
 #include "server/net/net_server.hpp"

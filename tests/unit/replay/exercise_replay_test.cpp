@@ -5,8 +5,8 @@
 
 #include <unistd.h>
 
-#include "server/app/charts.hpp"
 #include "server/app/exercise_files.hpp"
+#include "server/app/options/charts.hpp"
 #include "server/replay/comparison.hpp"
 #include "tests/unit/replay/live_exercise.hpp"
 

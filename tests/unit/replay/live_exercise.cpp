@@ -10,8 +10,8 @@
 
 #include "protocol/recording/writer.hpp"
 #include "protocol/wire/spoke_message.hpp"
-#include "server/app/charts.hpp"
 #include "server/app/exercise_files.hpp"
+#include "server/app/options/charts.hpp"
 #include "server/world/scenario.hpp"
 
 namespace skerry::server {

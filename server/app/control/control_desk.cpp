@@ -1,0 +1,251 @@
+#include "server/app/control/control_desk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/quantity/angle.hpp"
+#include "server/app/control/control_ranges.hpp"
+#include "server/app/control/controls_message.hpp"
+#include "server/app/control/world_change.hpp"
+#include "server/world/rhumb_step.hpp"
+#include "server/world/ship_units.hpp"
+
+namespace skerry::server {
+namespace {
+
+std::vector<std::size_t> own_ships_of(const std::vector<RadarUnit*>& units) {
+  std::vector<std::size_t> own_ships;
+  for (const RadarUnit* unit : units) own_ships.push_back(unit->config().own_ship);
+  return own_ships;
+}
+
+wire::Settings message_of(const RadarUnit& unit, const echo::ViewControls& view,
+                          const echo::RadarControls& radar) {
+  wire::Settings settings;
+  tell_view(view, settings);
+  tell_radar(radar, unit.config().set, settings);
+  return settings;
+}
+
+// The number of the view whose controls those of `view` are; that itself if it is not there.
+std::uint32_t operated_view(const RadarUnit& unit, std::uint32_t view) {
+  const RadarViewPtr found = unit.views().find(view);
+  return found && found->follows() ? found->followed->number : view;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+struct ControlDesk::Next {
+  RadarViewPtr view;
+  echo::ViewControls controls;
+  echo::RadarControls radar;
+  std::optional<Environment> environment;
+  ScenarioTime environment_time{};  // as of which it is changed
+  std::vector<ControlChange> changes;
+};
+
+ControlDesk::ControlDesk(Timeline& timeline, std::vector<RadarUnit*> units,
+                         const std::vector<std::vector<std::string>>& locks, ChangeLog log,
+                         InputLog* inputs)
+    : timeline_(timeline),
+      units_(std::move(units)),
+      locks_(own_ships_of(units_)),
+      inputs_(inputs),
+      log_(std::move(log)) {
+  for (std::size_t radar = 0; radar < locks.size(); ++radar) {
+    wire::Set set;
+    set.set_radar(static_cast<std::uint32_t>(radar));
+    for (const std::string& name : locks[radar]) set.add_lock(name);
+    locks_.change(set);
+  }
+}
+
+ControlDesk::~ControlDesk() { log_.flush_all(); }
+
+wire::Reply ControlDesk::apply(const wire::Set& set, const std::string& origin) {
+  if (const auto wrong = refusal_of(set)) return *wrong;
+  const std::lock_guard lock(mutex_);
+  if (const auto wrong = refusal_by_state(set)) return *wrong;
+  Next next;
+  if (const auto wrong = plan(set, next)) return *wrong;
+  if (const auto wrong = refusal_by_lock(set, next)) return *wrong;
+  carry_out(set, next);
+  log(set, origin, next);
+  return {};
+}
+
+std::optional<wire::Reply> ControlDesk::refusal_by_state(const wire::Set& set) const {
+  if (set.radar() >= units_.size() || !units_[set.radar()]->views().find(set.view())) {
+    return refusal(
+        wire::Reply::UNKNOWN,
+        fmt::format("no view {} of radar {}; there are radars 0 to {}, each with view 0 and those "
+                    "that consoles have opened",
+                    set.view(), set.radar(), units_.size() - 1));
+  }
+  const RangeScale on_air = units_[set.radar()]->range_on_air();
+  if (operated_view(*units_[set.radar()], set.view()) != 0 && set.has_range_nm() &&
+      set.range_nm() > on_air.in_nautical_miles()) {
+    return refusal(wire::Reply::OUT_OF_RANGE,
+                   fmt::format("range: {} NM is more than the radar's own range scale; allowed in "
+                               "view {}: up to {} NM",
+                               set.range_nm(), set.view(), on_air.in_nautical_miles()));
+  }
+  if ((set.has_course_deg() || set.has_speed_kn()) && own_ship_of(set.radar()).driven) {
+    return refusal(wire::Reply::REFUSED,
+                   "course and speed: a simulator outside drives this own ship; it takes orders "
+                   "again when that has been silent for ten seconds");
+  }
+  return std::nullopt;
+}
+
+ShipState ControlDesk::own_ship_of(std::uint32_t radar) const {
+  return timeline_.latest()->own_ships[units_[radar]->config().own_ship];
+}
+
+std::optional<wire::Reply> ControlDesk::plan(const wire::Set& set, Next& next) const {
+  const RadarUnit& unit = *units_[set.radar()];
+  next.view = unit.views().find(set.view());
+  if (!next.view) return refusal(wire::Reply::UNKNOWN, "the view has just been closed");
+  next.controls = next.view->controls_in_force();
+  next.radar = unit.radar_controls();
+  const wire::Settings before = message_of(unit, next.controls, next.radar);
+  change_view(set, next.controls);
+  change_radar(set, next.radar);
+  if (!is_instrumented_range(next.controls.instrumented_range_m, next.controls.range_scale)) {
+    const double scale_m = next.controls.range_scale.length().in_metres();
+    return refusal(wire::Reply::OUT_OF_RANGE,
+                   fmt::format("instrumented range: {} m is out of range; allowed: {} to {} m, or "
+                               "0 for the range scale",
+                               next.controls.instrumented_range_m, kShortestReach * scale_m,
+                               kLongestReach * scale_m));
+  }
+  next.changes = differences(before, message_of(unit, next.controls, next.radar));
+  plan_orders(set, next);
+  return plan_world(set, next);
+}
+
+void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
+  const ShipState ship = own_ship_of(set.radar());
+  const auto add = [&](const char* control, double before, double after) {
+    // Orders are kept in other units, so they are equal but for rounding.
+    if (std::abs(before - after) > 1e-9) {
+      next.changes.push_back({control, fmt::format("{:.6g}", before), fmt::format("{}", after)});
+    }
+  };
+  if (set.has_course_deg()) {
+    add("course_deg", ship.ordered_course_deg, wrapped_degrees(set.course_deg()));
+  }
+  if (set.has_speed_kn()) {
+    add("speed_kn", ship.ordered_speed_mps / knots_in_mps(1.0), set.speed_kn());
+  }
+}
+
+std::optional<wire::Reply> ControlDesk::plan_world(const wire::Set& set, Next& next) const {
+  if (!set.has_world()) return std::nullopt;
+  const ScenarioTime now = timeline_.latest()->time;
+  next.environment = *timeline_.environment();
+  next.environment_time = now;
+  const wire::World before = world_message(*next.environment, now);
+  if (auto wrong = change_environment(set.world(), now, *next.environment)) return wrong;
+  for (ControlChange& change : differences(before, world_message(*next.environment, now))) {
+    next.changes.push_back(std::move(change));
+  }
+  return std::nullopt;
+}
+
+std::optional<wire::Reply> ControlDesk::refusal_by_lock(const wire::Set& set,
+                                                        const Next& next) const {
+  if (set.instructor()) return std::nullopt;
+  for (const ControlChange& change : next.changes) {
+    const std::string control = lock_of(change);
+    if (next.view->follows() && control == "instrumented_range_m") continue;
+    if (locks_.is_locked(set.radar(), control)) {
+      return refusal(wire::Reply::REFUSED, fmt::format("{}: locked by the instructor; it stays {}",
+                                                       change.control, change.before));
+    }
+  }
+  return std::nullopt;
+}
+
+void ControlDesk::carry_out(const wire::Set& set, Next& next) {
+  RadarUnit& unit = *units_[set.radar()];
+  const auto giving = inputs_ != nullptr ? inputs_->giving() : std::unique_lock<std::mutex>();
+  if (next.environment) {
+    const std::uint64_t tick = timeline_.set_environment(*std::move(next.environment));
+    if (inputs_ != nullptr) inputs_->changed(tick, set.world(), next.environment_time);
+    world_version_.fetch_add(1);
+  }
+  if (set.has_course_deg() || set.has_speed_kn()) {
+    const std::size_t ship = unit.config().own_ship;
+    const auto course = set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt;
+    const auto speed = set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt;
+    const std::uint64_t tick = timeline_.order(ship, course, speed);
+    if (inputs_ != nullptr) inputs_->ordered(tick, ship, course, speed);
+  }
+  bool changed = false;
+  if (next.controls != next.view->controls_in_force()) {
+    put_view(unit, *next.view, next.controls);
+    changed = true;
+  }
+  if (next.radar != unit.radar_controls()) {
+    unit.set_radar_controls(next.radar);
+    changed = true;
+  }
+  const std::string before = list_of(locks_.locked(set.radar()));
+  if (locks_.change(set)) {
+    next.changes.push_back({"lock", before, list_of(locks_.locked(set.radar()))});
+    changed = true;
+  }
+  if (changed) settings_version_.fetch_add(1);
+}
+
+void ControlDesk::put_view(RadarUnit& unit, RadarView& view, const echo::ViewControls& controls) {
+  const RangeScale before = view.controls_in_force().range_scale;
+  view.set_controls(controls);
+  if (before == controls.range_scale) return;
+  const RadarView* const operated = view.follows() ? view.followed.get() : &view;
+  const std::shared_ptr<const RadarViews> views = unit.views().get();  // lives as long as the loop
+  for (const RadarViewPtr& other : *views) {
+    if (other->followed.get() != operated || other.get() == &view) continue;
+    echo::ViewControls theirs = *other->controls.get();
+    theirs.instrumented_range_m =
+        carried_range_m(theirs.instrumented_range_m, before, controls.range_scale);
+    other->controls.set(theirs);
+  }
+}
+
+void ControlDesk::log(const wire::Set& set, const std::string& origin, const Next& next) {
+  const std::string place = fmt::format("radar {} view {}", set.radar(), set.view());
+  const auto now = ChangeLog::Clock::now();
+  for (const ControlChange& change : next.changes) log_.add(origin, place, change, now);
+}
+
+void ControlDesk::flush_log() {
+  const std::lock_guard lock(mutex_);
+  if (log_.waits()) log_.flush(ChangeLog::Clock::now());
+}
+
+wire::Settings ControlDesk::settings(std::uint32_t radar, std::uint32_t view) const {
+  const RadarUnit& unit = *units_.at(radar);
+  RadarViewPtr found = unit.views().find(view);
+  if (!found) found = unit.views().get()->front();
+  const double on_air = unit.range_on_air().in_nautical_miles();
+  const echo::Pulse& pulse = unit.pulse_on_air();
+  wire::Settings settings = message_of(unit, found->controls_in_force(), unit.radar_controls());
+  settings.set_radar(radar);
+  settings.set_view(view);
+  settings.set_range_nm(std::min(settings.range_nm(), on_air));
+  settings.set_pulse_length_us(pulse.length_s * 1e6);
+  settings.set_prf_hz(pulse.prf_hz);
+  settings.set_radar_range_nm(on_air);
+  for (std::string& control : locks_.locked(radar)) settings.add_locked(std::move(control));
+  return settings;
+}
+
+}  // namespace skerry::server
