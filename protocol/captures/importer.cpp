@@ -129,12 +129,7 @@ class RadarWriter {
   }
 
   void write_settings(const SpokeHeader& header, UtcTime time) {
-    wire::Settings settings = decoder_->settings();
-    settings.set_radar(radar_);
-    settings.set_range_nm(header.range_scale.in_nautical_miles());
-    settings.set_radar_range_nm(settings.range_nm());
-    settings.set_instrumented_range_m(header.reach().in_metres());
-    settings.set_rotation_rpm(picture_.rpm);
+    const wire::Settings settings = told_settings(*decoder_, radar_, header, picture_.rpm);
     std::string bytes = settings.SerializeAsString();
     if (bytes == written_) return;
     add_message(writer_, {Kind::settings, radar_, 0}, time, settings);

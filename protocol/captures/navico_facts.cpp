@@ -79,6 +79,13 @@ Model NavicoFacts::model_of(std::uint32_t sender, const NavicoForms& forms) cons
   return forms.large_4g && !forms.large_halo ? Model::g4 : halo;
 }
 
+bool NavicoFacts::knows_generation(std::uint32_t sender, const NavicoForms& forms) const {
+  if (forms.first_generation || forms.large_4g != forms.large_halo) return true;
+  const auto found = senders_.find(sender);
+  return found != senders_.end() && (found->second.type || found->second.heartbeat ||
+                                     found->second.advanced_octets >= kAdvancedOctetsHalo);
+}
+
 std::string NavicoFacts::name_of(std::uint32_t sender, const NavicoForms& forms) const {
   const auto found = senders_.find(sender);
   if (found != senders_.end() && found->second.type == kType3g) return "3G";

@@ -25,6 +25,9 @@ class NavicoFacts {
   void take(const pcap::Datagram& datagram);
 
   navico::Model model_of(std::uint32_t sender, const NavicoForms& forms) const;
+  // Whether reports or the form of the spokes leave no doubt of the generation: BR24 and 3G, 4G, or
+  // HALO.
+  bool knows_generation(std::uint32_t sender, const NavicoForms& forms) const;
   std::string name_of(std::uint32_t sender, const NavicoForms& forms) const;
   std::optional<Ipv4Endpoint> reports_of(std::uint32_t sender, const Ipv4Endpoint& picture) const;
   // Whether its first report of Doppler was that it is on.

@@ -70,4 +70,15 @@ std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits) {
   return make_cat240_picture(traits);
 }
 
+wire::Settings told_settings(const PictureDecoder& decoder, std::uint32_t radar,
+                             const SpokeHeader& last, double rpm) {
+  wire::Settings settings = decoder.settings();
+  settings.set_radar(radar);
+  settings.set_range_nm(last.range_scale.in_nautical_miles());
+  settings.set_radar_range_nm(settings.range_nm());
+  settings.set_instrumented_range_m(last.reach().in_metres());
+  settings.set_rotation_rpm(rpm);
+  return settings;
+}
+
 }  // namespace skerry::captures

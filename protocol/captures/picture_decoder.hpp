@@ -60,4 +60,8 @@ std::unique_ptr<PictureDecoder> make_cat240_picture(const PictureTraits& traits)
 // The one of traits.key.family.
 std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits);
 
+// What its reports tell, with the range of its last spoke; `rpm` 0: not known.
+wire::Settings told_settings(const PictureDecoder& decoder, std::uint32_t radar,
+                             const SpokeHeader& last, double rpm);
+
 }  // namespace skerry::captures

@@ -63,6 +63,14 @@ bool ShipTrack::hear(const pcap::Datagram& datagram) {
   return true;
 }
 
+void ShipTrack::put(const ShipFix& fix) {
+  keep_position(fix.position, position_);
+  keep(fix.heading_deg, heading_deg_);
+  keep(fix.course_deg, course_deg_);
+  keep(fix.speed_kn, speed_kn_);
+  keep(fix.rate_deg_min, rate_deg_min_);
+}
+
 bool ShipTrack::read_line(std::string_view line) {
   const auto sentence = nmea::parse_sentence(line);
   if (!sentence) return false;

@@ -11,10 +11,20 @@
 
 namespace skerry::captures {
 
+// Where a ship is and how she moves; only what is known.
+struct ShipFix {
+  std::optional<GeoPoint> position;
+  std::optional<double> heading_deg, course_deg;  // true, [0, 360)
+  std::optional<double> speed_kn;                 // over ground
+  std::optional<double> rate_deg_min;             // of turn, starboard positive
+};
+
 // NMEA 0183 in datagrams (bare, or IEC 61162-450) and the heading, navigation and speed packets of
 // a HALO's network.  What was said last counts, however long ago.  Thread: one at a time.
 class ShipTrack {
  public:
+  // What is there of it counts as said last.
+  void put(const ShipFix& fix);
   // Whether something was said.
   bool hear(const pcap::Datagram& datagram);
 

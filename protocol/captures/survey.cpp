@@ -108,6 +108,7 @@ void Surveyor::finish(const Seen& seen, SurveyedPicture& picture) const {
       traits.doppler = facts_->begins_with_doppler(traits.reports);
       traits.spokes_per_turn = navico::kTurnSpokes;
       picture.name = facts_->name_of(traits.key.from, seen.forms);
+      picture.certain = facts_->knows_generation(traits.key.from, seen.forms);
       break;
     case Family::garmin:
       traits.spokes_per_turn = garmin::kSpokesPerTurn;

@@ -14,6 +14,7 @@ namespace skerry::captures {
 
 struct SurveyedPicture {
   PictureTraits traits;
+  bool certain = true;        // of a Navico: its generation is not a guess
   std::string name;           // "HALO20", "4G A", "Garmin xHD"
   std::uint64_t spokes = 0;   // that could be read
   std::uint64_t refused = 0;  // datagrams that could not

@@ -32,7 +32,7 @@ struct KindRow {
   std::string_view title;  // for people; plural where there are many
   Scope scope;
   EditRule edit;
-  bool is_played;                                 // by skerryd --play (PlayedState, Player)
+  bool is_played;                                 // by skerryd --play (RelayedState, Player)
   const google::protobuf::Message& (*message)();  // the default instance
 };
 // In the order of Kind.

@@ -1,9 +1,13 @@
 // Ipv4Endpoint: an IPv4 address and a port, as numbers.
 #pragma once
 
+#include <charconv>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace skerry {
 
@@ -28,6 +32,28 @@ inline std::string text_of(const Ipv4Endpoint& endpoint) {
     text += shift > 0 ? '.' : ':';
   }
   return text + std::to_string(endpoint.port);
+}
+
+// The endpoint that a text is, as text_of() writes it; nothing if it is none.
+inline std::optional<Ipv4Endpoint> ipv4_endpoint(std::string_view text) {
+  Ipv4Endpoint out;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (const char then : {'.', '.', '.', ':', '\0'}) {
+    unsigned value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    const bool closed = then == '\0' ? next == end : next != end && *next == then;
+    if (error != std::errc{} || value > (then == '\0' ? 65'535u : 255u) || !closed) {
+      return std::nullopt;
+    }
+    if (then == '\0') {
+      out.port = static_cast<std::uint16_t>(value);
+    } else {
+      out.address = out.address << 8 | value;
+      at = next + 1;
+    }
+  }
+  return out;
 }
 
 }  // namespace skerry

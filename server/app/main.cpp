@@ -16,12 +16,14 @@
 
 #include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
+#include "server/app/joined_host.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
+#include "server/net/live/live_inputs.hpp"
 #include "server/net/net_server.hpp"
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
@@ -75,6 +77,10 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   for (const DisplayOutputConfig& d : options.net.displays) {
     std::fprintf(stderr, "  %-16s at %s (radar %u)\n", d.identity.family.c_str(),
                  d.interface_address.c_str(), d.sources.front().radar);
+  }
+  for (const LiveSource& live : options.live) {
+    std::fprintf(stderr, "  %-16s listened for at %s (radar %u)\n",
+                 std::string(live.kind->name).c_str(), live.interface_address.c_str(), live.radar);
   }
   const wire::Status status = net.status();
   for (const wire::OutputStatus& nmea : status.outputs()) {
@@ -145,6 +151,15 @@ int run_playback(const Options& options, LogTap& tap) {
   return 0;
 }
 
+// Real radars beside the simulated ones.
+struct Live {
+  Live(RadarServer& simulated, const std::vector<LiveSource>& sources)
+      : host(sources, kServerName), joined(simulated, host), inputs(host, sources) {}
+  LiveHost host;
+  JoinedHost joined;
+  LiveInputs inputs;
+};
+
 int run(const Options& options, LogTap& tap) {
   if (!options.verify.empty()) {
     return verify({options.verify,
@@ -164,15 +179,21 @@ int run(const Options& options, LogTap& tap) {
   const sigset_t signals = block_signals();
   RadarServer radars(scenario, std::move(chart), options.workers,
                      exercise_documents(yaml, {options.charts, options.elevation}));
-  LoggingRecorder logging(radars, options.recorder, tap);
+  std::unique_ptr<Live> live;
+  if (!options.live.empty()) live = std::make_unique<Live>(radars, options.live);
+  RadarHost& host = live ? static_cast<RadarHost&>(live->joined) : radars;
+  LoggingRecorder logging(host, options.recorder, tap);
   radars.set_recording(&logging.recorder);
-  NetServer net(radars, options.net, web_files());
+  if (live) live->joined.set_recording(&logging.recorder);
+  NetServer net(host, options.net, web_files());
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
   net.start();
   radars.start();
+  if (live) live->inputs.start();
   logging.recorder.start();
-  greet(options, net, std::to_string(radars.radar_count()) + " radars on the air");
+  greet(options, net, std::to_string(host.radar_count()) + " radars on the air");
   await(signals);
+  if (live) live->inputs.stop();
   radars.stop();
   logging.recorder.stop();
   net.stop();

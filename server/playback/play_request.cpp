@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/playback/sendable_text.hpp"
+#include "server/relay/sendable_text.hpp"
 
 namespace skerry::server {
 namespace {

@@ -35,7 +35,7 @@ std::vector<OwnSpokePtr> copies_of(const std::vector<OwnSpokePtr>& spokes) {
 }  // namespace
 
 Player::Player(const recording::RecordingReader& reader, const RecordedRadars& radars,
-               const RadarViews& views, PlayedState& state, const PlayerOptions& options)
+               const RadarViews& views, RelayedState& state, const PlayerOptions& options)
     : reader_(reader),
       radars_(radars),
       views_(views),
@@ -209,7 +209,7 @@ void Player::begin_at(UtcTime from) {
   }
   for (const auto& radar : views_) {
     const auto views = radar->get();
-    for (const PlayedViewPtr& view : *views) view->begin_anew();
+    for (const RelayedViewPtr& view : *views) view->begin_anew();
   }
 }
 
@@ -277,8 +277,8 @@ void Player::play(Piece& piece) {
   }
   state_.take(piece.spokes.back()->header);
   const auto views = views_[piece.topic.radar]->get();
-  PlayedView* last = nullptr;
-  for (const PlayedViewPtr& view : *views) {
+  RelayedView* last = nullptr;
+  for (const RelayedViewPtr& view : *views) {
     if (view->source != piece.topic.view) continue;
     if (last != nullptr) last->publish(copies_of(piece.spokes));
     last = view.get();
@@ -340,7 +340,7 @@ std::uint64_t Player::joins() const {
   std::uint64_t joins = 0;
   for (const auto& radar : views_) {
     const auto views = radar->get();
-    for (const PlayedViewPtr& view : *views) joins += view->channel.joins();
+    for (const RelayedViewPtr& view : *views) joins += view->channel.joins();
   }
   return joins;
 }

@@ -16,10 +16,10 @@
 #include "server/playback/pace_watch.hpp"
 #include "server/playback/piece_reader.hpp"
 #include "server/playback/play_clock.hpp"
-#include "server/playback/played_state.hpp"
-#include "server/playback/played_view.hpp"
 #include "server/playback/recorded_radars.hpp"
 #include "server/playback/turn_finder.hpp"
+#include "server/relay/relayed_state.hpp"
+#include "server/relay/relayed_view.hpp"
 
 namespace skerry::server {
 
@@ -68,11 +68,11 @@ class Player {
   static constexpr std::size_t kLeastHeld = 1 << 20, kMostHeld = 64 << 20;  // bytes of a format
   static constexpr std::size_t kRingSectors = 4096;
 
-  using RadarViews = std::vector<std::unique_ptr<PlayedViewList>>;  // by played radar
+  using RadarViews = std::vector<std::unique_ptr<RelayedViewList>>;  // by played radar
 
   // All of them must outlive it.
   Player(const recording::RecordingReader& reader, const RecordedRadars& radars,
-         const RadarViews& views, PlayedState& state, const PlayerOptions& options);
+         const RadarViews& views, RelayedState& state, const PlayerOptions& options);
   ~Player();
 
   void start();
@@ -122,7 +122,7 @@ class Player {
   const recording::RecordingReader& reader_;
   const RecordedRadars& radars_;
   const RadarViews& views_;
-  PlayedState& state_;
+  RelayedState& state_;
   const bool current_timestamps_;
   const UtcTime begin_, end_;
 

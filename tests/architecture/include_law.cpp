@@ -134,14 +134,17 @@ const std::vector<Room>& table() {
       {"server/net/signalk",
        {"protocol/", "server/core/", "server/navigation/", "server/net/common/",
         "server/net/http/web_answer.hpp"}},
+      {"server/net/live", {"protocol/", "server/core/", "server/live/", "server/net/common/"}},
       {"server/net/http",
        {"protocol/", "server/core/", "server/net/common/", "server/net/native/",
         "server/net/signalk/"}},
       {"server/net", {"protocol/", "server/core/", "server/net/"}},
       // Video and all that belongs to it, to the disk.
       {"server/recorder", {"protocol/", "server/core/"}},
-      // A recording in place of radars.
-      {"server/playback", {"protocol/", "server/core/"}},
+      // Radars whose spokes were made elsewhere: what is common, a recording, real radars.
+      {"server/relay", {"protocol/", "server/core/"}},
+      {"server/playback", {"protocol/", "server/core/", "server/relay/"}},
+      {"server/live", {"protocol/", "server/core/", "server/relay/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
       {"server/app/control", {"protocol/", "echo/", "server/"}},
       {"server/app/options", {"protocol/", "echo/", "server/"}},
@@ -158,7 +161,7 @@ const std::vector<Room>& table() {
        {"protocol/", "clients/common/", "clients/cli/", "clients/board/", "clients/signals/"}},
       {"clients/cli/live", {"protocol/", "clients/common/", "clients/cli/"}},
       {"clients/cli/recording",
-       {"protocol/", "clients/common/", "clients/cli/", "clients/recording/"}},
+       {"protocol/", "clients/common/", "clients/cli/", "clients/recording/", "clients/signals/"}},
       {"clients/examples", {"protocol/", "clients/common/"}},
   };
   return rooms;

@@ -108,7 +108,6 @@ Bytes rd_packet(const std::string& corpus, const char* name) {
 
 int main(int argc, char** argv) {
   const std::filesystem::path root = fuzz::corpora(argc, argv);
-  const fuzz::CorpusFolder corpus(root / "import");
   Seed navico_4g, navico_halo, navico_br24, garmin, quantum, cat240, rd, all;
   add_navico(navico_4g, navico::Model::g4);
   add_navico(navico_halo, navico::Model::halo);
@@ -128,13 +127,16 @@ int main(int argc, char** argv) {
   add_quantum(all);
   all.add(kNmea, nmea::encode(nmea::Hdt{359.5}));
   add_cat240(all);
-  corpus.write("4g", navico_4g.bytes());
-  corpus.write("halo", navico_halo.bytes());
-  corpus.write("br24", navico_br24.bytes());
-  corpus.write("garmin", garmin.bytes());
-  corpus.write("quantum", quantum.bytes());
-  corpus.write("cat240", cat240.bytes());
-  corpus.write("rd", rd.bytes());
-  corpus.write("two_with_own_ship", all.bytes());
+  for (const char* decoder : {"import", "live"}) {
+    const fuzz::CorpusFolder corpus(root / decoder);
+    corpus.write("4g", navico_4g.bytes());
+    corpus.write("halo", navico_halo.bytes());
+    corpus.write("br24", navico_br24.bytes());
+    corpus.write("garmin", garmin.bytes());
+    corpus.write("quantum", quantum.bytes());
+    corpus.write("cat240", cat240.bytes());
+    corpus.write("rd", rd.bytes());
+    corpus.write("two_with_own_ship", all.bytes());
+  }
   return 0;
 }

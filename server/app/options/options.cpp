@@ -7,6 +7,7 @@
 
 #include "server/app/config.pb.h"
 #include "server/app/options/field_options.hpp"
+#include "server/app/options/inputs.hpp"
 #include "server/app/options/output_text.hpp"
 #include "server/app/options/outputs.hpp"
 #include "server/app/options/recorder_options.hpp"
@@ -32,6 +33,8 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --output navico_halo:radar=1,interface_address=192.0.2.7,dual_range=true
   skerryd --output cat240:port=8601,spokes=720,cells=512,bits=4,compressed=true
   skerryd --output nmea0183:port=10110 --input nmea0183:port=10111
+  skerryd --input navico_halo:interface_address=192.0.2.7 --output garmin_xhd
+                                            a real HALO in place of radar 0, for a Garmin display
   skerryd --record --record-roll-minutes 60 --record-keep-gib 100
   skerryd --play exercise.mcap --play-loop  a recording in place of radars
   skerryd --verify exercise.mcap            make its video again from what it was given, compare
@@ -41,8 +44,8 @@ Every stream goes to loopback until told otherwise.  Then look at http://127.0.0
 `skerry status`, `skerry snapshot`.)";
 
 // "native, cat240, ... or iec61162_450".
-std::string kinds_of_outputs() {
-  const std::vector<OutputKind>& kinds = output_kinds();
+template <typename Kinds>
+std::string names_of(const Kinds& kinds) {
   std::string text;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     text += i == 0 ? "" : i + 1 < kinds.size() ? ", " : " or ";
@@ -95,10 +98,12 @@ void add_options(CLI::App& cli, CommandLine& line) {
   cli.add_option("--sweeps", line.sweeps,
                  "records of a radar's interface board to [RADAR@]ADDRESS:PORT (none)");
   cli.add_option("--output", line.outputs,
-                 in_lines("KIND:key=value,...: " + kinds_of_outputs() +
+                 in_lines("KIND:key=value,...: " + names_of(output_kinds()) +
                           ", with the keys of `outputs` in a configuration file"));
   cli.add_option("--input", line.inputs,
-                 "KIND:key=value,...: nmea0183, to move own ship from outside");
+                 in_lines("KIND:key=value,...: nmea0183, to move own ship from outside; or a real "
+                          "radar on the network, in place of the simulated one of its number: " +
+                          names_of(live_kinds())));
   cli.add_flag("--no-signalk", line.no_signalk, "no Signal K on the HTTP port");
   cli.add_flag("--no-udp", line.no_udp, "no native datagrams");
   cli.add_flag("--no-cat240", line.no_cat240, "no CAT240");
@@ -212,6 +217,7 @@ Options options_of(const ServerConfig& config) {
   apply_signalk(config.signalk(), net.signalk);
   add_outputs(config, net);
   add_inputs(config, net);
+  options.live = live_sources(config);
   options.playback = playback_options(config.playback());
   options.recorder = recorder_config(config.recorder());
   return options;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/app/options/playback_options.hpp"
+#include "server/live/live_source.hpp"
 #include "server/net/common/net_config.hpp"
 #include "server/recorder/recorder_config.hpp"
 
@@ -19,6 +20,7 @@ struct Options {
   std::vector<std::string> charts;
   std::string elevation;  // file or folder; empty: the relief is synthetic
   NetConfig net;
+  std::vector<LiveSource> live;  // real radars, in place of simulated ones
   RecorderConfig recorder;
   PlaybackOptions playback;                  // its file is empty where radars run
   std::size_t workers = 0;                   // helping threads per radar

@@ -16,7 +16,7 @@ using app::Output;
 using Keys = std::vector<std::string_view>;
 
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr std::uint16_t kCat240Port = 8600, kNativePort = 7411;
+constexpr std::uint16_t kNativePort = 7411;
 
 // The output's own TTL, or the usual one: 0 on loopback, 1 on another interface.
 int multicast_ttl(const Output& output) {
@@ -71,24 +71,10 @@ StreamOutputConfig stream_of(const Output& output, const std::string& name) {
 }
 
 Ipv4Endpoint endpoint_of(const std::string& text, const std::string& name) {
-  const auto fail = [&] {
-    return std::runtime_error(
-        fmt::format("{}: '{}' is not an IPv4 address and a port, as 236.6.7.8:6678", name, text));
-  };
-  Ipv4Endpoint out;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  const auto number = [&](unsigned most, char then) {
-    unsigned value = 0;
-    const auto [next, error] = std::from_chars(at, end, value);
-    const bool closed = then == '\0' ? next == end : next != end && *next == then;
-    if (error != std::errc{} || value > most || !closed) throw fail();
-    at = then == '\0' ? next : next + 1;
-    return value;
-  };
-  for (const char then : {'.', '.', '.', ':'}) out.address = out.address << 8 | number(255, then);
-  out.port = static_cast<std::uint16_t>(number(65535, '\0'));
-  return out;
+  const auto endpoint = ipv4_endpoint(text);
+  if (endpoint) return *endpoint;
+  throw std::runtime_error(
+      fmt::format("{}: '{}' is not an IPv4 address and a port, as 236.6.7.8:6678", name, text));
 }
 
 DisplayOutputConfig display_of(const Output& output, const EmulatedRadar& radar,
@@ -199,18 +185,6 @@ NavigationOutputConfig navigation_output_of(const Output& output, const std::str
   return out;
 }
 
-NavigationInputConfig navigation_input_of(const app::Input& input) {
-  NavigationInputConfig out;
-  out.radar = input.radar();
-  out.transport =
-      input.transport() == app::Input::tcp ? NavigationTransport::tcp : NavigationTransport::udp;
-  if (input.has_address()) out.address = input.address();
-  out.port = static_cast<std::uint16_t>(input.port());
-  if (input.has_interface_address()) out.interface_address = input.interface_address();
-  for (const std::string& source : input.sources()) out.sources.push_back(source);
-  return out;
-}
-
 using Add = decltype(OutputKind::add);
 
 constexpr Add kAddStream = [](const app::ServerConfig& file, int index, const std::string& name,
@@ -312,12 +286,6 @@ void check_outputs(const app::ServerConfig& file, YamlSource& source) {
     } catch (const std::runtime_error& wrong) {
       source.refuse(path, wrong.what());
     }
-  }
-}
-
-void add_inputs(const app::ServerConfig& file, NetConfig& net) {
-  for (const app::Input& input : file.inputs()) {
-    net.navigation_inputs.push_back(navigation_input_of(input));
   }
 }
 

@@ -1,4 +1,4 @@
-// Outputs and inputs: from the configuration to the network's own terms.
+// Outputs: from the configuration to the network's own terms.
 #pragma once
 
 #include <string>
@@ -10,6 +10,8 @@
 #include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
+
+inline constexpr std::uint16_t kCat240Port = 8600;  // unless another is given
 
 // One kind of output: a row for each value of Output.Kind, in the same order.
 struct OutputKind {
@@ -29,7 +31,5 @@ void add_outputs(const app::ServerConfig& file, NetConfig& net);
 // Adds to the errors of the configuration file, for each output, the first for which add_outputs()
 // would refuse it.
 void check_outputs(const app::ServerConfig& file, YamlSource& source);
-
-void add_inputs(const app::ServerConfig& file, NetConfig& net);
 
 }  // namespace skerry::server

@@ -30,6 +30,10 @@ void hear_own_groups_only(UdpSocket& socket) {
 
 }  // namespace
 
+Ipv4Endpoint ipv4_endpoint_of(const asio::ip::udp::endpoint& endpoint) {
+  return {endpoint.address().to_v4().to_uint(), endpoint.port()};
+}
+
 UdpSocket open_sending(asio::io_context& io, const asio::ip::address_v4& interface_address,
                        int ttl) {
   UdpSocket socket(io);

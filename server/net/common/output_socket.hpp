@@ -10,6 +10,9 @@ namespace skerry::server {
 // (16 times 4.3 kB) several times over.
 inline constexpr int kDatagramSendBuffer = 1024 * 1024;
 
+// Requires an IPv4 endpoint.
+Ipv4Endpoint ipv4_endpoint_of(const asio::ip::udp::endpoint& endpoint);
+
 // Sends from `interface_address`, unicast and multicast, with that TTL; what this host itself has
 // joined hears it, too.
 // Error: std::runtime_error saying what failed and why.

@@ -21,10 +21,6 @@ constexpr double kSameReach = 5e-3;
 // Datagrams that are due so soon leave now: a timer is not finer.
 constexpr Duration kSoon = std::chrono::microseconds(200);
 
-Ipv4Endpoint ipv4_endpoint_of(const asio::ip::udp::endpoint& endpoint) {
-  return {endpoint.address().to_v4().to_uint(), endpoint.port()};
-}
-
 std::string_view letter(RangeChannel channel) { return channel == RangeChannel::a ? "A" : "B"; }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "server/app/options/inputs.hpp"
 #include "server/app/options/options.hpp"
 #include "server/app/options/output_text.hpp"
 #include "server/displays/emulated_radars.hpp"
@@ -48,6 +49,61 @@ std::string refusal_of(Configure configure) {
 }
 std::string refusal(const std::string& text) {
   return refusal_of([&] { config_with({parse_output(text)}); });
+}
+
+std::vector<LiveSource> live_of(const std::vector<std::string>& inputs,
+                                const std::vector<std::string>& outputs = {}) {
+  app::ServerConfig file;
+  for (const std::string& text : inputs) *file.add_inputs() = parse_input(text);
+  for (const std::string& text : outputs) *file.add_outputs() = parse_output(text);
+  NetConfig net;
+  add_inputs(file, net);
+  return live_sources(file);
+}
+
+TEST(Inputs, ARealRadarHasItsKindNumberAndNetwork) {
+  const auto sources =
+      live_of({"navico_halo:interface_address=192.0.2.1,from=192.0.2.7,radar=1,"
+               "second_range=true",
+               "cat240:radar=2,address=239.192.43.78", "nmea0183:port=10111"});
+  ASSERT_EQ(sources.size(), 2u);
+  EXPECT_EQ(sources[0].kind->name, "navico_halo");
+  EXPECT_EQ(sources[0].radar, 1u);
+  EXPECT_EQ(sources[0].from, ipv4(192, 0, 2, 7));
+  EXPECT_TRUE(sources[0].second_range);
+  EXPECT_EQ(sources[0].interface_address, "192.0.2.1");
+  EXPECT_EQ(text_of(*sources[1].at), "239.192.43.78:8600");
+  EXPECT_EQ(text_of(*live_of({"cat240:port=4378"})[0].at), "127.0.0.1:4378");
+}
+
+TEST(Inputs, SayWhatIsWrong) {
+  const auto refused = [](const std::vector<std::string>& inputs,
+                          const std::vector<std::string>& outputs = {}) {
+    return refusal_of([&] { live_of(inputs, outputs); });
+  };
+  EXPECT_THAT(refused({"nmea0183"}), HasSubstr("port is missing"));
+  EXPECT_THAT(refused({"garmin_xhd:port=5"}), HasSubstr("unknown key 'port'"));
+  EXPECT_THAT(refused({"navico_br24:second_range=true"}), HasSubstr("unknown key 'second_range'"));
+  EXPECT_THAT(refused({"nmea0183:port=10111,from=192.0.2.7"}), HasSubstr("unknown key 'from'"));
+  EXPECT_THAT(refused({"garmin_xhd:from=radar"}), HasSubstr("'radar' is not an IPv4 address"));
+  EXPECT_THAT(refused({"cat240:address=group"}), HasSubstr("'group' is not an IPv4 address"));
+  EXPECT_THAT(refused({"garmin_xhd", "navico_halo"}), HasSubstr("radar 0 has an input already"));
+  EXPECT_THAT(refused({"navico_halo"}, {"navico_4g"}), HasSubstr("from=ADDRESS"));
+  EXPECT_EQ(refused({"navico_halo:from=127.0.0.9"}, {"navico_4g"}), "accepted");
+  EXPECT_EQ(refused({"navico_halo"}, {"garmin_xhd"}), "accepted");
+  EXPECT_EQ(refused({"navico_halo"}, {"navico_4g:interface_address=192.0.2.1"}), "accepted");
+}
+
+// Each emulation but the outputs' own kinds can be listened to by its own name.
+TEST(Inputs, EveryEmulatedRadarIsAKindOfInput) {
+  for (const EmulatedRadar& radar : emulated_radars()) {
+    EXPECT_NE(find_live_kind(radar.name), nullptr) << radar.name;
+  }
+  for (int kind = 0; kind < app::Input::Kind_ARRAYSIZE; ++kind) {
+    const std::string& name = app::Input::Kind_Name(static_cast<app::Input::Kind>(kind));
+    EXPECT_EQ(find_live_kind(name) != nullptr, name != "nmea0183") << name;
+  }
+  EXPECT_EQ(live_kinds().size() + 1, static_cast<std::size_t>(app::Input::Kind_ARRAYSIZE));
 }
 
 TEST(Outputs, AStreamHasItsDestinationAndShape) {

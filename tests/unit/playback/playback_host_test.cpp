@@ -206,8 +206,8 @@ TEST(Player, WithoutVideoAStepGoesToTheEnd) {
   radars.radars.emplace_back().info.set_rpm(24.0);
   radars.played[0] = 0;
   Player::RadarViews views;
-  views.push_back(std::make_unique<PlayedViewList>(std::vector<std::uint32_t>{}, 0, 16));
-  PlayedState state;
+  views.push_back(std::make_unique<RelayedViewList>(std::vector<std::uint32_t>{}, 0, 16));
+  RelayedState state;
   Player player(reader, radars, views, state, kPaused);
   player.start();
   player.order({.steps = 1});

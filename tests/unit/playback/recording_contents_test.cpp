@@ -11,10 +11,10 @@
 #include "protocol/recording/topics.hpp"
 #include "server/playback/piece_reader.hpp"
 #include "server/playback/play_request.hpp"
-#include "server/playback/played_state.hpp"
 #include "server/playback/recorded_radars.hpp"
-#include "server/playback/recorded_values.hpp"
 #include "server/playback/turn_finder.hpp"
+#include "server/relay/relayed_state.hpp"
+#include "server/relay/values_in_range.hpp"
 #include "tests/unit/playback/recorded_file.hpp"
 
 namespace skerry::server {
@@ -32,9 +32,9 @@ RecordedRadars radars_in(const RecordingReader& reader) {
   return std::move(radars).value();
 }
 
-TEST(PlayedState, TakesTheKindsThatArePlayedButSpokes) {
+TEST(RelayedState, TakesTheKindsThatArePlayedButSpokes) {
   for (const recording::KindRow& row : recording::kind_rows()) {
-    PlayedState state;
+    RelayedState state;
     EXPECT_EQ(state.take({row.kind}, kRecordedAt, {}, {}), row.is_played && row.kind != Kind::spoke)
         << row.topic;
   }
@@ -278,8 +278,8 @@ TEST(TurnFinder, ScansBeyondAllBoundsDoNotOverflow) {
   }
 }
 
-TEST(PlayedState, ShipsSailOnBetweenItems) {
-  PlayedState state;
+TEST(RelayedState, ShipsSailOnBetweenItems) {
+  RelayedState state;
   wire::OwnShip ship;
   ship.set_latitude_deg(60.0);
   ship.set_speed_over_ground_kn(60.0);
@@ -298,8 +298,8 @@ TEST(PlayedState, ShipsSailOnBetweenItems) {
   EXPECT_EQ(much_later.utc_ns(), 5'000'000'000u);
 }
 
-TEST(PlayedState, WithoutItemsTheSpokesTellWhatTheyCan) {
-  PlayedState state;
+TEST(RelayedState, WithoutItemsTheSpokesTellWhatTheyCan) {
+  RelayedState state;
   Spoke spoke = recorded_spoke({}, 0, 0, 0);
   const std::uint64_t before = state.settings_version();
   state.take(spoke.header);
@@ -312,8 +312,8 @@ TEST(PlayedState, WithoutItemsTheSpokesTellWhatTheyCan) {
   EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_motion());
 }
 
-TEST(PlayedState, WhatNobodyToldIsNotKnown) {
-  PlayedState state;
+TEST(RelayedState, WhatNobodyToldIsNotKnown) {
+  RelayedState state;
   EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_position());
   EXPECT_TRUE(state.own_ship(0, kRecordedAt, {}).no_heading());
   Spoke spoke = recorded_spoke({}, 0, 0, 0);

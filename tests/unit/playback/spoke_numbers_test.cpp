@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "server/playback/play_clock.hpp"
-#include "server/playback/played_view.hpp"
-#include "server/playback/sendable_text.hpp"
-#include "server/playback/spoke_reach.hpp"
-#include "server/playback/spoke_stamp.hpp"
+#include "server/relay/relayed_view.hpp"
+#include "server/relay/sendable_text.hpp"
+#include "server/relay/spoke_reach.hpp"
+#include "server/relay/spoke_stamp.hpp"
 
 namespace skerry::server {
 namespace {

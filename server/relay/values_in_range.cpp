@@ -1,4 +1,4 @@
-#include "server/playback/recorded_values.hpp"
+#include "server/relay/values_in_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "protocol/wire/controls.pb.h"
 #include "protocol/wire/schema.hpp"
-#include "server/playback/sendable_text.hpp"
+#include "server/relay/sendable_text.hpp"
 
 namespace skerry::server {
 namespace {

@@ -1,4 +1,4 @@
-// PlayedState: what is in force at the place where a playback stands, besides the video.
+// RelayedState: what is in force at the place where a playback stands, besides the video.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace skerry::server {
 // If a file has no own ships or no settings, position, heading and range scale come from its
 // spokes. Radars are the playback's (they are numbered anew), views the recording's. Thread: one
 // writes (the playback), any read.
-class PlayedState {
+class RelayedState {
  public:
   static constexpr Duration kSailsOn = std::chrono::seconds(3);
 

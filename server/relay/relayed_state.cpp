@@ -1,4 +1,4 @@
-#include "server/playback/played_state.hpp"
+#include "server/relay/relayed_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
 #include "protocol/video/range_scale.hpp"
-#include "server/playback/recorded_values.hpp"
+#include "server/relay/values_in_range.hpp"
 
 namespace skerry::server {
 namespace {
@@ -34,7 +34,7 @@ GeoPoint moved(GeoPoint from, double course_deg, double distance_m) {
 
 // How long a ship has sailed on since an item.
 double sailed_s(UtcTime since, UtcTime now) {
-  return in_seconds(std::clamp<Duration>(now - since, Duration::zero(), PlayedState::kSailsOn));
+  return in_seconds(std::clamp<Duration>(now - since, Duration::zero(), RelayedState::kSailsOn));
 }
 
 TrafficKind kind_of(recording::Traffic::Item::Kind kind) {
@@ -86,9 +86,9 @@ void fit_range(wire::Settings& settings, const std::optional<SpokeHeader>& spoke
 
 }  // namespace
 
-bool PlayedState::take(const recording::Topic& topic, UtcTime time,
-                       std::span<const std::uint8_t> bytes,
-                       const std::map<std::uint32_t, std::uint32_t>& radars) {
+bool RelayedState::take(const recording::Topic& topic, UtcTime time,
+                        std::span<const std::uint8_t> bytes,
+                        const std::map<std::uint32_t, std::uint32_t>& radars) {
   switch (topic.kind) {
     case recording::Kind::settings: {
       wire::Settings settings;
@@ -131,7 +131,7 @@ bool PlayedState::take(const recording::Topic& topic, UtcTime time,
   }
 }
 
-void PlayedState::take(const SpokeHeader& header) {
+void RelayedState::take(const SpokeHeader& header) {
   const std::lock_guard lock(mutex_);
   const auto [at, first] = spokes_.try_emplace({header.radar, header.view}, header);
   const bool told = settings_.contains({header.radar, header.view});
@@ -141,7 +141,7 @@ void PlayedState::take(const SpokeHeader& header) {
   if (!told && (first || other)) ++settings_version_;
 }
 
-wire::Settings PlayedState::settings(std::uint32_t radar, std::uint32_t view) const {
+wire::Settings RelayedState::settings(std::uint32_t radar, std::uint32_t view) const {
   const std::lock_guard lock(mutex_);
   wire::Settings settings;
   if (const auto found = settings_.find({radar, view}); found != settings_.end()) {
@@ -154,8 +154,8 @@ wire::Settings PlayedState::settings(std::uint32_t radar, std::uint32_t view) co
   return settings;
 }
 
-wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
-                                    std::optional<UtcTime> utc) const {
+wire::OwnShip RelayedState::own_ship(std::uint32_t radar, UtcTime now,
+                                     std::optional<UtcTime> utc) const {
   const std::lock_guard lock(mutex_);
   wire::OwnShip ship;
   ship.set_radar(radar);
@@ -192,12 +192,12 @@ wire::OwnShip PlayedState::own_ship(std::uint32_t radar, UtcTime now,
   return ship;
 }
 
-wire::World PlayedState::world() const {
+wire::World RelayedState::world() const {
   const std::lock_guard lock(mutex_);
   return world_;
 }
 
-std::vector<TrafficItem> PlayedState::traffic(UtcTime now) const {
+std::vector<TrafficItem> RelayedState::traffic(UtcTime now) const {
   const std::lock_guard lock(mutex_);
   std::vector<TrafficItem> items = traffic_.value;
   const double since_s = sailed_s(traffic_.time, now);
@@ -209,12 +209,12 @@ std::vector<TrafficItem> PlayedState::traffic(UtcTime now) const {
   return items;
 }
 
-std::uint64_t PlayedState::settings_version() const {
+std::uint64_t RelayedState::settings_version() const {
   const std::lock_guard lock(mutex_);
   return settings_version_;
 }
 
-std::uint64_t PlayedState::world_version() const {
+std::uint64_t RelayedState::world_version() const {
   const std::lock_guard lock(mutex_);
   return world_version_;
 }

@@ -1,9 +1,9 @@
-#include "server/playback/played_view.hpp"
+#include "server/relay/relayed_view.hpp"
 
 #include <algorithm>
 
 #include "protocol/wire/spoke_message.hpp"
-#include "server/playback/spoke_reach.hpp"
+#include "server/relay/spoke_reach.hpp"
 
 namespace skerry::server {
 namespace {
@@ -19,7 +19,7 @@ Length WantedReach::on(RangeScale other) const {
   return metres(std::clamp(wanted_m, kShortestReach * scale_m, kLongestReach * scale_m));
 }
 
-void PlayedView::publish(std::vector<std::shared_ptr<Spoke>> spokes) {
+void RelayedView::publish(std::vector<std::shared_ptr<Spoke>> spokes) {
   if (spokes.empty()) return;
   const auto reach = reach_.get();
   for (std::shared_ptr<Spoke>& spoke : spokes) {
@@ -38,7 +38,7 @@ void PlayedView::publish(std::vector<std::shared_ptr<Spoke>> spokes) {
   scan_.store(sector.spokes.back()->header.scan, std::memory_order_relaxed);
 }
 
-void PlayedView::tell_reach(wire::Settings& settings) const {
+void RelayedView::tell_reach(wire::Settings& settings) const {
   const auto reach = reach_.get();
   const auto scale = RangeScale::find(settings.range_nm());
   if (!reach || !scale) return;
@@ -46,40 +46,40 @@ void PlayedView::tell_reach(wire::Settings& settings) const {
   settings.set_instrumented_range_m(as_wanted ? reach->range_m : reach->on(*scale).in_metres());
 }
 
-PlayedViewList::PlayedViewList(const std::vector<std::uint32_t>& recorded, std::uint32_t shared,
-                               std::size_t ring_sectors)
+RelayedViewList::RelayedViewList(const std::vector<std::uint32_t>& recorded, std::uint32_t shared,
+                                 std::size_t ring_sectors)
     : ring_sectors_(ring_sectors) {
-  PlayedViews views = {std::make_shared<PlayedView>(0, shared, false, ring_sectors)};
+  RelayedViews views = {std::make_shared<RelayedView>(0, shared, false, ring_sectors)};
   for (const std::uint32_t number : recorded) {
     if (number == 0) continue;
-    views.push_back(std::make_shared<PlayedView>(number, number, false, ring_sectors));
+    views.push_back(std::make_shared<RelayedView>(number, number, false, ring_sectors));
     first_opened_ = number + 1;
   }
   last_number_ = first_opened_ - 1;
   views_.set(std::move(views));
 }
 
-PlayedViewPtr PlayedViewList::find(std::uint32_t number) const {
+RelayedViewPtr RelayedViewList::find(std::uint32_t number) const {
   const auto views = get();
-  const auto found = std::find_if(views->begin(), views->end(), [&](const PlayedViewPtr& view) {
+  const auto found = std::find_if(views->begin(), views->end(), [&](const RelayedViewPtr& view) {
     return view->number == number;
   });
   return found == views->end() ? nullptr : *found;
 }
 
-PlayedViewPtr PlayedViewList::open(std::uint32_t like,
-                                   const std::function<void(VideoChannel&)>& prepare) {
+RelayedViewPtr RelayedViewList::open(std::uint32_t like,
+                                     const std::function<void(VideoChannel&)>& prepare) {
   const std::lock_guard lock(mutex_);
-  PlayedViews views = *get();
+  RelayedViews views = *get();
   const auto opened = std::count_if(views.begin(), views.end(),
-                                    [](const PlayedViewPtr& view) { return view->opened; });
-  const PlayedViewPtr example = find(like);
+                                    [](const RelayedViewPtr& view) { return view->opened; });
+  const RelayedViewPtr example = find(like);
   const bool room = first_opened_ + kMaxViews <= kLastNumber;
   if (!example || !room || static_cast<std::size_t>(opened) >= kMaxViews) return nullptr;
   do {
     last_number_ = last_number_ >= kLastNumber ? first_opened_ : last_number_ + 1;
   } while (find(last_number_) != nullptr);
-  auto view = std::make_shared<PlayedView>(last_number_, example->source, true, ring_sectors_);
+  auto view = std::make_shared<RelayedView>(last_number_, example->source, true, ring_sectors_);
   prepare(view->channel);
   view->channel.hold(held_bytes_);
   views.push_back(view);
@@ -87,20 +87,20 @@ PlayedViewPtr PlayedViewList::open(std::uint32_t like,
   return view;
 }
 
-void PlayedViewList::close(std::uint32_t number) {
+void RelayedViewList::close(std::uint32_t number) {
   const std::lock_guard lock(mutex_);
-  PlayedViews views = *get();
-  const auto gone = [&](const PlayedViewPtr& view) {
+  RelayedViews views = *get();
+  const auto gone = [&](const RelayedViewPtr& view) {
     return view->opened && view->number == number;
   };
   if (std::erase_if(views, gone) > 0) views_.set(std::move(views));
 }
 
-void PlayedViewList::hold(std::size_t max_bytes) {
+void RelayedViewList::hold(std::size_t max_bytes) {
   const std::lock_guard lock(mutex_);
   held_bytes_ = max_bytes;
   const auto views = get();
-  for (const PlayedViewPtr& view : *views) view->channel.hold(max_bytes);
+  for (const RelayedViewPtr& view : *views) view->channel.hold(max_bytes);
 }
 
 }  // namespace skerry::server

@@ -1,4 +1,4 @@
-// PlayedView: where the spokes of a recorded view leave the playback, as they were or drawn to
+// RelayedView: where the spokes of a recorded view leave the playback, as they were or drawn to
 // another reach.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include "protocol/wire/radar.pb.h"
 #include "server/core/latest.hpp"
 #include "server/core/video_channel.hpp"
-#include "server/playback/spoke_stamp.hpp"
+#include "server/relay/spoke_stamp.hpp"
 
 namespace skerry::server {
 
@@ -27,11 +27,11 @@ struct WantedReach {
 };
 
 // Thread: any, but for publish(), which is the playback's.
-class PlayedView {
+class RelayedView {
  public:
   // `source`: the recorded view whose spokes it shows.  `opened`: by a client, not recorded.
-  PlayedView(std::uint32_t view_number, std::uint32_t source_view, bool was_opened,
-             std::size_t ring_sectors)
+  RelayedView(std::uint32_t view_number, std::uint32_t source_view, bool was_opened,
+              std::size_t ring_sectors)
       : number(view_number), source(source_view), opened(was_opened), channel(ring_sectors) {}
 
   // Spokes of the source, which nobody else has, with the header's times as they are to be; gives
@@ -57,24 +57,24 @@ class PlayedView {
   std::atomic<std::uint64_t> spokes_{0};
   std::atomic<std::uint32_t> scan_{0};
 };
-using PlayedViewPtr = std::shared_ptr<PlayedView>;
-using PlayedViews = std::vector<PlayedViewPtr>;
+using RelayedViewPtr = std::shared_ptr<RelayedView>;
+using RelayedViews = std::vector<RelayedViewPtr>;
 
 // The views of one radar: those recorded, which stay, number 0 among them whatever was recorded;
 // and those that clients open, with numbers above.
 // Thread: any.  A view that has been closed lives on for whoever holds it, without new video.
-class PlayedViewList {
+class RelayedViewList {
  public:
   static constexpr std::size_t kMaxViews = 32;  // besides those recorded
 
   // `recorded`: ascending; `shared`: what number 0 shows.
-  PlayedViewList(const std::vector<std::uint32_t>& recorded, std::uint32_t shared,
-                 std::size_t ring_sectors);
+  RelayedViewList(const std::vector<std::uint32_t>& recorded, std::uint32_t shared,
+                  std::size_t ring_sectors);
 
-  std::shared_ptr<const PlayedViews> get() const { return views_.get(); }
-  PlayedViewPtr find(std::uint32_t number) const;
+  std::shared_ptr<const RelayedViews> get() const { return views_.get(); }
+  RelayedViewPtr find(std::uint32_t number) const;
   // A copy of view `like`; nullptr if there are as many as may be, or no such view.
-  PlayedViewPtr open(std::uint32_t like, const std::function<void(VideoChannel&)>& prepare);
+  RelayedViewPtr open(std::uint32_t like, const std::function<void(VideoChannel&)>& prepare);
   // No effect on what was recorded.
   void close(std::uint32_t number);
   // VideoChannel::hold() of all that are there and all that come.
@@ -85,7 +85,7 @@ class PlayedViewList {
   std::mutex mutex_;  // of changes
   std::uint32_t first_opened_ = 1, last_number_ = 0;
   std::size_t held_bytes_ = 1 << 20;
-  Latest<PlayedViews> views_;
+  Latest<RelayedViews> views_;
 };
 
 }  // namespace skerry::server

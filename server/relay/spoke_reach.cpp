@@ -1,4 +1,4 @@
-#include "server/playback/spoke_reach.hpp"
+#include "server/relay/spoke_reach.hpp"
 
 #include <algorithm>
 #include <cmath>

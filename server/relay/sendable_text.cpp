@@ -1,4 +1,4 @@
-#include "server/playback/sendable_text.hpp"
+#include "server/relay/sendable_text.hpp"
 
 #include "protocol/wire/utf8.hpp"
 

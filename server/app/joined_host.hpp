@@ -1,0 +1,58 @@
+// JoinedHost: simulated radars and real ones as the radars of one server.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/core/radar_host.hpp"
+#include "server/live/live_host.hpp"
+
+namespace skerry::server {
+
+// A real radar takes the place of the simulated one of its number, which goes to standby, or has
+// the number after the last.  The world and its ships are the simulation's; a ship all of whose
+// radars are real is no ship of it any more.
+// An exercise with real radars is recorded as video: there is nothing to make it again from.
+// Thread: as RadarHost.
+class JoinedHost final : public RadarHost {
+ public:
+  // Both must outlive it.
+  // Error: std::runtime_error if the numbers have gaps.
+  JoinedHost(RadarHost& simulated, LiveHost& live);
+
+  // Before the NetServer is made.
+  void set_recording(RecordingPort* recorder) { recorder_ = recorder; }
+  RecordingPort* recording() override { return recorder_; }
+
+  wire::Hello hello() const override;
+  std::uint32_t radar_count() const override { return count_; }
+  VideoChannelPtr find_channel(std::uint32_t radar, std::uint32_t view) override;
+  std::optional<std::uint32_t> open_view(
+      std::uint32_t radar, std::uint32_t like, bool follows,
+      const std::function<void(VideoChannel&)>& prepare) override;
+  void close_view(std::uint32_t radar, std::uint32_t view) override;
+  std::vector<View> views(std::uint32_t radar) override;
+  std::uint64_t views_version() const override;
+  BoardPortPtr find_board(std::uint32_t radar) override;
+  wire::Reply apply(const wire::Set& set, const std::string& origin) override;
+  std::vector<TrafficItem> traffic() const override;
+  std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
+  wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
+  wire::OwnShip own_ship(std::uint32_t radar) const override;
+  wire::World world() const override { return simulated_.world(); }
+  wire::Status status() const override;
+  std::uint64_t settings_version() const override;
+  std::uint64_t world_version() const override { return simulated_.world_version(); }
+
+ private:
+  RadarHost& of(std::uint32_t radar) const;
+
+  RadarHost& simulated_;
+  LiveHost& live_;
+  std::uint32_t count_;
+  RecordingPort* recorder_ = nullptr;
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,71 @@
+// LiveHost: real radars on the network in place of simulated ones.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/live/live_radar.hpp"
+#include "server/relay/relay_host.hpp"
+
+namespace skerry::server {
+
+// Its radars have the numbers that their sources say; other numbers are another host's.  Somebody
+// else receives: they give it every datagram, and the time.
+// The radars' own controls are not changed: a Set that asks for another value is refused, but for
+// the instrumented range of a view that was opened here.
+// Thread: take() and look() are one thread's, which gets the encoders' work too; the rest is any
+// thread's.
+class LiveHost final : public RelayHost {
+ public:
+  // Spokes of a sector at most, as those of simulated radars.
+  static constexpr std::size_t kMostSpokes = 16;
+
+  // Requires sources of different radars.
+  LiveHost(const std::vector<LiveSource>& sources, std::string server);
+
+  bool has(std::uint32_t radar) const { return radar < views_.size() && views_[radar]; }
+
+  // A datagram that came for a source; where to listen now, if there is more than before.
+  bool take(std::size_t source, const pcap::Datagram& datagram);
+  void look(std::size_t source, UtcTime now);
+  const LiveGroups& groups(std::size_t source) const { return inputs_[source]->radar.groups(); }
+
+  // Datagrams that nobody looked at, because there were too many.  Thread: any.
+  void count_dropped(std::size_t source, std::uint64_t datagrams);
+
+  wire::Hello hello() const override;
+  std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
+  wire::Status status() const override;
+
+ private:
+  struct Input {
+    explicit Input(const LiveSource& wanted) : source(wanted), radar(wanted) {}
+    const LiveSource source;
+    LiveRadar radar;  // of the thread that takes
+    UtcTime ship_told{};
+    std::atomic<std::uint64_t> datagrams{0}, refused{0}, dropped{0}, others{0};
+    std::atomic<std::uint32_t> from{0};  // the radar's IPv4 address; 0: none found
+    mutable std::mutex mutex;            // of what follows
+    wire::RadarInfo info;
+    std::optional<OwnShipFix> fix;  // not yet taken over
+  };
+  wire::Reply change(const wire::Set& set, const std::string& origin) override;
+  wire::RadarInfo info(std::uint32_t radar) const override;
+  UtcTime place() const override;
+
+  Input& of(std::uint32_t radar) const;
+  void give(Input& input, LiveRadar::News& news, UtcTime now);
+  void publish(Input& input, std::vector<Spoke>& spokes);
+  void tell_found(Input& input);
+  void tell_ship(Input& input, UtcTime now);
+
+  std::vector<std::unique_ptr<Input>> inputs_;
+  const std::string server_;
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,197 @@
+#include "server/net/live/live_inputs.hpp"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "server/net/common/asio.hpp"
+#include "server/net/common/output_socket.hpp"
+
+namespace skerry::server {
+namespace {
+
+UtcTime utc_now() {
+  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+}
+
+}  // namespace
+
+class LiveInputs::Impl {
+ public:
+  Impl(LiveHost& host, const std::vector<LiveSource>& sources) : host_(host), tick_(io_) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      ports_.push_back(std::make_unique<Port>(i, sources[i]));
+      try {
+        open(*ports_.back());
+      } catch (const std::runtime_error& problem) {
+        throw std::runtime_error(fmt::format("input {} of radar {} at {}: {}",
+                                             sources[i].kind->name, sources[i].radar,
+                                             sources[i].interface_address, problem.what()));
+      }
+    }
+  }
+  ~Impl() { stop(); }
+
+  void start() {
+    for (const auto& port : ports_) {
+      for (const auto& ear : port->ears) wait(*port, *ear);
+    }
+    tick();
+    thread_ = std::thread([this] {
+      pthread_setname_np(pthread_self(), "live");
+      try {
+        io_.run();
+      } catch (const std::exception& error) {
+        spdlog::critical("the thread of live radars ends: {}", error.what());
+        std::terminate();
+      }
+    });
+  }
+
+  void stop() {
+    if (!thread_.joinable()) return;
+    asio::post(io_, [this] {
+      closed_ = true;
+      tick_.cancel();
+      error_code ignored;
+      for (const auto& port : ports_) {
+        for (const auto& ear : port->ears) ear->socket.close(ignored);
+      }
+    });
+    thread_.join();
+  }
+
+ private:
+  // A socket for one group, or one port of this host.
+  struct Ear {
+    Ear(const Ipv4Endpoint& address, UdpSocket opened) : at(address), socket(std::move(opened)) {}
+    Ipv4Endpoint at;
+    UdpSocket socket;
+    bool rests = false;  // this window has had its datagrams
+  };
+  struct Port {
+    Port(std::size_t number, const LiveSource& from) : index(number), source(from) {}
+    std::size_t index;
+    LiveSource source;
+    std::vector<std::unique_ptr<Ear>> ears;
+    std::optional<UdpSocket> asking;
+    std::size_t left = kMost;
+  };
+
+  // What there is to listen to and is not yet.
+  void open(Port& port) {
+    error_code error;
+    const auto interface = asio::ip::make_address_v4(port.source.interface_address, error);
+    if (error) throw std::runtime_error("interface_address must be an IPv4 address of this host");
+    const LiveGroups& groups = host_.groups(port.index);
+    for (std::size_t i = port.ears.size(); i < groups.all().size(); ++i) {
+      const Ipv4Endpoint at = groups.all()[i];
+      port.ears.push_back(std::make_unique<Ear>(at, open_listening(io_, {at}, interface)));
+    }
+    if (!groups.questions().empty() && !port.asking) {
+      port.asking = open_sending(io_, interface, interface.is_loopback() ? 0 : 1);
+    }
+  }
+
+  void wait(Port& port, Ear& ear) {
+    ear.socket.async_wait(UdpSocket::wait_read, [this, &port, &ear](error_code error) {
+      if (!error && !closed_) read(port, ear);
+    });
+  }
+
+  void read(Port& port, Ear& ear) {
+    // Others on this thread have their turn in between.
+    constexpr int kAtOnce = 64;
+    bool more = false;
+    for (int i = 0; i < kAtOnce; ++i) {
+      if (port.left == 0) {
+        ear.rests = true;
+        break;
+      }
+      asio::ip::udp::endpoint from;
+      error_code error;
+      const std::size_t size = ear.socket.receive_from(asio::buffer(buffer_), from, 0, error);
+      if (error) break;
+      --port.left;
+      more |= host_.take(
+          port.index, {utc_now(), ipv4_endpoint_of(from), ear.at, std::span(buffer_).first(size)});
+    }
+    if (more) listen_to_more(port);
+    if (!ear.rests) wait(port, ear);
+  }
+
+  void listen_to_more(Port& port) {
+    const std::size_t before = port.ears.size();
+    try {
+      open(port);
+    } catch (const std::runtime_error& problem) {
+      spdlog::warn("input {} of radar {}: {}", port.source.kind->name, port.source.radar,
+                   problem.what());
+    }
+    for (std::size_t i = before; i < port.ears.size(); ++i) wait(port, *port.ears[i]);
+  }
+
+  void tick() {
+    const auto now = std::chrono::steady_clock::now();
+    const bool asks = now - asked_ >= kAskEvery;
+    if (asks) asked_ = now;
+    for (const auto& port : ports_) {
+      host_.look(port->index, utc_now());
+      port->left = kMost;
+      for (const auto& ear : port->ears) {
+        if (!ear->rests) continue;
+        ear->rests = false;
+        drop_waiting(*port, *ear);
+        wait(*port, *ear);
+      }
+      if (asks && port->asking) ask(*port);
+    }
+    tick_.expires_after(kWindow);
+    tick_.async_wait([this](error_code error) {
+      if (!error && !closed_) tick();
+    });
+  }
+
+  // Old video is worth nothing: what waits is counted and let go, a window's share at most.
+  void drop_waiting(Port& port, Ear& ear) {
+    std::uint64_t dropped = 0;
+    asio::ip::udp::endpoint from;
+    for (error_code error; dropped < kMost; ++dropped) {
+      ear.socket.receive_from(asio::buffer(buffer_), from, 0, error);
+      if (error) break;
+    }
+    host_.count_dropped(port.index, dropped);
+  }
+
+  void ask(Port& port) {
+    for (const LiveGroups::Question& question : host_.groups(port.index).questions()) {
+      error_code ignored;  // it is asked again
+      port.asking->send_to(asio::buffer(question.octets),
+                           {asio::ip::address_v4(question.to.address), question.to.port}, 0,
+                           ignored);
+    }
+  }
+
+  LiveHost& host_;
+  asio::io_context io_{1};
+  Timer tick_;
+  std::vector<std::unique_ptr<Port>> ports_;
+  std::array<std::uint8_t, 65536> buffer_{};
+  std::chrono::steady_clock::time_point asked_{};
+  bool closed_ = false;
+  std::thread thread_;
+};
+
+LiveInputs::LiveInputs(LiveHost& host, const std::vector<LiveSource>& sources)
+    : impl_(std::make_unique<Impl>(host, sources)) {}
+LiveInputs::~LiveInputs() = default;
+void LiveInputs::start() { impl_->start(); }
+void LiveInputs::stop() { impl_->stop(); }
+
+}  // namespace skerry::server

@@ -1,0 +1,169 @@
+// A server that takes real radars from the network: here the radars of another server, of every
+// make that it emulates.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/system/display_kit.hpp"
+#include "tests/system/receive.hpp"
+#include "tests/system/small_scenario.hpp"
+
+namespace skerry::system_test {
+namespace {
+
+using testing::HasSubstr;
+
+// A turn of a console as a display has it.
+std::vector<SeenSpoke> seen_by(const Scan& scan) {
+  std::vector<SeenSpoke> seen;
+  for (const auto& spoke : scan.spokes) {
+    if (!spoke) continue;
+    const SpokeHeader& header = spoke->header;
+    SeenSpoke one{static_cast<double>(header.index) / header.geometry.spokes_per_turn,
+                  header.reach().in_metres(),
+                  {}};
+    for (const std::uint8_t cell : spoke->cells) {
+      one.cells.push_back(
+          static_cast<std::uint8_t>(cell * 255u / ((1u << header.geometry.bits) - 1)));
+    }
+    seen.push_back(std::move(one));
+  }
+  return seen;
+}
+
+bool transmits(const wire::Status& status) {
+  return !status.radars(0).settings().standby() && status.radars(0).spokes() > 0;
+}
+
+// A server with a radar of some make at 127.0.0.71, and one that listens for it.
+struct Pair {
+  Pair(const std::string& kind, const std::string& keys,
+       const std::vector<std::string>& further = {})
+      : radar({"--scenario", folder.write("small.yaml", small_scenario()), "--output",
+               kind + ":interface_address=127.0.0.71" + keys}),
+        console(subscribed(radar, 0)),
+        relay(arguments(kind, further)),
+        display(subscribed(relay, 0)) {
+    found = await_status(display, transmits);
+  }
+  std::vector<std::string> arguments(const std::string& kind,
+                                     const std::vector<std::string>& further) {
+    std::vector<std::string> all = {"--scenario", folder.write("small.yaml", small_scenario()),
+                                    "--input", kind + ":from=127.0.0.71"};
+    all.insert(all.end(), further.begin(), further.end());
+    return all;
+  }
+  // The picture that is relayed is the radar's own.
+  void expect_likeness() {
+    const Likeness likeness = compare(seen_by(next_scan(display)), next_scan(console));
+    EXPECT_GT(likeness.strong, 1000u) << "an empty picture";
+    EXPECT_GT(likeness.confirmed, 0.9) << "of " << likeness.strong << " strong cells";
+  }
+
+  TempFolder folder;
+  RunningServer radar;
+  client::SpokeClient console;
+  RunningServer relay;
+  client::SpokeClient display;
+  wire::Status found;
+};
+
+class LiveInput : public testing::TestWithParam<const char*> {};
+
+TEST_P(LiveInput, ShowsTheRadarsPicture) {
+  Pair pair(GetParam(), "");
+  pair.expect_likeness();
+  // A Quantum's spokes reach 2.24 times its range, the native protocol's twice the scale at most.
+  const bool reaches_far = std::string(GetParam()) == "raymarine_quantum";
+  EXPECT_EQ(pair.found.radars(0).settings().range_nm(), reaches_far ? 12.0 : 6.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryMake, LiveInput,
+                         testing::Values("navico_br24", "navico_3g", "navico_4g", "navico_halo20",
+                                         "navico_halo", "garmin_xhd", "raymarine_quantum"),
+                         [](const auto& one) { return std::string(one.param); });
+
+// Its bearings are from north: the heading comes as sentences.
+TEST(LiveInputs, ACat240StreamIsShown) {
+  TempFolder folder;
+  const std::string scenario = folder.write("small.yaml", small_scenario());
+  RunningServer radar({"--scenario", scenario, "--output",
+                       "cat240:address=239.192.43.91,port=4391,interface_address=127.0.0.1",
+                       "--output", "nmea0183:port=10134"});
+  RunningServer relay({"--scenario", scenario, "--input", "cat240:address=239.192.43.91,port=4391",
+                       "--input", "nmea0183:port=10134"});
+  client::SpokeClient console = subscribed(radar, 0), display = subscribed(relay, 0);
+  await_status(display, [](const wire::Status& status) {
+    return transmits(status) && !status.radars(0).own_ship().no_heading();
+  });
+  next_scan(display);
+  const Likeness likeness = compare(seen_by(next_scan(display)), next_scan(console));
+  EXPECT_GT(likeness.confirmed, 0.9) << "of " << likeness.strong << " strong cells";
+}
+
+// Range changes at the radar, its standby, its death and its return; what its console may not.
+TEST(LiveInputs, FollowTheRadar) {
+  Pair pair("navico_halo", "");
+  const auto set = [&](const std::vector<std::string>& what) {
+    EXPECT_EQ(pair.radar.skerry("set", what).code, 0);
+  };
+  for (const double nm : {12.0, 3.0}) {
+    set({"--range", std::to_string(nm)});
+    await_status(pair.display, [nm](const wire::Status& status) {
+      return status.radars(0).settings().range_nm() == nm;
+    });
+    pair.expect_likeness();
+  }
+  set({"--gain", "80"});
+  await_status(pair.display, [](const wire::Status& status) {
+    return std::abs(status.radars(0).settings().gain() - 80.0) < 0.5;
+  });
+  set({"--transmit", "off"});
+  await_status(pair.display,
+               [](const wire::Status& status) { return status.radars(0).settings().standby(); });
+  set({"--transmit", "on"});
+  await_status(pair.display, transmits);
+  pair.expect_likeness();
+
+  const Ending refused = pair.relay.skerry("set", {"--gain", "20"});
+  EXPECT_NE(refused.code, 0);
+  EXPECT_THAT(refused.err, HasSubstr("real one"));
+  // The simulated radars beside it are as ever.
+  EXPECT_EQ(pair.relay.skerry("set", {"--radar", "1", "--gain", "20"}).code, 0);
+}
+
+// A HALO on a Garmin plotter, which is a third server here.
+TEST(LiveInputs, GoOutAsAnotherMake) {
+  Pair pair("navico_halo", "", {"--output", "garmin_xhd:interface_address=127.0.0.72"});
+  RunningServer plotter({"--scenario", pair.folder.write("third.yaml", small_scenario()), "--input",
+                         "garmin_xhd:from=127.0.0.72"});
+  client::SpokeClient screen = subscribed(plotter, 0);
+  await_status(screen, transmits);
+  const Likeness likeness = compare(seen_by(next_scan(screen)), next_scan(pair.console));
+  EXPECT_GT(likeness.strong, 1000u);
+  EXPECT_GT(likeness.confirmed, 0.9) << "of " << likeness.strong << " strong cells";
+}
+
+TEST(LiveInputs, OwnShipComesAsSentences) {
+  Pair pair("navico_br24", "", {"--input", "nmea0183:port=10133"});
+  RunningServer ship({"--scenario", pair.folder.write("ship.yaml", small_scenario()), "--output",
+                      "nmea0183:port=10133"});
+  const wire::Status status = await_status(pair.display, [](const wire::Status& now) {
+    return !now.radars(0).own_ship().no_position();
+  });
+  EXPECT_NEAR(status.radars(0).own_ship().latitude_deg(), 60.425, 0.05);
+}
+
+TEST(LiveInputs, OneThatWouldHearItselfIsRefused) {
+  const Ending ending =
+      run({skerryd_program(), "--check", "--output", "navico_4g", "--input", "navico_halo"});
+  EXPECT_EQ(ending.code, 2);
+  EXPECT_THAT(ending.err, HasSubstr("from=ADDRESS"));
+}
+
+}  // namespace
+}  // namespace skerry::system_test
