@@ -14,15 +14,15 @@ namespace {
 using captures::Family;
 
 constexpr std::array<LiveKind, 9> kKinds = {{
-    {"navico_br24", Family::navico, navico::Model::br24},
-    {"navico_3g", Family::navico, navico::Model::g3},
-    {"navico_4g", Family::navico, navico::Model::g4, true},
-    {"navico_halo20", Family::navico, navico::Model::halo20},
-    {"navico_halo", Family::navico, navico::Model::halo, true},
+    {"navico_br24", Family::navico, navico::Model::br24, false, true},
+    {"navico_3g", Family::navico, navico::Model::g3, false, true},
+    {"navico_4g", Family::navico, navico::Model::g4, true, true},
+    {"navico_halo20", Family::navico, navico::Model::halo20, false, true},
+    {"navico_halo", Family::navico, navico::Model::halo, true, true},
     {"garmin_xhd", Family::garmin},
     {"raymarine_quantum", Family::quantum},
     {"raymarine_rd", Family::rd},
-    {"cat240", Family::cat240, {}, false, true},
+    {"cat240", Family::cat240, {}, false, false, true},
 }};
 
 }  // namespace
@@ -46,6 +46,7 @@ LiveGroups::LiveGroups(const LiveSource& source) : source_(source) {
       add(navico::kLocatorGroup);
       add(navico::kHeadingGroup);
       for (const Ipv4Endpoint& group : navico::kSpeedGroups) add(group);
+      commands_ = (source.second_range ? navico::kAddressesB : navico::kAddressesA).send;
       questions_.push_back({navico::kLocatorGroup, navico::encode_locator_question()});
       break;
     case Family::garmin:
@@ -84,6 +85,7 @@ bool LiveGroups::hear(const pcap::Datagram& datagram) {
       more |= add(picture->data);
       more |= add(picture->report);
       const bool wanted = (instance == 2) == source_.second_range;
+      if (wanted && picture->send.is_multicast()) commands_ = picture->send;
       const auto known = std::find(others_.begin(), others_.end(), picture->data);
       if (wanted && known != others_.end()) others_.erase(known);
       if (!wanted && known == others_.end() && others_.size() < kMost) {

@@ -1,6 +1,7 @@
 // LiveGroups: where to listen for a radar, as far as it has told.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "protocol/pcap/capture_reader.hpp"
@@ -30,6 +31,8 @@ class LiveGroups {
     Bytes octets;
   };
   const std::vector<Question>& questions() const { return questions_; }
+  // Where the radar takes commands, as far as is known.
+  const std::optional<Ipv4Endpoint>& commands() const { return commands_; }
   // Announced radars that found no room.
   std::uint64_t left_out() const { return left_out_; }
 
@@ -40,6 +43,7 @@ class LiveGroups {
   std::vector<Ipv4Endpoint> all_;
   std::vector<Ipv4Endpoint> others_;  // pictures of the range that is not wanted
   std::vector<Question> questions_;
+  std::optional<Ipv4Endpoint> commands_;
   std::uint64_t left_out_ = 0;
 };
 

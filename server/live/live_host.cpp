@@ -10,6 +10,7 @@
 
 #include "protocol/quantity/speed.hpp"
 #include "protocol/recording/topics.hpp"
+#include "server/live/live_commands.hpp"
 
 namespace skerry::server {
 namespace {
@@ -50,6 +51,7 @@ LiveHost::LiveHost(const std::vector<LiveSource>& sources, std::string server)
     : RelayHost(views_of(sources)), server_(std::move(server)) {
   for (const LiveSource& source : sources) {
     inputs_.push_back(std::make_unique<Input>(source));
+    inputs_.back()->model = source.kind->model;
     wire::RadarInfo& info = inputs_.back()->info;
     info.set_radar(source.radar);
     info.set_name(std::string(source.kind->name));
@@ -136,6 +138,7 @@ void LiveHost::tell_found(Input& input) {
   {
     const std::lock_guard lock(input.mutex);
     input.info.set_name(picture.name);
+    input.model = picture.traits.model;
     input.info.set_spokes_per_turn(picture.traits.spokes_per_turn);
     input.info.set_cells(
         std::clamp(picture.cells, ScanGeometry::kMinCells, ScanGeometry::kMaxCells));
@@ -194,11 +197,45 @@ wire::Hello LiveHost::hello() const {
 }
 
 wire::Reply LiveHost::change(const wire::Set& set, const std::string& origin) {
-  spdlog::debug("{}: a change of the live radar {} was refused", origin, set.radar());
-  return reply_of(wire::Reply::REFUSED,
-                  fmt::format("radar {} is a real one that this server only listens to; set its "
-                              "controls at its own display",
-                              set.radar()));
+  Input& input = of(set.radar());
+  if (!input.source.commands) {
+    spdlog::debug("{}: a change of the live radar {} was refused", origin, set.radar());
+    return reply_of(wire::Reply::REFUSED,
+                    fmt::format("radar {} is a real one that this server only listens to; set its "
+                                "controls at its own display, or give the input commands=true",
+                                set.radar()));
+  }
+  const wire::Settings now = settings(set.radar(), set.view());
+  {
+    const std::lock_guard lock(input.mutex);
+    auto commands = navico_commands(input.model, set, now);
+    if (!commands) return reply_of(wire::Reply::REFUSED, commands.error());
+    if (input.orders.size() + commands->size() > kMostOrders) {
+      return reply_of(wire::Reply::REFUSED, "too many changes at once; try again");
+    }
+    for (Bytes& command : *commands) input.orders.push_back(std::move(command));
+  }
+  wire::Set told = set;
+  told.clear_token();
+  spdlog::info("radar {}: {} asks it for {}", set.radar(), origin, told.ShortDebugString());
+  if (wake_) wake_();
+  return reply_of(wire::Reply::OK);
+}
+
+LiveHost::Orders LiveHost::take_orders(std::size_t source, UtcTime now) {
+  Input& input = *inputs_[source];
+  Orders orders;
+  if (!input.source.commands || !input.radar.groups().commands()) return orders;
+  orders.to = *input.radar.groups().commands();
+  {
+    const std::lock_guard lock(input.mutex);
+    orders.commands = std::exchange(input.orders, {});
+  }
+  if (now - input.kept_alive >= kStayAliveEvery || now < input.kept_alive) {
+    input.kept_alive = now;
+    for (Bytes& each : navico_stay_alive()) orders.commands.push_back(std::move(each));
+  }
+  return orders;
 }
 
 std::optional<std::string> LiveHost::drive(std::uint32_t radar, const OwnShipFix& fix) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,8 +17,9 @@ namespace skerry::server {
 
 // Its radars have the numbers that their sources say; other numbers are another host's.  Somebody
 // else receives: they give it every datagram, and the time.
-// The radars' own controls are not changed: a Set that asks for another value is refused, but for
-// the instrumented range of a view that was opened here.
+// A radar whose source has `commands` is told what a Set asks for, and kept on the air; what comes
+// of it is seen when its reports say so.  The controls of others are not changed: a Set that asks
+// for another value is refused, but for the instrumented range of a view that was opened here.
 // Thread: take() and look() are one thread's, which gets the encoders' work too; the rest is any
 // thread's.
 class LiveHost final : public RelayHost {
@@ -35,6 +37,17 @@ class LiveHost final : public RelayHost {
   void look(std::size_t source, UtcTime now);
   const LiveGroups& groups(std::size_t source) const { return inputs_[source]->radar.groups(); }
 
+  // What is to be sent to the source's radar now, in this order: what was set, and that it is to
+  // stay on the air.  Nothing without `commands`, or while it is not known where to.
+  struct Orders {
+    Ipv4Endpoint to;
+    std::vector<Bytes> commands;
+  };
+  Orders take_orders(std::size_t source, UtcTime now);
+  static constexpr std::size_t kMostOrders = 256;  // that wait; more are refused
+  // Called whenever there is more to send.  Before any Set comes.
+  void on_order(std::function<void()> wake) { wake_ = std::move(wake); }
+
   // Datagrams that nobody looked at, because there were too many.  Thread: any.
   void count_dropped(std::size_t source, std::uint64_t datagrams);
 
@@ -47,12 +60,14 @@ class LiveHost final : public RelayHost {
     explicit Input(const LiveSource& wanted) : source(wanted), radar(wanted) {}
     const LiveSource source;
     LiveRadar radar;  // of the thread that takes
-    UtcTime ship_told{};
+    UtcTime ship_told{}, kept_alive{};
     std::atomic<std::uint64_t> datagrams{0}, refused{0}, dropped{0}, others{0};
     std::atomic<std::uint32_t> from{0};  // the radar's IPv4 address; 0: none found
     mutable std::mutex mutex;            // of what follows
     wire::RadarInfo info;
     std::optional<OwnShipFix> fix;  // not yet taken over
+    std::vector<Bytes> orders;      // not yet sent
+    navico::Model model = navico::Model::g4;
   };
   wire::Reply change(const wire::Set& set, const std::string& origin) override;
   wire::RadarInfo info(std::uint32_t radar) const override;
@@ -66,6 +81,7 @@ class LiveHost final : public RelayHost {
 
   std::vector<std::unique_ptr<Input>> inputs_;
   const std::string server_;
+  std::function<void()> wake_;
 };
 
 }  // namespace skerry::server

@@ -41,19 +41,19 @@ bool transmits(const wire::Status& status) {
 
 // A server with a radar of some make at 127.0.0.71, and one that listens for it.
 struct Pair {
-  Pair(const std::string& kind, const std::string& keys,
+  Pair(const std::string& kind, const std::string& input_keys,
        const std::vector<std::string>& further = {})
       : radar({"--scenario", folder.write("small.yaml", small_scenario()), "--output",
-               kind + ":interface_address=127.0.0.71" + keys}),
+               kind + ":interface_address=127.0.0.71"}),
         console(subscribed(radar, 0)),
-        relay(arguments(kind, further)),
+        relay(arguments(kind + ":from=127.0.0.71" + input_keys, further)),
         display(subscribed(relay, 0)) {
     found = await_status(display, transmits);
   }
-  std::vector<std::string> arguments(const std::string& kind,
+  std::vector<std::string> arguments(const std::string& input,
                                      const std::vector<std::string>& further) {
     std::vector<std::string> all = {"--scenario", folder.write("small.yaml", small_scenario()),
-                                    "--input", kind + ":from=127.0.0.71"};
+                                    "--input", input};
     all.insert(all.end(), further.begin(), further.end());
     return all;
   }
@@ -135,6 +135,44 @@ TEST(LiveInputs, FollowTheRadar) {
   // The simulated radars beside it are as ever.
   EXPECT_EQ(pair.relay.skerry("set", {"--radar", "1", "--gain", "20"}).code, 0);
 }
+
+// A console of the second server sets the radar's controls; the radar's own consoles see it.
+class LiveCommands : public testing::TestWithParam<const char*> {};
+
+TEST_P(LiveCommands, ReachTheRadar) {
+  Pair pair(GetParam(), ",commands=true,interface_address=127.0.0.71");
+  const auto await_settings = [](client::SpokeClient& of,
+                                 const std::function<bool(const wire::Settings&)>& condition) {
+    await_status(
+        of, [&](const wire::Status& status) { return condition(status.radars(0).settings()); });
+  };
+  const auto set = [&](const std::vector<std::string>& what) {
+    const Ending ending = pair.relay.skerry("set", what);
+    EXPECT_EQ(ending.code, 0) << ending.err;
+  };
+  set({"--range", "3", "--gain", "80"});
+  await_settings(pair.console, [](const wire::Settings& now) {
+    return now.range_nm() == 3.0 && std::abs(now.gain() - 80.0) < 0.5;
+  });
+  set({"--sea-auto", "on"});
+  await_settings(pair.console, [](const wire::Settings& now) { return now.sea_auto(); });
+  set({"--rain", "40", "--transmit", "off"});
+  await_settings(pair.console, [](const wire::Settings& now) {
+    return now.standby() && std::abs(now.rain() - 40.0) < 0.5;
+  });
+  await_settings(pair.display, [](const wire::Settings& now) { return now.standby(); });
+  set({"--transmit", "on"});
+  await_settings(pair.display, [](const wire::Settings& now) {
+    return !now.standby() && std::abs(now.gain() - 80.0) < 0.5;
+  });
+  const Ending refused = pair.relay.skerry("set", {"--tune", "20"});
+  EXPECT_NE(refused.code, 0);
+  EXPECT_THAT(refused.err, HasSubstr("has no control 'tune'"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Navico, LiveCommands,
+                         testing::Values("navico_br24", "navico_4g", "navico_halo"),
+                         [](const auto& one) { return std::string(one.param); });
 
 // A HALO on a Garmin plotter, which is a third server here.
 TEST(LiveInputs, GoOutAsAnotherMake) {

@@ -49,11 +49,13 @@ LiveSource live_source_of(const app::Input& input, const std::string& name) {
   source.kind = find_live_kind(app::Input::Kind_Name(input.kind()));
   if (source.kind == nullptr) throw std::runtime_error(name + ": no such radar is known");
   Keys keys = {"kind", "radar", "interface_address", "from"};
+  if (source.kind->has_commands) keys.push_back("commands");
   if (source.kind->has_second_range) keys.push_back("second_range");
   if (source.kind->has_address) keys.insert(keys.end(), {"address", "port"});
   require_keys(input, name, keys);
   source.radar = input.radar();
   source.second_range = input.second_range();
+  source.commands = input.commands();
   if (input.has_interface_address()) source.interface_address = input.interface_address();
   if (input.has_from()) {
     const auto from = ipv4_endpoint(input.from() + ":0");

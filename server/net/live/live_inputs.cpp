@@ -11,17 +11,10 @@
 #include <thread>
 
 #include "server/net/common/asio.hpp"
+#include "server/net/common/net_clock.hpp"
 #include "server/net/common/output_socket.hpp"
 
 namespace skerry::server {
-namespace {
-
-UtcTime utc_now() {
-  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
-}
-
-}  // namespace
-
 class LiveInputs::Impl {
  public:
   Impl(LiveHost& host, const std::vector<LiveSource>& sources) : host_(host), tick_(io_) {
@@ -39,6 +32,11 @@ class LiveInputs::Impl {
   ~Impl() { stop(); }
 
   void start() {
+    host_.on_order([this] {
+      asio::post(io_, [this] {
+        for (const auto& port : ports_) send_orders(*port);
+      });
+    });
     for (const auto& port : ports_) {
       for (const auto& ear : port->ears) wait(*port, *ear);
     }
@@ -94,7 +92,7 @@ class LiveInputs::Impl {
       const Ipv4Endpoint at = groups.all()[i];
       port.ears.push_back(std::make_unique<Ear>(at, open_listening(io_, {at}, interface)));
     }
-    if (!groups.questions().empty() && !port.asking) {
+    if ((!groups.questions().empty() || port.source.commands) && !port.asking) {
       port.asking = open_sending(io_, interface, interface.is_loopback() ? 0 : 1);
     }
   }
@@ -151,6 +149,7 @@ class LiveInputs::Impl {
         wait(*port, *ear);
       }
       if (asks && port->asking) ask(*port);
+      send_orders(*port);
     }
     tick_.expires_after(kWindow);
     tick_.async_wait([this](error_code error) {
@@ -175,6 +174,17 @@ class LiveInputs::Impl {
       port.asking->send_to(asio::buffer(question.octets),
                            {asio::ip::address_v4(question.to.address), question.to.port}, 0,
                            ignored);
+    }
+  }
+
+  void send_orders(Port& port) {
+    const LiveHost::Orders orders = host_.take_orders(port.index, utc_now());
+    for (const Bytes& command : orders.commands) {
+      error_code error;
+      port.asking->send_to(asio::buffer(command),
+                           {asio::ip::address_v4(orders.to.address), orders.to.port}, 0, error);
+      if (error)
+        spdlog::warn("radar {}: a command was not sent: {}", port.source.radar, error.message());
     }
   }
 

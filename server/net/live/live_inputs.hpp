@@ -11,8 +11,8 @@
 namespace skerry::server {
 
 // Listens to each source's groups on its interface, gives the host what comes, and every
-// kAskEvery asks radars of makes that announce themselves only when asked who is there: that is
-// all it sends.
+// kAskEvery asks radars of makes that announce themselves only when asked who is there.  To a radar
+// whose source has `commands` it sends the host's orders; nothing else leaves.
 // Bounded whatever comes: of each source at most kMost datagrams are looked at in every kWindow;
 // those beyond are counted and dropped.
 // Thread: its own, "live"; the functions are the owner's.
