@@ -134,7 +134,7 @@ Result<RecordedExercise, RecordingError> RecordedExercise::read(
   if (!any || exercise.scenario_yaml.empty()) {
     return wrong(
         "it has no inputs of an exercise: only what skerryd records of its own radars can be made "
-        "again, not captures and playbacks");
+        "again, not captures, playbacks and real radars");
   }
   if (auto fault = sorter.missing()) return wrong(*std::move(fault));
   std::stable_sort(exercise.world.begin(), exercise.world.end(),

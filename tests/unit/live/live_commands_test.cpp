@@ -9,6 +9,7 @@
 
 #include "protocol/navico/command.hpp"
 #include "protocol/video/range_scale.hpp"
+#include "protocol/wire/schema.hpp"
 #include "server/displays/navico/navico_controls.hpp"
 
 namespace skerry::server {
