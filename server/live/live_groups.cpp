@@ -19,8 +19,8 @@ constexpr std::array<LiveKind, 9> kKinds = {{
     {"navico_4g", Family::navico, navico::Model::g4, true, true},
     {"navico_halo20", Family::navico, navico::Model::halo20, false, true},
     {"navico_halo", Family::navico, navico::Model::halo, true, true},
-    {"garmin_xhd", Family::garmin},
-    {"raymarine_quantum", Family::quantum},
+    {"garmin_xhd", Family::garmin, {}, false, true},
+    {"raymarine_quantum", Family::quantum, {}, false, true},
     {"raymarine_rd", Family::rd},
     {"cat240", Family::cat240, {}, false, false, true},
 }};
@@ -98,6 +98,10 @@ bool LiveGroups::hear(const pcap::Datagram& datagram) {
                                                                         : raymarine::kAnalogueModel;
     const bool wanted = addresses && addresses->id.model == model;
     if (wanted && addresses->data.is_multicast()) more |= add(addresses->data);
+    // Only to the one that announces itself.
+    if (wanted && addresses->radar.address == datagram.from.address) commands_ = addresses->radar;
+  } else if (datagram.to == garmin::kReportAddress) {
+    commands_ = Ipv4Endpoint{datagram.from.address, garmin::kCommandPort};
   }
   return more;
 }

@@ -208,7 +208,7 @@ wire::Reply LiveHost::change(const wire::Set& set, const std::string& origin) {
   const wire::Settings now = settings(set.radar(), set.view());
   {
     const std::lock_guard lock(input.mutex);
-    auto commands = navico_commands(input.model, set, now);
+    auto commands = live_commands(*input.source.kind, input.model, set, now);
     if (!commands) return reply_of(wire::Reply::REFUSED, commands.error());
     if (input.orders.size() + commands->size() > kMostOrders) {
       return reply_of(wire::Reply::REFUSED, "too many changes at once; try again");
@@ -231,9 +231,10 @@ LiveHost::Orders LiveHost::take_orders(std::size_t source, UtcTime now) {
     const std::lock_guard lock(input.mutex);
     orders.commands = std::exchange(input.orders, {});
   }
-  if (now - input.kept_alive >= kStayAliveEvery || now < input.kept_alive) {
+  StayAlive alive = stay_alive_of(*input.source.kind);
+  if (now - input.kept_alive >= alive.every || now < input.kept_alive) {
     input.kept_alive = now;
-    for (Bytes& each : navico_stay_alive()) orders.commands.push_back(std::move(each));
+    for (Bytes& each : alive.packets) orders.commands.push_back(std::move(each));
   }
   return orders;
 }

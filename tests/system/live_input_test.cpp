@@ -170,8 +170,9 @@ TEST_P(LiveCommands, ReachTheRadar) {
   EXPECT_THAT(refused.err, HasSubstr("has no control 'tune'"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Navico, LiveCommands,
-                         testing::Values("navico_br24", "navico_4g", "navico_halo"),
+INSTANTIATE_TEST_SUITE_P(EveryMake, LiveCommands,
+                         testing::Values("navico_br24", "navico_4g", "navico_halo", "garmin_xhd",
+                                         "raymarine_quantum"),
                          [](const auto& one) { return std::string(one.param); });
 
 // A HALO on a Garmin plotter, which is a third server here.

@@ -7,16 +7,124 @@
 #include <cmath>
 #include <string>
 
+#include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/navico/command.hpp"
+#include "protocol/raymarine/quantum_command.hpp"
 #include "protocol/video/range_scale.hpp"
 #include "protocol/wire/schema.hpp"
+#include "server/displays/garmin/xhd_controls.hpp"
 #include "server/displays/navico/navico_controls.hpp"
+#include "server/displays/raymarine/quantum_controls.hpp"
 
 namespace skerry::server {
 namespace {
 
 using navico::Model;
 using testing::HasSubstr;
+
+void take(const wire::Set& change, wire::Settings& out) {
+  for (const auto* control : wire::fields_of(*wire::Controls::descriptor())) {
+    if (control->message_type() != nullptr) continue;
+    if (const auto value = wire::value_of(change, *control)) {
+      wire::put_value(out, *control, *value);
+    }
+  }
+  if (change.has_blanked_sectors()) *out.mutable_blanked_sectors() = change.blanked_sectors();
+}
+
+// What an emulated radar has after it obeyed.
+template <typename Controls, typename Decode>
+wire::Settings obeyed_by(Controls controls, const Commands& commands, Decode decode) {
+  wire::Settings out;
+  EXPECT_TRUE(commands.ok()) << commands.error();
+  if (!commands) return out;
+  controls.observe(out);
+  for (const Bytes& bytes : *commands) {
+    const auto command = decode(bytes);
+    EXPECT_TRUE(command.ok());
+    EXPECT_FALSE(command->clamped);
+    if (const auto change = controls.set_of(*command, out)) take(*change, out);
+    controls.accept(*command, out);
+  }
+  return out;
+}
+wire::Settings obeyed_by_xhd(const wire::Set& set) {
+  return obeyed_by(XhdControls(), garmin_commands(set, {}), garmin::decode_command);
+}
+wire::Settings obeyed_by_quantum(const wire::Set& set) {
+  return obeyed_by(QuantumControls(), quantum_commands(set, {}), raymarine::decode_quantum_command);
+}
+
+using Obeyed = wire::Settings (*)(const wire::Set&);
+struct Make {
+  const char* kind;
+  Obeyed obeyed;
+  double nearest_nm, farthest_nm;  // of its ranges, those that are scales of ours
+};
+class OtherCommands : public testing::TestWithParam<Make> {};
+
+TEST_P(OtherCommands, EveryLevelArrives) {
+  for (int percent = 0; percent <= 100; ++percent) {
+    wire::Set set;
+    set.set_gain_auto(false);
+    set.set_gain(percent);
+    set.set_sea_auto(false);
+    set.set_sea(percent);
+    set.set_rain(percent);
+    const wire::Settings out = GetParam().obeyed(set);
+    EXPECT_EQ(out.gain(), percent);
+    EXPECT_EQ(out.sea(), percent);
+    EXPECT_EQ(out.rain(), percent);
+  }
+}
+
+TEST_P(OtherCommands, EveryRangeArrivesOrIsRefused) {
+  for (const double nm : RangeScale::kNauticalMiles) {
+    wire::Set set;
+    set.set_range_nm(nm);
+    if (nm >= GetParam().nearest_nm && nm <= GetParam().farthest_nm) {
+      EXPECT_EQ(GetParam().obeyed(set).range_nm(), nm);
+    } else {
+      const auto commands = live_commands(*find_live_kind(GetParam().kind), {}, set, {});
+      ASSERT_FALSE(commands.ok()) << nm;
+      EXPECT_THAT(commands.error(), HasSubstr("allowed"));
+    }
+  }
+}
+
+TEST_P(OtherCommands, SwitchesAndInstallationArrive) {
+  wire::Set set;
+  set.set_gain_auto(true);
+  set.set_sea_auto(true);
+  set.set_interference_rejection(100);
+  set.set_bearing_alignment_deg(-12.5);
+  wire::Settings out = GetParam().obeyed(set);
+  EXPECT_TRUE(out.gain_auto());
+  EXPECT_TRUE(out.sea_auto());
+  EXPECT_EQ(out.interference_rejection(), 100);
+  EXPECT_EQ(out.bearing_alignment_deg(), -12.5);
+}
+
+TEST_P(OtherCommands, WhatItDoesNotHaveIsNamed) {
+  wire::Set set;
+  set.set_tune(30);
+  const auto commands = live_commands(*find_live_kind(GetParam().kind), {}, set, {});
+  ASSERT_FALSE(commands.ok());
+  EXPECT_THAT(commands.error(), HasSubstr("'tune'"));
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryMake, OtherCommands,
+                         testing::Values(Make{"garmin_xhd", obeyed_by_xhd, 0.125, 48.0},
+                                         Make{"raymarine_quantum", obeyed_by_quantum, 0.03, 64.0}),
+                         [](const auto& one) { return std::string(one.param.kind); });
+
+TEST(LiveCommands, ThoseThatOnlySendTakeNone) {
+  wire::Set set;
+  set.set_gain(1);
+  for (const LiveKind& kind : live_kinds()) {
+    EXPECT_EQ(live_commands(kind, kind.model, set, {}).ok(), kind.has_commands) << kind.name;
+  }
+}
 
 class NavicoCommands : public testing::TestWithParam<Model> {
  protected:
@@ -41,17 +149,6 @@ class NavicoCommands : public testing::TestWithParam<Model> {
       controls.observe(out);
     }
     return out;
-  }
-
- private:
-  static void take(const wire::Set& change, wire::Settings& out) {
-    for (const wire::FieldDescriptor* control : wire::fields_of(*wire::Controls::descriptor())) {
-      if (control->message_type() != nullptr) continue;
-      if (const auto value = wire::value_of(change, *control)) {
-        wire::put_value(out, *control, *value);
-      }
-    }
-    if (change.has_blanked_sectors()) *out.mutable_blanked_sectors() = change.blanked_sectors();
   }
 };
 

@@ -46,6 +46,7 @@ TEST(LiveGroups, AHalosAreThoseThatItsLocatorTells) {
     EXPECT_THAT(groups.all(),
                 Not(Contains(addresses(last).send)));  // commands are not its business
   }
+  EXPECT_EQ(groups.commands(), addresses(10).send);
   EXPECT_TRUE(groups.is_picture(addresses(10).data));
   EXPECT_FALSE(groups.is_picture(addresses(20).data));
   EXPECT_FALSE(hear(groups, navico::kLocatorGroup, locator(10, 20)));  // nothing new
@@ -69,6 +70,12 @@ TEST(LiveGroups, AQuantumsAreAnnouncedAndOtherDevicesAreNot) {
   EXPECT_FALSE(hear(groups, raymarine::kLocatorAddress, packet(raymarine::kAnalogueModel)));
   EXPECT_TRUE(hear(groups, raymarine::kLocatorAddress, packet(raymarine::kQuantumModel)));
   EXPECT_THAT(groups.all(), Contains(data));
+  EXPECT_EQ(groups.commands(), radar);
+  // One that announces another's address is not told anything.
+  hear(groups, raymarine::kLocatorAddress,
+       raymarine::encode_locator_addresses(
+           {{7, raymarine::kQuantumModel}, data, {ipv4(192, 0, 2, 99), 2575}}));
+  EXPECT_EQ(groups.commands(), radar);
 }
 
 TEST(LiveGroups, AFloodOfLocatorsIsBounded) {
