@@ -24,6 +24,8 @@ constexpr double kFast = 4.0;
 // Between two rounds of a very short recording.
 constexpr Duration kShortestRound = std::chrono::milliseconds(100);
 constexpr double kHeaderBytes = 100.0;
+// The most of all makes: 2048 spokes of 536 octets, and the frames' headers.
+constexpr double kEmulatedTurnBytes = 1.2e6;
 
 std::vector<OwnSpokePtr> copies_of(const std::vector<OwnSpokePtr>& spokes) {
   std::vector<OwnSpokePtr> copies;
@@ -348,11 +350,16 @@ std::uint64_t Player::joins() const {
 void Player::hold_enough(double rate) {
   for (std::size_t radar = 0; radar < views_.size(); ++radar) {
     const wire::RadarInfo& info = radars_.radars[radar].info;
-    const double spoke_bytes = info.cells() * info.bits() / 8.0 + kHeaderBytes;
-    const double spokes = info.spokes_per_turn() * info.rpm() / 60.0 * rate * in_seconds(kHeld);
-    views_[radar]->hold(static_cast<std::size_t>(std::clamp(
-        spokes * spoke_bytes, static_cast<double>(kLeastHeld), static_cast<double>(kMostHeld))));
+    views_[radar]->hold(held_bytes(info, rate));
   }
+}
+
+std::size_t Player::held_bytes(const wire::RadarInfo& info, double rate) {
+  const double spoke_bytes = info.cells() * info.bits() / 8.0 + kHeaderBytes;
+  const double turn_bytes = std::max(info.spokes_per_turn() * spoke_bytes, kEmulatedTurnBytes);
+  const double turns = info.rpm() / 60.0 * rate * in_seconds(kHeld);
+  return static_cast<std::size_t>(std::clamp(turn_bytes * turns, static_cast<double>(kLeastHeld),
+                                             static_cast<double>(kMostHeld)));
 }
 
 void Player::note_faults() {

@@ -67,6 +67,9 @@ class Player {
   static constexpr Duration kHeld = std::chrono::milliseconds(500);
   static constexpr std::size_t kLeastHeld = 1 << 20, kMostHeld = 64 << 20;  // bytes of a format
   static constexpr std::size_t kRingSectors = 4096;
+  // Octets of a format that are kHeld of such a radar at that rate, whatever the format: a spoke's
+  // own, or a turn of an emulated radar's, which may have more spokes than were recorded.
+  static std::size_t held_bytes(const wire::RadarInfo& info, double rate);
 
   using RadarViews = std::vector<std::unique_ptr<RelayedViewList>>;  // by played radar
 
