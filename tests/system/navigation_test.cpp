@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -52,8 +53,11 @@ targets:
 
 class NavigationOutputs : public testing::Test {
  protected:
-  // A server with these outputs and inputs, in YAML.
+  // A server with these outputs and inputs, in YAML, whose sensors are exact.
   std::unique_ptr<RunningServer> served(const std::string& config) {
+    return served_as(config + "exact_sensors: true\n");
+  }
+  std::unique_ptr<RunningServer> served_as(const std::string& config) {
     return std::make_unique<RunningServer>(
         std::vector<std::string>{"--scenario", folder_.write("scenario.yaml", kScenario),
                                  "--config", folder_.write("server.yaml", config)});
@@ -188,6 +192,24 @@ TEST_F(NavigationOutputs, AreReadByGpsdWithTheRightValues) {
 }
 
 // Those that gpsd does not know.
+// Unless told otherwise own ship is as real sensors tell of her: never twice the same.
+TEST_F(NavigationOutputs, HaveTheErrorsOfSensors) {
+  const auto server = served_as("outputs:\n  - kind: nmea0183\n    port: " + port() +
+                                "\n    sentences: [hdt=0.2]\n");
+  const std::string text =
+      heard_until([](const std::string& all) { return count(all, "HDT,") >= 20; });
+  std::set<double> headings;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto sentence = nmea::parse_sentence(line);
+    if (!sentence || sentence->formatter != "HDT") continue;
+    const double heading = nmea::decode_hdt(*sentence).value().heading_deg.value();
+    EXPECT_NEAR(heading, 335.0, 0.5);
+    headings.insert(heading);
+  }
+  EXPECT_GE(headings.size(), 3u);  // of tenths of a degree
+}
+
 TEST_F(NavigationOutputs, AreReadByPynmea2WithTheRightValues) {
   if (::access("/usr/lib/python3/dist-packages/pynmea2/__init__.py", R_OK) != 0) {
     GTEST_SKIP() << "pynmea2 is not installed: apt-get install python3-nmea2";

@@ -70,7 +70,8 @@ struct CommandLine {
   ServerConfig config;
   std::string config_file, log_level = "info", verify, verify_video;
   std::vector<std::string> udp, cat240, sweeps, outputs, inputs;
-  bool no_udp = false, no_cat240 = false, no_signalk = false, print_ports = false, check = false;
+  bool no_udp = false, no_cat240 = false, no_signalk = false, exact_sensors = false,
+       print_ports = false, check = false;
 };
 
 void add_options(CLI::App& cli, CommandLine& line) {
@@ -104,6 +105,9 @@ void add_options(CLI::App& cli, CommandLine& line) {
                  in_lines("KIND:key=value,...: nmea0183, to move own ship from outside; or a real "
                           "radar on the network, in place of the simulated one of its number: " +
                           names_of(live_kinds())));
+  cli.add_flag("--exact-sensors", line.exact_sensors,
+               "own ship's heading, course, speed and position without a sensor's small errors, in "
+               "NMEA and Signal K");
   cli.add_flag("--no-signalk", line.no_signalk, "no Signal K on the HTTP port");
   cli.add_flag("--no-udp", line.no_udp, "no native datagrams");
   cli.add_flag("--no-cat240", line.no_cat240, "no CAT240");
@@ -135,6 +139,7 @@ void complete(CommandLine& line) {
   for (const std::string& text : line.sweeps) *config.add_sweeps() = parse_destination(text);
   for (const std::string& text : line.outputs) *config.add_outputs() = parse_output(text);
   for (const std::string& text : line.inputs) *config.add_inputs() = parse_input(text);
+  if (line.exact_sensors) config.set_exact_sensors(true);
   if (line.no_signalk) config.mutable_signalk()->set_serve(false);
   if (line.verify.empty() && !line.verify_video.empty()) {
     throw std::runtime_error("--video: of which recording? give it with --verify FILE");
@@ -218,6 +223,7 @@ Options options_of(const ServerConfig& config) {
   add_outputs(config, net);
   add_inputs(config, net);
   options.live = live_sources(config);
+  net.sensors = config.exact_sensors() ? SensorErrors::none() : SensorErrors{};
   options.playback = playback_options(config.playback());
   options.recorder = recorder_config(config.recorder());
   return options;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/signalk/documents.hpp"
+#include "server/navigation/ship_sensors.hpp"
 #include "server/net/common/navigation_config.hpp"
 #include "server/net/common/output_config.hpp"
 
@@ -38,6 +39,8 @@ struct NetConfig {
   std::vector<DisplayOutputConfig> displays;
   std::vector<NavigationOutputConfig> navigation_outputs;
   std::vector<NavigationInputConfig> navigation_inputs;
+  // Of simulated own ships, in sentences and Signal K; of a playback none are added.
+  SensorErrors sensors = SensorErrors::none();
 
   // The token that a Set from another host must carry; empty: a Set from another host is refused.
   std::string control_token;

@@ -191,6 +191,11 @@ void NetContext::tell_recordings(std::chrono::steady_clock::time_point now) {
   }
 }
 
+wire::OwnShip NetContext::sensed_own_ship(std::uint32_t radar) const {
+  const wire::OwnShip ship = host.own_ship(radar);
+  return host.playback() == nullptr ? sensed(ship, config.sensors) : ship;
+}
+
 wire::Hello NetContext::hello() const {
   wire::Hello hello = host.hello();
   hello.set_can_record(host.recording() != nullptr);

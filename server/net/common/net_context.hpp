@@ -102,6 +102,9 @@ class NetContext {
   // Sends OwnShip to all readers.
   void tell_own_ships();
 
+  // Own ship as her sensors tell of her: in sentences and Signal K.
+  wire::OwnShip sensed_own_ship(std::uint32_t radar) const;
+
   // The host's, with what the network does for it.
   wire::Hello hello() const;
   RecordingNews::Frames recording_frames() const { return recording_news_.all(); }

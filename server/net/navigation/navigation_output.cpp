@@ -64,8 +64,9 @@ std::vector<Bytes> packed(const std::vector<std::string>& lines) {
 
 class NavigationOutput::World final : public NavigationWorld {
  public:
-  World(const RadarHost& host, std::uint32_t radar) : host_(host), radar_(radar) {}
-  wire::OwnShip own_ship() const override { return host_.own_ship(radar_); }
+  World(const NetContext& context, std::uint32_t radar)
+      : context_(context), host_(context.host), radar_(radar) {}
+  wire::OwnShip own_ship() const override { return context_.sensed_own_ship(radar_); }
   wire::Settings settings() const override { return host_.settings(radar_, 0); }
   std::vector<TrafficItem> traffic() const override {
     std::vector<TrafficItem> all = host_.traffic();
@@ -76,6 +77,7 @@ class NavigationOutput::World final : public NavigationWorld {
   }
 
  private:
+  const NetContext& context_;
   const RadarHost& host_;
   std::uint32_t radar_;
 };
@@ -83,7 +85,7 @@ class NavigationOutput::World final : public NavigationWorld {
 NavigationOutput::NavigationOutput(NetContext& context, const NavigationOutputConfig& config)
     : context_(context),
       config_(config),
-      world_(std::make_shared<const World>(context.host, config.radar)),
+      world_(std::make_shared<const World>(context, config.radar)),
       talker_(config.plan),
       encoder_(config.source),
       socket_(context.io),

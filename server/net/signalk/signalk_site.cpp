@@ -77,7 +77,7 @@ SignalkSite::Mounted* SignalkSite::find(std::string_view id) {
 }
 
 signalk::OwnShip SignalkSite::own_ship() const {
-  const wire::OwnShip ship = context_.host.own_ship(first_radar_);
+  const wire::OwnShip ship = context_.sensed_own_ship(first_radar_);
   signalk::OwnShip told{.name = ship.name(), .position = wire::place_known_of(ship)};
   if (!ship.no_heading()) told.heading_deg = ship.heading_deg();
   if (ship.no_motion()) return told;
