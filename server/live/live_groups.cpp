@@ -36,18 +36,28 @@ const LiveKind* find_live_kind(std::string_view name) {
 }
 
 LiveGroups::LiveGroups(const LiveSource& source) : source_(source) {
-  switch (source.kind->family) {
+  if (source.kind->family == Family::navico) {
+    questions_.push_back({navico::kLocatorGroup, navico::encode_locator_question()});
+  }
+  begin_anew();
+}
+
+void LiveGroups::begin_anew() {
+  all_.clear();
+  others_.clear();
+  switch (source_.kind->family) {
     case Family::navico:
       for (const navico::Addresses& range : {navico::kAddressesA, navico::kAddressesB}) {
         add(range.data);
         add(range.report);
       }
-      others_.push_back(source.second_range ? navico::kAddressesA.data : navico::kAddressesB.data);
+      others_.push_back(source_.second_range ? navico::kAddressesA.data : navico::kAddressesB.data);
       add(navico::kLocatorGroup);
       add(navico::kHeadingGroup);
       for (const Ipv4Endpoint& group : navico::kSpeedGroups) add(group);
-      commands_ = (source.second_range ? navico::kAddressesB : navico::kAddressesA).send;
-      questions_.push_back({navico::kLocatorGroup, navico::encode_locator_question()});
+      if (!commands_) {
+        commands_ = (source_.second_range ? navico::kAddressesB : navico::kAddressesA).send;
+      }
       break;
     case Family::garmin:
       add(garmin::kReportAddress);
@@ -58,7 +68,7 @@ LiveGroups::LiveGroups(const LiveSource& source) : source_(source) {
       add(raymarine::kLocatorAddress);
       break;
     case Family::cat240:
-      if (source.at) add(*source.at);
+      if (source_.at) add(*source_.at);
       break;
   }
 }

@@ -21,6 +21,9 @@ class LiveGroups {
 
   // Whether there is more to listen to now.
   bool hear(const pcap::Datagram& datagram);
+  // Forgets the groups that locators announced: a radar may come back with others.  Commands go
+  // where they went until it says another place.
+  void begin_anew();
   const std::vector<Ipv4Endpoint>& all() const { return all_; }
   // Whether a picture that goes there is the source's: range A or B of a radar with two, anything
   // else of the others.

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kRingSectors = 4096;
 constexpr std::size_t kHeldBytes = 8u << 20;  // of a format, for slow readers
+constexpr std::chrono::seconds kTellEvery{1};
 constexpr Duration kOwnShipEvery = std::chrono::seconds(1);
 // Until the radar has been heard.
 constexpr std::uint32_t kUsualSpokes = 2048, kUsualCells = 1024, kUsualBits = 4;
@@ -90,7 +91,7 @@ bool LiveHost::take(std::size_t source, const pcap::Datagram& datagram) {
   return news.groups;
 }
 
-void LiveHost::look(std::size_t source, UtcTime now) {
+bool LiveHost::look(std::size_t source, UtcTime now) {
   Input& input = *inputs_[source];
   std::optional<OwnShipFix> fix;
   {
@@ -109,9 +110,11 @@ void LiveHost::look(std::size_t source, UtcTime now) {
   LiveRadar::News news;
   input.radar.look(now, news);
   give(input, news, now);
+  return news.groups;
 }
 
 void LiveHost::give(Input& input, LiveRadar::News& news, UtcTime now) {
+  input.has_commands.store(input.radar.groups().commands().has_value(), std::memory_order_relaxed);
   input.others.store(input.radar.others(), std::memory_order_relaxed);
   if (!news.refusal.empty()) {
     input.refused.fetch_add(1, std::memory_order_relaxed);
@@ -205,6 +208,12 @@ wire::Reply LiveHost::change(const wire::Set& set, const std::string& origin) {
                                 "controls at its own display, or give the input commands=true",
                                 set.radar()));
   }
+  if (!input.has_commands.load(std::memory_order_relaxed)) {
+    return reply_of(wire::Reply::REFUSED,
+                    fmt::format("radar {} has not been heard yet: it is not known where it takes "
+                                "commands; skerry status shows what comes in",
+                                set.radar()));
+  }
   const wire::Settings now = settings(set.radar(), set.view());
   {
     const std::lock_guard lock(input.mutex);
@@ -214,10 +223,19 @@ wire::Reply LiveHost::change(const wire::Set& set, const std::string& origin) {
       return reply_of(wire::Reply::REFUSED, "too many changes at once; try again");
     }
     for (Bytes& command : *commands) input.orders.push_back(std::move(command));
+    // A knob that is turned is one line a second.
+    const auto moment = std::chrono::steady_clock::now();
+    if (moment - input.told < kTellEvery) {
+      ++input.untold;
+    } else {
+      input.told = moment;
+      wire::Set told = set;
+      told.clear_token();
+      spdlog::info("radar {}: {} asks it for {}{}", set.radar(), origin, told.ShortDebugString(),
+                   input.untold == 0 ? "" : fmt::format(" ({} changes before)", input.untold));
+      input.untold = 0;
+    }
   }
-  wire::Set told = set;
-  told.clear_token();
-  spdlog::info("radar {}: {} asks it for {}", set.radar(), origin, told.ShortDebugString());
   if (wake_) wake_();
   return reply_of(wire::Reply::OK);
 }

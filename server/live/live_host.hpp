@@ -32,9 +32,9 @@ class LiveHost final : public RelayHost {
 
   bool has(std::uint32_t radar) const { return radar < views_.size() && views_[radar]; }
 
-  // A datagram that came for a source; where to listen now, if there is more than before.
+  // A datagram that came for a source, or the time; whether groups() is another now.
   bool take(std::size_t source, const pcap::Datagram& datagram);
-  void look(std::size_t source, UtcTime now);
+  bool look(std::size_t source, UtcTime now);
   const LiveGroups& groups(std::size_t source) const { return inputs_[source]->radar.groups(); }
 
   // What is to be sent to the source's radar now, in this order: what was set, and that it is to
@@ -45,7 +45,7 @@ class LiveHost final : public RelayHost {
   };
   Orders take_orders(std::size_t source, UtcTime now);
   static constexpr std::size_t kMostOrders = 256;  // that wait; more are refused
-  // Called whenever there is more to send.  Before any Set comes.
+  // `wake` is called whenever there is more to send.  Before any Set comes.
   void on_order(std::function<void()> wake) { wake_ = std::move(wake); }
 
   // Datagrams that nobody looked at, because there were too many.  Thread: any.
@@ -62,12 +62,15 @@ class LiveHost final : public RelayHost {
     LiveRadar radar;  // of the thread that takes
     UtcTime ship_told{}, kept_alive{};
     std::atomic<std::uint64_t> datagrams{0}, refused{0}, dropped{0}, others{0};
-    std::atomic<std::uint32_t> from{0};  // the radar's IPv4 address; 0: none found
-    mutable std::mutex mutex;            // of what follows
+    std::atomic<bool> has_commands{false};  // it is known where to
+    std::atomic<std::uint32_t> from{0};     // the radar's IPv4 address; 0: none found
+    mutable std::mutex mutex;               // of what follows
     wire::RadarInfo info;
     std::optional<OwnShipFix> fix;  // not yet taken over
     std::vector<Bytes> orders;      // not yet sent
     navico::Model model = navico::Model::g4;
+    std::chrono::steady_clock::time_point told{};  // the last line of the log about changes
+    std::uint64_t untold = 0;                      // since
   };
   wire::Reply change(const wire::Set& set, const std::string& origin) override;
   wire::RadarInfo info(std::uint32_t radar) const override;

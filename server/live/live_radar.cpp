@@ -31,6 +31,8 @@ void LiveRadar::take(const pcap::Datagram& datagram, News& news) {
     return;
   }
   hold(datagram, key.has_value());
+  // A clock that was set back begins the survey anew.
+  if (since_) since_ = std::min(*since_, datagram.time);
   const bool enough = since_ && datagram.time - *since_ >= kSurvey;
   if (enough || held_bytes_ >= kMostHeld) adopt(news);
 }
@@ -40,10 +42,13 @@ void LiveRadar::look(UtcTime now, News& news) {
     if (since_ && now - *since_ >= kSurvey) adopt(news);
     return;
   }
+  heard_ = std::min(heard_, now);  // as a clock that was set back says
   if (now - heard_ < kSilence) return;
   settings_.set_standby(true);
   news.settings = true;
   news.lost = true;
+  groups_.begin_anew();
+  news.groups = true;
   look_anew();
 }
 
@@ -123,7 +128,7 @@ void LiveRadar::decode(const pcap::Datagram& datagram, News& news) {
     if (each.heading) heading_ = each.heading;
     fitter_->take(std::move(each), ship_, news.spokes);
   }
-  heard_ = std::max(heard_, datagram.time);
+  heard_ = datagram.time;
   // A datagram that comes late, across the bow, does not make turns go back.
   for (std::size_t i = before; i < news.spokes.size(); ++i) {
     SpokeHeader& header = news.spokes[i].header;
@@ -134,7 +139,8 @@ void LiveRadar::decode(const pcap::Datagram& datagram, News& news) {
 }
 
 void LiveRadar::hear(const pcap::Datagram& datagram, News& news) {
-  decoder_->hear(datagram);
+  // Own ship's data come from other devices, too.
+  if (datagram.from.address == picture_->traits.key.from) decoder_->hear(datagram);
   ship_.hear(datagram);
   tell_settings(news);
 }

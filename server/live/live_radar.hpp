@@ -39,7 +39,7 @@ class LiveRadar {
     std::vector<Spoke> spokes;
     bool anew = false;      // it found a radar: spokes count from 0 again
     bool settings = false;  // settings() has changed
-    bool groups = false;    // groups().all() has grown
+    bool groups = false;    // groups().all() is another
     bool lost = false;      // nothing came for kSilence
     std::string refusal;    // the datagram could not be read
   };

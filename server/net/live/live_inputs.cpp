@@ -4,9 +4,11 @@
 #include <pthread.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
-#include <map>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -18,6 +20,11 @@ namespace skerry::server {
 class LiveInputs::Impl {
  public:
   Impl(LiveHost& host, const std::vector<LiveSource>& sources) : host_(host), tick_(io_) {
+    host.on_order([this] {
+      asio::post(io_, [this] {
+        for (const auto& port : ports_) send_orders(*port);
+      });
+    });
     for (std::size_t i = 0; i < sources.size(); ++i) {
       ports_.push_back(std::make_unique<Port>(i, sources[i]));
       try {
@@ -32,13 +39,8 @@ class LiveInputs::Impl {
   ~Impl() { stop(); }
 
   void start() {
-    host_.on_order([this] {
-      asio::post(io_, [this] {
-        for (const auto& port : ports_) send_orders(*port);
-      });
-    });
     for (const auto& port : ports_) {
-      for (const auto& ear : port->ears) wait(*port, *ear);
+      for (const EarPtr& ear : port->ears) wait(*port, ear);
     }
     tick();
     thread_ = std::thread([this] {
@@ -72,38 +74,56 @@ class LiveInputs::Impl {
     Ipv4Endpoint at;
     UdpSocket socket;
     bool rests = false;  // this window has had its datagrams
+    bool waits = false;  // for more
   };
+  using EarPtr = std::shared_ptr<Ear>;  // its handlers hold it
   struct Port {
     Port(std::size_t number, const LiveSource& from) : index(number), source(from) {}
     std::size_t index;
     LiveSource source;
-    std::vector<std::unique_ptr<Ear>> ears;
+    std::vector<EarPtr> ears;
     std::optional<UdpSocket> asking;
     std::size_t left = kMost;
   };
 
-  // What there is to listen to and is not yet.
+  // Listens to what the host's groups are now, and to nothing else; what is new stands last.
   void open(Port& port) {
     error_code error;
     const auto interface = asio::ip::make_address_v4(port.source.interface_address, error);
     if (error) throw std::runtime_error("interface_address must be an IPv4 address of this host");
     const LiveGroups& groups = host_.groups(port.index);
-    for (std::size_t i = port.ears.size(); i < groups.all().size(); ++i) {
-      const Ipv4Endpoint at = groups.all()[i];
-      port.ears.push_back(std::make_unique<Ear>(at, open_listening(io_, {at}, interface)));
+    std::erase_if(port.ears, [&](const EarPtr& ear) {
+      const bool gone = !contains(groups.all(), ear->at);
+      error_code ignored;
+      if (gone) ear->socket.close(ignored);
+      return gone;
+    });
+    for (const Ipv4Endpoint& at : groups.all()) {
+      const bool known = std::any_of(port.ears.begin(), port.ears.end(),
+                                     [&](const EarPtr& ear) { return ear->at == at; });
+      if (!known) {
+        port.ears.push_back(std::make_shared<Ear>(at, open_listening(io_, {at}, interface)));
+      }
     }
     if ((!groups.questions().empty() || port.source.commands) && !port.asking) {
       port.asking = open_sending(io_, interface, interface.is_loopback() ? 0 : 1);
     }
   }
 
-  void wait(Port& port, Ear& ear) {
-    ear.socket.async_wait(UdpSocket::wait_read, [this, &port, &ear](error_code error) {
-      if (!error && !closed_) read(port, ear);
+  static bool contains(const std::vector<Ipv4Endpoint>& all, const Ipv4Endpoint& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  }
+
+  void wait(Port& port, const EarPtr& ear) {
+    ear->waits = true;
+    ear->socket.async_wait(UdpSocket::wait_read, [this, &port, ear](error_code error) {
+      ear->waits = false;
+      if (!error && !closed_ && ear->socket.is_open()) read(port, ear);
     });
   }
 
-  void read(Port& port, Ear& ear) {
+  void read(Port& port, const EarPtr& held) {
+    Ear& ear = *held;
     // Others on this thread have their turn in between.
     constexpr int kAtOnce = 64;
     bool more = false;
@@ -120,19 +140,20 @@ class LiveInputs::Impl {
       more |= host_.take(
           port.index, {utc_now(), ipv4_endpoint_of(from), ear.at, std::span(buffer_).first(size)});
     }
-    if (more) listen_to_more(port);
-    if (!ear.rests) wait(port, ear);
+    if (more) listen_anew(port);
+    if (!ear.rests && ear.socket.is_open() && !ear.waits) wait(port, held);
   }
 
-  void listen_to_more(Port& port) {
-    const std::size_t before = port.ears.size();
+  void listen_anew(Port& port) {
     try {
       open(port);
     } catch (const std::runtime_error& problem) {
       spdlog::warn("input {} of radar {}: {}", port.source.kind->name, port.source.radar,
                    problem.what());
     }
-    for (std::size_t i = before; i < port.ears.size(); ++i) wait(port, *port.ears[i]);
+    for (const EarPtr& ear : port.ears) {
+      if (!ear->waits && !ear->rests) wait(port, ear);
+    }
   }
 
   void tick() {
@@ -140,14 +161,14 @@ class LiveInputs::Impl {
     const bool asks = now - asked_ >= kAskEvery;
     if (asks) asked_ = now;
     for (const auto& port : ports_) {
-      host_.look(port->index, utc_now());
       port->left = kMost;
-      for (const auto& ear : port->ears) {
+      for (const EarPtr& ear : port->ears) {
         if (!ear->rests) continue;
         ear->rests = false;
         drop_waiting(*port, *ear);
-        wait(*port, *ear);
+        wait(*port, ear);
       }
+      if (host_.look(port->index, utc_now())) listen_anew(*port);
       if (asks && port->asking) ask(*port);
       send_orders(*port);
     }

@@ -88,6 +88,17 @@ TEST(LiveGroups, AFloodOfLocatorsIsBounded) {
   EXPECT_GT(groups.left_out(), 100u);
 }
 
+TEST(LiveGroups, ARadarMayComeBackElsewhere) {
+  LiveGroups groups(locator_source_of("navico_halo"));
+  hear(groups, navico::kLocatorGroup, locator(10, 20));
+  groups.begin_anew();
+  EXPECT_THAT(groups.all(), Not(Contains(addresses(10).data)));
+  EXPECT_TRUE(hear(groups, navico::kLocatorGroup, locator(30, 40)));
+  EXPECT_THAT(groups.all(), Contains(addresses(30).data));
+  EXPECT_EQ(groups.commands(), addresses(30).send);
+  EXPECT_EQ(groups.questions().size(), 1u);
+}
+
 TEST(LiveGroups, OnlyTheNamedRadarsLocatorCounts) {
   LiveSource source = locator_source_of("navico_halo");
   source.from = kLocatorFrom.address;

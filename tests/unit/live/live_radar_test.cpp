@@ -205,6 +205,20 @@ TEST(LiveRadar, IsInStandbyAfterSilenceAndComesBack) {
   EXPECT_EQ(news.spokes.size(), 52u * 32u);
 }
 
+TEST(LiveRadar, BearsAClockThatIsSetBack) {
+  LiveRadar radar(source_of("navico_br24"));
+  LiveRadar::News news;
+  UtcTime now = kNow;
+  std::uint16_t next = feed(radar, kRadar, now, 2.0, news);
+  now -= std::chrono::hours(1);
+  news = {};
+  feed(radar, kRadar, now, 1.0, news, next);
+  EXPECT_EQ(news.spokes.size(), 26u * 32u);
+  news = {};
+  radar.look(now + std::chrono::seconds(6), news);
+  EXPECT_TRUE(news.lost);
+}
+
 TEST(LiveRadar, LeavesASecondRadarAlone) {
   LiveRadar radar(source_of("navico_br24"));
   LiveRadar::News news;
