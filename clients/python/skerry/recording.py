@@ -16,7 +16,10 @@ _KINDS = {"hello": "skerry.wire.Hello", "settings": "skerry.wire.Settings", "own
 
 
 class Recording:
-    """A file of skerryd, of `skerry recording`, or of an import.  Damaged chunks are passed over: `damage` lists them."""
+    """A file of skerryd, of `skerry recording`, or of an import.
+
+    Damaged chunks are passed over; `damage` lists them.
+    """
 
     def __init__(self, path):
         self._reader = Reader(path)

@@ -103,7 +103,8 @@ class PythonPackage(unittest.TestCase):
         self.assertGreater(len(expected), 1000)
         for compression in ("none", "lz4", "zstd"):
             out = self.path(f"{compression}.mcap")
-            run(SKERRY, "recording", "cut", self.plain, "--from", "0", "--compact", "--compression", compression, "-o", out)
+            run(SKERRY, "recording", "cut", self.plain, "--from", "0", "--compact", "--compression", compression,
+                "-o", out)
             self.assertEqual(octets(out), expected, compression)
 
     def test_items_come_in_order_of_time(self):
