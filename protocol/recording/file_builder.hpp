@@ -1,20 +1,15 @@
-// FileBuilder: beginning, chunks, attachments, index and end of a recording, given to its sink.
+// FileBuilder: a recording as an MCAP file: its channels, and what it says of itself at its end.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "protocol/recording/chunk_builder.hpp"
-#include "protocol/recording/compression.hpp"
+#include "protocol/recording/mcap_file.hpp"
 #include "protocol/recording/recording.pb.h"
-#include "protocol/recording/summary_builder.hpp"
 #include "protocol/recording/topics.hpp"
-#include "protocol/recording/writer.hpp"
 
 namespace skerry::recording {
 
@@ -32,48 +27,23 @@ class FileBuilder {
 
   // A number of its own for each; nothing when there are too many for 16 bits.
   std::optional<std::uint16_t> channel(const ChannelKind& kind);
-  // The Channel record of it.
   std::span<const std::uint8_t> record_of(std::uint16_t channel) const {
-    return channels_[channel].record;
+    return file_.record_of(channel);
   }
 
-  // Each is given to the sink as a whole, with what must stand before it.  False if the sink took
-  // it not: then nothing of it is in the file.
-  bool begin();
+  // As of McapFile.
+  bool begin() { return file_.begin(); }
   bool write(const ChunkBuilder& chunk);
-  bool attach(const Attachment& attachment);
+  bool attach(const Attachment& attachment) { return file_.attach(attachment); }
   bool finish();
 
-  std::uint64_t bytes() const { return offset_; }
+  std::uint64_t bytes() const { return file_.bytes(); }
 
  private:
-  struct Channel {
-    std::uint16_t schema = 0;
-    Bytes record;
-  };
-  struct Schema {
-    std::string name;
-    Bytes record;
-  };
-  std::uint16_t schema(const ChannelKind& kind);
-  void start();  // of what the sink gets next
-  bool give();
-  void add_schemas_of(const ChunkBuilder& chunk, std::vector<std::uint16_t>& added);
-  // Appends the chunk's record to out_.  Nothing if it cannot be compressed.
-  std::optional<mcap::ChunkIndex> append_chunk(const ChunkBuilder& chunk);
   void count(const ChunkBuilder& chunk);
 
-  ByteSink sink_;
-  Compression compression_;
-  Compressor compressor_;
-  Bytes out_;
-  bool begun_ = false;
-  std::uint64_t offset_ = 0;  // octets the sink has taken
-  std::uint32_t crc_ = 0;     // of them
+  McapFile file_;
   std::map<ChannelKind, std::uint16_t> numbers_;
-  std::vector<Channel> channels_;  // by number
-  std::vector<Schema> schemas_;    // by number less one
-  SummaryBuilder summary_;
   std::map<Topic, std::uint64_t> items_;
   Contents contents_;
 };

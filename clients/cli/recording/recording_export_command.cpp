@@ -1,4 +1,4 @@
-// skerry recording export: pictures, tables, captures.
+// skerry recording export: pictures, tables, captures, files for other tools.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -7,6 +7,8 @@
 
 #include "clients/cli/live/spoke_line.hpp"
 #include "clients/cli/recording/recording_command.hpp"
+#include "clients/interchange/foxglove_export.hpp"
+#include "clients/interchange/ros2_export.hpp"
 #include "clients/recording/recorded_turns.hpp"
 #include "clients/signals/output_file.hpp"
 #include "protocol/captures/exporter.hpp"
@@ -19,6 +21,7 @@ namespace {
 struct ExportOptions {
   std::string file, output;
   std::string png, pcap;  // a turn or "all"; "cat240" or "navico"
+  std::string tool;       // "foxglove" or "ros2"
   bool csv = false, cells = false, head_up = false, green = false, force = false;
   std::string model = "halo20";
   std::uint32_t radar = 0, view = 0;
@@ -115,12 +118,16 @@ class ExportFile {
   Bytes held_;
 };
 
-void write_turn(const ExportOptions& options, const RecordedTurn& turn, const std::string& path) {
+PpiOptions picture_of(const ExportOptions& options) {
   PpiOptions picture = options.picture;
   picture.orientation = options.head_up ? Orientation::head_up : Orientation::north_up;
   picture.palette = options.green ? Palette::green : Palette::amber;
+  return picture;
+}
+
+void write_turn(const ExportOptions& options, const RecordedTurn& turn, const std::string& path) {
   ExportFile file(path, options.force);
-  file.write(encode_png(draw_ppi(turn.scan, picture, turn.labels),
+  file.write(encode_png(draw_ppi(turn.scan, picture_of(options), turn.labels),
                         describe(turn.scan, turn.labels.radar)));
   file.close();
 }
@@ -215,15 +222,48 @@ int export_pcap(const ExportOptions& options, const recording::RecordingReader& 
   return kExitOk;
 }
 
+int export_for_tool(const ExportOptions& options, const recording::RecordingReader& reader,
+                    const RecordedPart& part) {
+  const std::string path = options.output.empty() ? options.tool + ".mcap" : options.output;
+  if (!may_write(options, path)) return exists(options, path);
+  ExportFile file(path, options.force);
+  const auto sink = [&](std::span<const std::uint8_t> bytes) {
+    file.write(bytes);
+    return true;
+  };
+  ProgressBar bar("writing");
+  std::string written;
+  NotRead not_read;
+  if (options.tool == "foxglove") {
+    const auto done = write_foxglove(reader, part, picture_of(options), sink, bar.function());
+    if (!done) return report(done.error());
+    not_read = done->not_read;
+    written = fmt::format("{} pictures, {} positions, tracks of ships {} times", done->pictures,
+                          done->fixes, done->tracks);
+  } else {
+    const auto done = write_ros2(reader, part, sink, bar.function());
+    if (!done) return report(done.error());
+    not_read = done->not_read;
+    written = fmt::format("{} spokes in {} sectors, {} positions, {} headings", done->spokes,
+                          done->sectors, done->fixes, done->headings);
+  }
+  file.close();
+  warn(bar, not_read.text());
+  write_out(fmt::format("{}: {}\n", printable(path), written));
+  return kExitOk;
+}
+
 int run_export(const ExportOptions& options) {
-  const int kinds = !options.png.empty() + options.csv + !options.pcap.empty();
-  if (kinds != 1) return refuse_usage("give exactly one of --png, --csv and --pcap");
+  const int kinds =
+      !options.png.empty() + options.csv + !options.pcap.empty() + !options.tool.empty();
+  if (kinds != 1) return refuse_usage("give exactly one of --png, --csv, --pcap and --for");
   const auto reader = open_recording(options.file);
   if (!reader) return kExitFailure;
   const auto bounds = part_of(options.part, reader->summary());
   if (!bounds) return report(bounds.error());
   const RecordedPart part{options.radar, options.view, bounds->from, bounds->to};
   if (!options.png.empty()) return export_pngs(options, *reader, part);
+  if (!options.tool.empty()) return export_for_tool(options, *reader, part);
   return options.csv ? export_csv(options, *reader, part) : export_pcap(options, *reader, part);
 }
 
@@ -231,8 +271,8 @@ int run_export(const ExportOptions& options) {
 
 Command make_recording_export_command(CLI::App& recording) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command =
-      recording.add_subcommand("export", "Writes pictures, tables or captures of a recording");
+  CLI::App* command = recording.add_subcommand(
+      "export", "Writes pictures, tables or captures of a recording, or files for other tools");
   command->add_option("FILE", options->file, "The recording")->required();
   command
       ->add_option("--png", options->png,
@@ -246,11 +286,17 @@ Command make_recording_export_command(CLI::App& recording) {
   command->add_option("--model", options->model, "With --pcap navico: halo20, halo or 4g")
       ->check(CLI::IsMember({"halo20", "halo", "4g"}))
       ->capture_default_str();
+  command
+      ->add_option("--for", options->tool,
+                   "An MCAP file with the schemas of other tools: foxglove (a picture each turn, "
+                   "positions, tracks) or ros2 (spokes as RadarSector, positions, headings)")
+      ->check(CLI::IsMember({"foxglove", "ros2"}));
   command->add_option("--radar", options->radar, "Index of the radar")->capture_default_str();
   command->add_option("--view", options->view, "Index of the view")->capture_default_str();
   options->part.add_options(*command);
   command->add_option("-o,--output", options->output,
-                      "The file; default: turn.png, standard output, or the protocol's name .pcap");
+                      "The file; default: turn.png, standard output, the protocol's name .pcap, or "
+                      "the tool's name .mcap");
   command->add_flag("--force", options->force, "Replace it if it is there");
   command->add_option("--size", options->picture.size, "Width and height of pictures in pixels")
       ->check(CLI::Range(kMinPictureSize, kMaxPictureSize))
@@ -263,7 +309,9 @@ Command make_recording_export_command(CLI::App& recording) {
       "  skerry recording export exercise.mcap --png all --from 1:30 --to 2:00 -o turns.png\n"
       "  skerry recording export exercise.mcap --csv --radar 1 -o spokes.csv\n"
       "  skerry recording export exercise.mcap --pcap cat240 -o video.pcap\n"
-      "  skerry recording export exercise.mcap --pcap navico --model 4g -o radar.pcap\n");
+      "  skerry recording export exercise.mcap --pcap navico --model 4g -o radar.pcap\n"
+      "  skerry recording export exercise.mcap --for foxglove -o look.mcap\n"
+      "  skerry recording export exercise.mcap --for ros2 -o bag.mcap\n");
   return {command, [options] { return run_export(*options); }};
 }
 
