@@ -27,6 +27,7 @@ struct Command {
 };
 
 Command make_status_command(CLI::App& app);
+Command make_doctor_command(CLI::App& app);
 Command make_snapshot_command(CLI::App& app);
 Command make_dump_command(CLI::App& app);
 Command make_set_command(CLI::App& app);
