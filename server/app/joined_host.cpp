@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace skerry::server {
 namespace {
+
+constexpr char kOverlayFormat[] = "laid over";
+constexpr char kOverlayOrigin[] = "the input of a real radar";
 
 // Whether it changes the world and nothing of a radar.
 bool is_of_the_world(wire::Set set) {
@@ -45,13 +49,65 @@ JoinedHost::JoinedHost(RadarHost& simulated, LiveHost& live)
           "simulated one, 0 to {}, or has the next number",
           count_ - 1, radar, simulated.radar_count() - 1));
     }
-    if (!live.has(radar) || radar >= simulated.radar_count()) continue;
+    if (live.has(radar) && live.wants_simulated(radar)) lay_over(radar);
+    if (!live.has(radar) || radar >= simulated.radar_count() || live.wants_simulated(radar))
+      continue;
     wire::Set silent;
     silent.set_radar(radar);
     silent.set_transmit(false);
     silent.set_instructor(true);
-    simulated.apply(silent, "the input of a real radar");
+    simulated.apply(silent, kOverlayOrigin);
   }
+}
+
+void JoinedHost::lay_over(std::uint32_t radar) {
+  if (radar >= simulated_.radar_count()) {
+    throw std::runtime_error(fmt::format(
+        "input of radar {}: simulated=true lays the simulated radar of that number over it; there "
+        "are 0 to {}",
+        radar, simulated_.radar_count() - 1));
+  }
+  auto made = std::make_unique<Overlay>();
+  Overlay& overlay = *made;
+  overlay.radar = radar;
+  const auto take = [&overlay](const Sector& sector) -> EncodedSectorPtr {
+    overlay.echoes.take(sector);
+    auto none = std::make_shared<EncodedSector>();
+    none->spoke_ends.assign(sector.spokes.size(), 0);
+    return none;
+  };
+  const auto view = simulated_.open_view(
+      radar, 0, true, [&](VideoChannel& video) { video.add_format(kOverlayFormat, take); });
+  if (!view) throw std::runtime_error(fmt::format("radar {} has as many views as it may", radar));
+  overlay.channel = simulated_.find_channel(radar, *view);
+  overlay.registered = overlay.channel->format(kOverlayFormat).on_publish([] {});
+  // What the real receiver makes of noise is in its picture already.
+  wire::Set quiet;
+  quiet.set_radar(radar);
+  quiet.set_transmit(true);
+  quiet.set_noise_rejection(100.0);
+  quiet.set_instructor(true);
+  simulated_.apply(quiet, kOverlayOrigin);
+  live_.add_to_spokes(radar, [this, &overlay](std::vector<Spoke>& spokes, bool heading_known) {
+    follow_range(overlay, spokes.back().header);
+    overlay.echoes.add_to(spokes, heading_known);
+  });
+  overlays_.push_back(std::move(made));
+}
+
+// The smallest range scale that holds the real one's spokes.
+void JoinedHost::follow_range(Overlay& overlay, const SpokeHeader& real) {
+  const double reach_nm = real.reach().in_nautical_miles();
+  const auto& scales = RangeScale::kNauticalMiles;
+  const auto holds = std::find_if(scales.begin(), scales.end(),
+                                  [&](double nm) { return nm >= reach_nm * (1.0 - 1e-9); });
+  const double range_nm = holds == scales.end() ? scales.back() : *holds;
+  if (std::exchange(overlay.range_nm, range_nm) == range_nm) return;
+  wire::Set set;
+  set.set_radar(overlay.radar);
+  set.set_range_nm(range_nm);
+  set.set_instructor(true);
+  simulated_.apply(set, kOverlayOrigin);
 }
 
 RadarHost& JoinedHost::of(std::uint32_t radar) const {
@@ -110,6 +166,7 @@ std::vector<TrafficItem> JoinedHost::traffic() const {
 }
 
 std::optional<std::string> JoinedHost::drive(std::uint32_t radar, const OwnShipFix& fix) {
+  if (live_.has(radar) && live_.wants_simulated(radar)) simulated_.drive(radar, fix);
   return of(radar).drive(radar, fix);
 }
 

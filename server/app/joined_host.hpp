@@ -7,19 +7,21 @@
 #include <vector>
 
 #include "server/core/radar_host.hpp"
+#include "server/live/added_echoes.hpp"
 #include "server/live/live_host.hpp"
 
 namespace skerry::server {
 
 // A real radar takes the place of the simulated one of its number, which goes to standby, or has
-// the number after the last.  The world and its ships are the simulation's; a ship all of whose
-// radars are real is no ship of it any more.
-// An exercise with real radars is recorded as video: there is nothing to make it again from.
-// Thread: as RadarHost.
+// the number after the last.  Of a source that wants it, the simulated radar stays on the air
+// instead and is laid over the real one's picture; its range follows, and whoever drives the real
+// one's own ship drives the simulated one's.  The world and its ships are the simulation's; a ship
+// all of whose radars are real is no ship of it any more. An exercise with real radars is recorded
+// as video: there is nothing to make it again from. Thread: as RadarHost.
 class JoinedHost final : public RadarHost {
  public:
   // Both must outlive it.
-  // Error: std::runtime_error if the numbers have gaps.
+  // Error: std::runtime_error if the numbers have gaps, or there is nothing to lay over.
   JoinedHost(RadarHost& simulated, LiveHost& live);
 
   // Before the NetServer is made.
@@ -47,11 +49,23 @@ class JoinedHost final : public RadarHost {
   std::uint64_t world_version() const override { return simulated_.world_version(); }
 
  private:
+  // A simulated radar that is laid over a real one.
+  struct Overlay {
+    Overlay() = default;
+    std::uint32_t radar = 0;
+    AddedEchoes echoes;
+    double range_nm = 0.0;                // that the simulation was asked for
+    VideoChannelPtr channel;              // of a view of its own
+    FormatRing::Registration registered;  // ends before the channel does
+  };
   RadarHost& of(std::uint32_t radar) const;
+  void lay_over(std::uint32_t radar);
+  void follow_range(Overlay& overlay, const SpokeHeader& real);
 
   RadarHost& simulated_;
   LiveHost& live_;
   std::uint32_t count_;
+  std::vector<std::unique_ptr<Overlay>> overlays_;
   RecordingPort* recorder_ = nullptr;
 };
 

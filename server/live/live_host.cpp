@@ -20,6 +20,8 @@ constexpr std::size_t kHeldBytes = 8u << 20;  // of a format, for slow readers
 constexpr std::chrono::seconds kTellEvery{1};
 constexpr Duration kOwnShipEvery = std::chrono::seconds(1);
 // Until the radar has been heard.
+// On every picture, by the radar's name.
+constexpr char kSimulatedSuffix[] = " + simulated";
 constexpr std::uint32_t kUsualSpokes = 2048, kUsualCells = 1024, kUsualBits = 4;
 constexpr double kUsualRpm = 24.0;
 
@@ -163,6 +165,7 @@ void LiveHost::tell_ship(Input& input, UtcTime now) {
 }
 
 void LiveHost::publish(Input& input, std::vector<Spoke>& spokes) {
+  if (input.add) input.add(spokes, input.radar.knows_heading());
   state_.take(spokes.back().header);
   const auto views = views_[input.source.radar]->get();
   for (std::size_t begin = 0; begin < spokes.size(); begin += kMostSpokes) {
@@ -185,7 +188,9 @@ void LiveHost::count_dropped(std::size_t source, std::uint64_t datagrams) {
 wire::RadarInfo LiveHost::info(std::uint32_t radar) const {
   const Input& input = of(radar);
   const std::lock_guard lock(input.mutex);
-  return input.info;
+  wire::RadarInfo info = input.info;
+  if (input.source.simulated) info.set_name(info.name() + kSimulatedSuffix);
+  return info;
 }
 
 wire::Hello LiveHost::hello() const {

@@ -30,6 +30,7 @@ class LiveHost final : public RelayHost {
   // Requires sources of different radars.
   LiveHost(const std::vector<LiveSource>& sources, std::string server);
 
+  bool wants_simulated(std::uint32_t radar) const { return of(radar).source.simulated; }
   bool has(std::uint32_t radar) const { return radar < views_.size() && views_[radar]; }
 
   // A datagram that came for a source, or the time; whether groups() is another now.
@@ -48,6 +49,11 @@ class LiveHost final : public RelayHost {
   // `wake` is called whenever there is more to send.  Before any Set comes.
   void on_order(std::function<void()> wake) { wake_ = std::move(wake); }
 
+  // `add` gets the spokes of that radar, consecutive ones of one turn, before anybody else, and
+  // whether their heading is known.  On the receiving thread; before any datagram comes.
+  using Adding = std::function<void(std::vector<Spoke>& spokes, bool heading_known)>;
+  void add_to_spokes(std::uint32_t radar, Adding add) { of(radar).add = std::move(add); }
+
   // Datagrams that nobody looked at, because there were too many.  Thread: any.
   void count_dropped(std::size_t source, std::uint64_t datagrams);
 
@@ -60,6 +66,7 @@ class LiveHost final : public RelayHost {
     explicit Input(const LiveSource& wanted) : source(wanted), radar(wanted) {}
     const LiveSource source;
     LiveRadar radar;  // of the thread that takes
+    Adding add;       // nothing: none
     UtcTime ship_told{}, kept_alive{};
     std::atomic<std::uint64_t> datagrams{0}, refused{0}, dropped{0}, others{0};
     std::atomic<bool> has_commands{false};  // it is known where to

@@ -55,6 +55,8 @@ class LiveRadar {
   wire::Settings settings() const { return settings_; }
   // As the radar's network, or what was put, say it.
   wire::OwnShip own_ship(UtcTime now) const;
+  // Whether spokes have a heading.
+  bool knows_heading() const { return heading_.has_value() || ship_.heading().has_value(); }
   // Pictures of other senders, in datagrams.
   std::uint64_t others() const { return others_; }
 

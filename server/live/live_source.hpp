@@ -31,6 +31,7 @@ struct LiveSource {
   std::uint32_t radar = 0;            // its number in the server
   bool second_range = false;          // range B of a radar with two
   bool commands = false;              // it is told what consoles set, and kept on the air
+  bool simulated = false;             // the simulated radar of that number is laid over it
   std::optional<std::uint32_t> from;  // the radar's IPv4 address; nothing: the first heard
   std::optional<Ipv4Endpoint> at;     // a group or a port of this host; kinds with an address
   std::string interface_address = "127.0.0.1";

@@ -194,6 +194,84 @@ TEST(LiveInputs, GoOutAsAnotherMake) {
   EXPECT_GT(likeness.confirmed, 0.9) << "of " << likeness.strong << " strong cells";
 }
 
+// A ship at sea with nothing near; the simulation has a tanker 2 NM north of her.
+std::string at_sea(const std::string& targets) {
+  return R"(name: At sea
+sea: {state: 0}
+own_ships:
+  - name: Petrel
+    position: {lat: 61.0, lon: 2.0}
+    course_deg: 30
+    speed_kn: 0
+    radars:
+      - {name: Alone, spokes: 512, cells: 512, bits: 8, rpm: 60, range_nm: 6}
+)" + targets;
+}
+constexpr char kTanker[] = R"(targets:
+  - {name: Tanker, position: {lat: 61.033333, lon: 2.0}, course_deg: 90, speed_kn: 0,
+     length_m: 182, beam_m: 32, height_m: 22}
+)";
+
+// The levels of a turn near a true bearing and range, as parts of the greatest.
+double strongest_near(const Scan& scan, double bearing_deg, double range_m) {
+  double strongest = 0.0;
+  for (const auto& spoke : scan.spokes) {
+    if (!spoke) continue;
+    const SpokeHeader& header = spoke->header;
+    const Angle off = header.bearing() - TrueBearing::from(degrees(bearing_deg));
+    if (std::abs(off.in_degrees()) > 3.0) continue;
+    const double cell = range_m / header.cell_size().in_metres();
+    for (std::size_t i = 0; i < spoke->cells.size(); ++i) {
+      if (std::abs(static_cast<double>(i) - cell) > 120.0 / header.cell_size().in_metres())
+        continue;
+      strongest = std::max(strongest, spoke->cells[i] / ((1u << header.geometry.bits) - 1.0));
+    }
+  }
+  return strongest;
+}
+
+// The tanker is where she is simulated, on the relay alone; after each change of the real radar's
+// range.  When the real ship moves 1 NM north, so she is 1 NM nearer.
+TEST(LiveInputs, ASimulationIsLaidOverAPicture) {
+  TempFolder folder;
+  RunningServer radar({"--scenario", folder.write("real.yaml", at_sea("")), "--output",
+                       "navico_halo:interface_address=127.0.0.71"});
+  RunningServer relay({"--scenario", folder.write("simulated.yaml", at_sea(kTanker)), "--input",
+                       "navico_halo:from=127.0.0.71,simulated=true", "--input",
+                       "nmea0183:port=10135"});
+  client::SpokeClient console = subscribed(radar, 0), display = subscribed(relay, 0);
+  const wire::Status found = await_status(display, transmits);
+  EXPECT_EQ(found.radars(0).name(), "HALO + simulated");
+  constexpr double kMile = 1852.0;
+  const auto shows = [&](double range_m) {
+    for (int turn = 0; turn < 20; ++turn) {
+      if (strongest_near(next_scan(display), 0.0, range_m) > 0.5) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(shows(2.0 * kMile));
+  next_scan(console);
+  EXPECT_EQ(strongest_near(next_scan(console), 0.0, 2.0 * kMile), 0.0);
+  for (const char* range : {"3", "12"}) {
+    EXPECT_EQ(radar.skerry("set", {"--range", range}).code, 0);
+    await_status(display, [&](const wire::Status& status) {
+      return status.radars(0).settings().range_nm() == std::stod(range);
+    });
+    next_scan(display);
+    EXPECT_TRUE(shows(2.0 * kMile)) << range << " NM";
+  }
+  server::DisplaySocket sensor({}, ipv4(127, 0, 0, 1));
+  const Ipv4Endpoint to{ipv4(127, 0, 0, 1), 10135};
+  for (int second = 0; second < 10 && strongest_near(next_scan(display), 0.0, kMile) < 0.5;
+       ++second) {
+    const std::string fix = "$GPGGA,120000.00,6101.000,N,00200.000,E,1,08,1.0,0.0,M,,M,,*7C\r\n";
+    const std::string heading = "$HEHDT,30.0,T*1C\r\n";
+    sensor.send(to, fix);
+    sensor.send(to, heading);
+  }
+  EXPECT_TRUE(shows(kMile));
+}
+
 TEST(LiveInputs, OwnShipComesAsSentences) {
   Pair pair("navico_br24", "", {"--input", "nmea0183:port=10133"});
   RunningServer ship({"--scenario", pair.folder.write("ship.yaml", small_scenario()), "--output",

@@ -48,7 +48,7 @@ LiveSource live_source_of(const app::Input& input, const std::string& name) {
   LiveSource source;
   source.kind = find_live_kind(app::Input::Kind_Name(input.kind()));
   if (source.kind == nullptr) throw std::runtime_error(name + ": no such radar is known");
-  Keys keys = {"kind", "radar", "interface_address", "from"};
+  Keys keys = {"kind", "radar", "interface_address", "from", "simulated"};
   if (source.kind->has_commands) keys.push_back("commands");
   if (source.kind->has_second_range) keys.push_back("second_range");
   if (source.kind->has_address) keys.insert(keys.end(), {"address", "port"});
@@ -56,6 +56,7 @@ LiveSource live_source_of(const app::Input& input, const std::string& name) {
   source.radar = input.radar();
   source.second_range = input.second_range();
   source.commands = input.commands();
+  source.simulated = input.simulated();
   if (input.has_interface_address()) source.interface_address = input.interface_address();
   if (input.has_from()) {
     const auto from = ipv4_endpoint(input.from() + ":0");

@@ -35,9 +35,18 @@ class FakeSimulation final : public RadarHost {
     return hello;
   }
   std::uint32_t radar_count() const override { return radars_; }
-  VideoChannelPtr find_channel(std::uint32_t, std::uint32_t) override { return nullptr; }
-  std::optional<std::uint32_t> open_view(std::uint32_t, std::uint32_t, bool,
-                                         const std::function<void(VideoChannel&)>&) override {
+  VideoChannelPtr find_channel(std::uint32_t, std::uint32_t view) override {
+    return view == 1 ? opened : nullptr;
+  }
+  std::optional<std::uint32_t> open_view(
+      std::uint32_t, std::uint32_t, bool,
+      const std::function<void(VideoChannel&)>& prepare) override {
+    opened = std::make_shared<VideoChannel>();
+    prepare(*opened);
+    return 1;
+  }
+  std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix&) override {
+    driven.push_back(radar);
     return std::nullopt;
   }
   void close_view(std::uint32_t, std::uint32_t) override {}
@@ -66,6 +75,8 @@ class FakeSimulation final : public RadarHost {
   std::uint64_t world_version() const override { return 1; }
 
   std::vector<wire::Set> sets;
+  std::vector<std::uint32_t> driven;
+  std::shared_ptr<VideoChannel> opened;
 
  private:
   std::uint32_t radars_;
@@ -131,6 +142,39 @@ TEST(JoinedHost, AShipAllOfWhoseRadarsAreRealIsNoSimulatedOne) {
   const auto items = JoinedHost(simulated, live).traffic();
   ASSERT_EQ(items.size(), 1u);
   EXPECT_EQ(items[0].number, 1u);
+}
+
+TEST(JoinedHost, ASimulationIsLaidOverWhereItIsWanted) {
+  FakeSimulation simulated(2);
+  LiveSource over = cat240_source(1);
+  over.simulated = true;
+  LiveHost live({over, cat240_source(2)}, "test");
+  JoinedHost joined(simulated, live);
+  EXPECT_THAT(names_of(joined.hello()),
+              ElementsAre("0 simulated", "1 cat240 + simulated", "2 cat240"));
+  // It stays on the air, without noise of its own, and is computed.
+  ASSERT_EQ(simulated.sets.size(), 1u);
+  EXPECT_TRUE(simulated.sets[0].transmit());
+  EXPECT_EQ(simulated.sets[0].noise_rejection(), 100.0);
+  ASSERT_NE(simulated.opened, nullptr);
+  EXPECT_TRUE(simulated.opened->format("laid over").has_readers());
+  // Its own ship is where the real one's is.
+  EXPECT_EQ(joined.drive(1, {}), std::nullopt);
+  EXPECT_EQ(joined.drive(2, {}), std::nullopt);
+  EXPECT_THAT(simulated.driven, ElementsAre(1u));
+}
+
+TEST(JoinedHost, NothingIsLaidOverARadarThatIsNotSimulated) {
+  FakeSimulation simulated(1);
+  LiveSource over = cat240_source(1);
+  over.simulated = true;
+  LiveHost live({over}, "test");
+  try {
+    JoinedHost joined(simulated, live);
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("there are 0 to 0"));
+  }
 }
 
 TEST(LiveHost, IsInStandbyUntilHeard) {
