@@ -15,7 +15,7 @@
 
 namespace skerry::captures {
 
-enum class Family : std::uint8_t { navico, garmin, quantum, rd, cat240 };
+enum class Family : std::uint8_t { navico, garmin, quantum, rd, furuno, cat240 };
 
 constexpr std::string_view name_of(Family family) {
   switch (family) {
@@ -27,6 +27,8 @@ constexpr std::string_view name_of(Family family) {
       return "Raymarine Quantum";
     case Family::rd:
       return "Raymarine RD";
+    case Family::furuno:
+      return "Furuno";
     case Family::cat240:
       return "CAT240";
   }
@@ -39,7 +41,7 @@ struct PictureKey {
   Family family = Family::navico;
   std::uint32_t from = 0;    // IPv4 address of the sender
   Ipv4Endpoint to;           // its picture's group
-  std::uint16_t source = 0;  // CAT240: SAC and SIC
+  std::uint16_t source = 0;  // CAT240: SAC and SIC; Furuno: 1 of range B
   friend constexpr auto operator<=>(const PictureKey&, const PictureKey&) = default;
 };
 

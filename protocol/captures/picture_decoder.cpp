@@ -1,6 +1,7 @@
 #include "protocol/captures/picture_decoder.hpp"
 
 #include "protocol/asterix/cat240.hpp"
+#include "protocol/furuno/spoke_frame.hpp"
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/navico/frame.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
@@ -45,6 +46,9 @@ std::optional<PictureKey> picture_of(const pcap::Datagram& datagram) {
     key.family = Family::quantum;
   } else if (type == raymarine::kRdSpokesType) {
     key.family = Family::rd;
+  } else if (furuno::is_spoke_frame(payload)) {
+    key.family = Family::furuno;
+    key.source = (payload[15] & 0x40) != 0 ? 1 : 0;
   } else if (const auto source = cat240_source(payload)) {
     key.family = Family::cat240;
     key.source = *source;
@@ -64,6 +68,8 @@ std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits) {
       return make_quantum_picture(traits);
     case Family::rd:
       return make_rd_picture(traits);
+    case Family::furuno:
+      return make_furuno_picture(traits);
     case Family::cat240:
       break;
   }

@@ -26,6 +26,9 @@ struct PictureTraits {
   Duration turn{};                      // 0: less than a turn was seen
 };
 
+// Places of a turn that a Furuno's sweeps are put into, each into all that it passed.
+inline constexpr std::uint32_t kFurunoSpokes = 2048;
+
 class PictureDecoder {
  public:
   explicit PictureDecoder(const PictureTraits& traits) : traits_(traits) {}
@@ -56,6 +59,7 @@ std::unique_ptr<PictureDecoder> make_navico_picture(const PictureTraits& traits)
 std::unique_ptr<PictureDecoder> make_garmin_picture(const PictureTraits& traits);
 std::unique_ptr<PictureDecoder> make_quantum_picture(const PictureTraits& traits);
 std::unique_ptr<PictureDecoder> make_rd_picture(const PictureTraits& traits);
+std::unique_ptr<PictureDecoder> make_furuno_picture(const PictureTraits& traits);
 std::unique_ptr<PictureDecoder> make_cat240_picture(const PictureTraits& traits);
 // The one of traits.key.family.
 std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits);

@@ -9,6 +9,7 @@
 #include "protocol/captures/navico_facts.hpp"
 #include "protocol/captures/spoke_widths.hpp"
 #include "protocol/captures/turn_timer.hpp"
+#include "protocol/furuno/spoke_frame.hpp"
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/navico/frame.hpp"
 #include "protocol/raymarine/quantum_report.hpp"
@@ -65,6 +66,10 @@ void Surveyor::take(const pcap::Datagram& datagram) {
     if (info && info->part_number == kDopplerQuantum && doppler_quantums_.size() < kMaxPictures) {
       doppler_quantums_.insert(datagram.from.address);
     }
+    const auto furuno = furuno::decode_model(datagram.payload);
+    if (furuno && furuno_models_.size() < kMaxPictures) {
+      furuno_models_.emplace(datagram.from.address, *furuno);
+    }
     if (others_.contains(datagram.to) || others_.size() < kMostOthers) ++others_[datagram.to];
     return;
   }
@@ -120,6 +125,13 @@ void Surveyor::finish(const Seen& seen, SurveyedPicture& picture) const {
     case Family::rd:
       traits.spokes_per_turn = raymarine::kRdSpokes;
       break;
+    case Family::furuno: {
+      traits.spokes_per_turn = kFurunoSpokes;
+      const auto model = furuno_models_.find(traits.key.from);
+      if (model != furuno_models_.end()) picture.name += " " + model->second;
+      if (traits.key.source != 0) picture.name += " B";
+      break;
+    }
     case Family::cat240:
       traits.spokes_per_turn = seen.widths.spokes_per_turn();
       picture.name += fmt::format(" {}/{}", traits.key.source >> 8, traits.key.source & 0xFF);

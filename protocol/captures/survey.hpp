@@ -53,7 +53,8 @@ class Surveyor {
   std::vector<std::unique_ptr<Seen>> seen_;
   std::unique_ptr<Facts> facts_;
   std::map<Ipv4Endpoint, std::uint64_t> others_;
-  std::set<std::uint32_t> doppler_quantums_;  // senders
+  std::set<std::uint32_t> doppler_quantums_;            // senders
+  std::map<std::uint32_t, std::string> furuno_models_;  // by sender
   std::uint64_t left_out_ = 0;
   UtcTime begin_ = UtcTime::max(), end_ = UtcTime::min();
 };

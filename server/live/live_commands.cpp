@@ -20,6 +20,7 @@ Commands live_commands(const LiveKind& kind, navico::Model model, const wire::Se
     case Family::quantum:
       return quantum_commands(set, now);
     case Family::rd:
+    case Family::furuno:
     case Family::cat240:
       break;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "protocol/furuno/spoke_frame.hpp"
 #include "protocol/garmin/xhd_packet.hpp"
 #include "protocol/navico/locator.hpp"
 #include "protocol/navico/model.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using captures::Family;
 
-constexpr std::array<LiveKind, 9> kKinds = {{
+constexpr std::array<LiveKind, 10> kKinds = {{
     {"navico_br24", Family::navico, navico::Model::br24, false, true},
     {"navico_3g", Family::navico, navico::Model::g3, false, true},
     {"navico_4g", Family::navico, navico::Model::g4, true, true},
@@ -22,6 +23,7 @@ constexpr std::array<LiveKind, 9> kKinds = {{
     {"garmin_xhd", Family::garmin, {}, false, true},
     {"raymarine_quantum", Family::quantum, {}, false, true},
     {"raymarine_rd", Family::rd},
+    {"furuno_drs", Family::furuno, {}, true},
     {"cat240", Family::cat240, {}, false, false, true},
 }};
 
@@ -66,6 +68,9 @@ void LiveGroups::begin_anew() {
     case Family::quantum:
     case Family::rd:
       add(raymarine::kLocatorAddress);
+      break;
+    case Family::furuno:
+      add(furuno::kSpokeAddress);
       break;
     case Family::cat240:
       if (source_.at) add(*source_.at);

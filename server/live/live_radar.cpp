@@ -10,7 +10,8 @@ LiveRadar::LiveRadar(const LiveSource& source) : source_(source), groups_(source
 
 bool LiveRadar::is_wanted(const PictureKey& key) const {
   return key.family == source_.kind->family && (!source_.from || *source_.from == key.from) &&
-         groups_.is_picture(key.to);
+         groups_.is_picture(key.to) &&
+         (key.family != captures::Family::furuno || (key.source != 0) == source_.second_range);
 }
 
 void LiveRadar::take(const pcap::Datagram& datagram, News& news) {

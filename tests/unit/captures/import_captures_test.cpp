@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "protocol/pcap/pcap_writer.hpp"
 #include "tests/unit/captures/imported.hpp"
 #include "tests/unit/pcap/radar_captures.hpp"
 
@@ -154,16 +156,44 @@ TEST(ImportCaptures, StandbyIsToldAlthoughNoSpokesCome) {
   EXPECT_TRUE(got.settings.back().standby());
 }
 
-TEST(ImportCaptures, ARadarOfUnknownMakeIsRefusedWithWhatWasThere) {
+// Sweeps fill the places of a turn that they pass, so none is missing once the antenna turns.
+TEST(ImportCaptures, AFurunosSweepsFillTheTurn) {
   if (!have_radar_captures()) GTEST_SKIP() << kNoRadarCaptures;
+  Imported got = imported(unpack_radar_capture("furuno-drs4dnxt.pcap.gz"));
+  ASSERT_EQ(got.spokes.size(), 1u);
+  EXPECT_EQ(got.hello.radars(0).name(), "Furuno DRS4D-NXT");
+  EXPECT_EQ(got.hello.radars(0).spokes_per_turn(), 2048u);
+  std::map<std::uint32_t, std::uint32_t> of_turn;
+  for (const Spoke& spoke : got.spokes[0]) {
+    const SpokeHeader& header = spoke.header;
+    ++of_turn[header.scan];
+    EXPECT_EQ(header.geometry.cells, 884u);
+    EXPECT_NEAR(header.reach().in_metres(), 231.5 * 884 / 496, 0.01);
+    EXPECT_EQ(header.range_scale.in_nautical_miles(), 0.125);
+  }
+  ASSERT_GE(of_turn.size(), 9u);
+  for (const auto& [scan, spokes] : of_turn) {
+    const bool whole = scan >= 2 && scan + 1 < of_turn.size();
+    EXPECT_TRUE(!whole || spokes == 2048u) << spokes << " in turn " << scan;
+  }
+}
+
+TEST(ImportCaptures, ARadarOfUnknownMakeIsRefusedWithWhatWasThere) {
   recording::RecordingWriter writer([](std::span<const std::uint8_t>) { return true; }, {});
-  const auto capture = unpack_radar_capture("furuno-drs4dnxt.pcap.gz");
+  Bytes capture;
+  pcap::PcapWriter out([&](std::span<const std::uint8_t> bytes) {
+    capture.insert(capture.end(), bytes.begin(), bytes.end());
+  });
+  for (int i = 0; i < 449; ++i) {
+    out.add(UtcTime(std::chrono::seconds(1'700'000'000 + i)), {ipv4(192, 0, 2, 7), 4000},
+            {ipv4(239, 255, 0, 9), 10024}, Bytes(100, 0x77));
+  }
   const auto done =
       import_capture([&](const DatagramSink& sink,
                          const ImportProgress&) { return pcap::read_capture(capture, sink); },
-                     "furuno.pcap", writer);
+                     "unknown.pcap", writer);
   ASSERT_FALSE(done.ok());
-  EXPECT_NE(done.error().text.find("449 to 239.255.0.2:10024"), std::string::npos)
+  EXPECT_NE(done.error().text.find("449 to 239.255.0.9:10024"), std::string::npos)
       << done.error().text;
 }
 

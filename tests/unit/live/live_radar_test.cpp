@@ -125,7 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Capture{"quantum2-solent-03-gain-sea-rain.pcap.gz", "raymarine_quantum",
                             "Raymarine Quantum"},
                     Capture{"raymarine-e120-analog-tx-stdby.pcap.gz", "raymarine_rd",
-                            "Raymarine RD"}),
+                            "Raymarine RD"},
+                    Capture{"furuno-drs4dnxt.pcap.gz", "furuno_drs", "Furuno DRS4D-NXT"}),
     [](const auto& one) { return test_name_of(one.param.file); });
 
 // A frame of 32 spokes of a BR24 as it leaves one.
