@@ -144,6 +144,33 @@ TEST(NavicoDisplays, A4gIsFoundSeenAndCommanded) {
   use_navico(served, display, reach_of_4g);
 }
 
+// Range B has a radar of its own on the same ship: it may be longer than A, and A's changes leave
+// it alone, as on the real one.
+TEST(NavicoDisplays, RangeBOfA4gMayBeLongerThanRangeA) {
+  constexpr std::uint32_t kAt = ipv4(127, 0, 0, 59);
+  NavicoDisplay a(kAt, {ipv4(236, 6, 7, 8), 6678}, {ipv4(236, 6, 7, 10), 6680},
+                  {ipv4(236, 6, 7, 9), 6679});
+  NavicoDisplay b(kAt, {ipv4(236, 6, 7, 13), 6657}, {ipv4(236, 6, 7, 14), 6658},
+                  {ipv4(236, 6, 7, 15), 6659});
+  Served served("navico_4g:interface_address=127.0.0.59,dual_range=true,radar_b=1,view_b=shared");
+  const auto range_is = [](std::uint32_t dm) {
+    return [dm](const Bytes& report) { return u32(report, 2) == dm; };
+  };
+  b.command("03C1 20640300");  // 22 224.0 m, 12 NM; A is at 6
+  b.report(2, 99, range_is(222'240));
+  a.command("03C1 08D90000");  // 5556.0 m, 3 NM
+  a.report(2, 99, range_is(55'560));
+  const auto of_b = b.turn(reach_of_4g), of_a = a.turn(reach_of_4g);
+  EXPECT_GT(of_b.back().reach_m, 12 * 1852.0);
+  EXPECT_LE(of_b.back().reach_m, 2 * 12 * 1852.0);
+  EXPECT_GT(of_a.back().reach_m, 3 * 1852.0);
+  EXPECT_LE(of_a.back().reach_m, 2 * 3 * 1852.0);
+  const wire::Status status =
+      await_status(served.console, [](const wire::Status& s) { return s.radars_size() == 3; });
+  EXPECT_EQ(status.radars(0).settings().range_nm(), 3.0);
+  EXPECT_EQ(status.radars(1).settings().range_nm(), 12.0);
+}
+
 TEST(NavicoDisplays, AHaloIsFoundByItsLocatorSeenAndCommanded) {
   constexpr std::uint32_t kAt = ipv4(127, 0, 0, 53);
   constexpr Ipv4Endpoint kLocator{ipv4(236, 6, 7, 5), 6878};
