@@ -15,7 +15,7 @@
 
 namespace skerry::captures {
 
-enum class Family : std::uint8_t { navico, garmin, quantum, rd, furuno, cat240 };
+enum class Family : std::uint8_t { navico, garmin, quantum, rd, furuno, cat240, native };
 
 constexpr std::string_view name_of(Family family) {
   switch (family) {
@@ -31,6 +31,8 @@ constexpr std::string_view name_of(Family family) {
       return "Furuno";
     case Family::cat240:
       return "CAT240";
+    case Family::native:
+      return "Skerry";
   }
   return "";
 }
@@ -41,7 +43,7 @@ struct PictureKey {
   Family family = Family::navico;
   std::uint32_t from = 0;    // IPv4 address of the sender
   Ipv4Endpoint to;           // its picture's group
-  std::uint16_t source = 0;  // CAT240: SAC and SIC; Furuno: 1 of range B
+  std::uint16_t source = 0;  // CAT240: SAC and SIC; Furuno: 1 of range B; native: radar, view
   friend constexpr auto operator<=>(const PictureKey&, const PictureKey&) = default;
 };
 

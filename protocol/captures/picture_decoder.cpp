@@ -7,6 +7,7 @@
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/raymarine/rd_packets.hpp"
 #include "protocol/wire/byte_order.hpp"
+#include "protocol/wire/datagram.hpp"
 
 namespace skerry::captures {
 namespace {
@@ -39,6 +40,12 @@ std::optional<PictureKey> picture_of(const pcap::Datagram& datagram) {
   if (payload.size() < 8) return std::nullopt;
   PictureKey key{Family::navico, datagram.from.address, datagram.to, 0};
   if (is_navico_frame(payload)) return key;
+  if (const auto native = decode_datagram_header(payload)) {
+    key.family = Family::native;
+    key.source =
+        static_cast<std::uint16_t>((native->spoke.radar & 255) << 8 | (native->spoke.view & 255));
+    return key;
+  }
   const auto type = little_endian_at<std::uint32_t>(payload, 0);
   if (type == static_cast<std::uint32_t>(garmin::Type::spoke)) {
     key.family = Family::garmin;
@@ -70,6 +77,8 @@ std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits) {
       return make_rd_picture(traits);
     case Family::furuno:
       return make_furuno_picture(traits);
+    case Family::native:
+      return make_native_picture(traits);
     case Family::cat240:
       break;
   }

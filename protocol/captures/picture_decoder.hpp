@@ -61,6 +61,7 @@ std::unique_ptr<PictureDecoder> make_quantum_picture(const PictureTraits& traits
 std::unique_ptr<PictureDecoder> make_rd_picture(const PictureTraits& traits);
 std::unique_ptr<PictureDecoder> make_furuno_picture(const PictureTraits& traits);
 std::unique_ptr<PictureDecoder> make_cat240_picture(const PictureTraits& traits);
+std::unique_ptr<PictureDecoder> make_native_picture(const PictureTraits& traits);
 // The one of traits.key.family.
 std::unique_ptr<PictureDecoder> make_picture(const PictureTraits& traits);
 

@@ -42,6 +42,7 @@ struct Surveyor::Seen {
   TurnTimer timer;
   NavicoForms forms;
   SpokeWidths widths;
+  std::uint32_t spokes_per_turn = 0;  // of the last spoke
 };
 
 Surveyor::Surveyor() : facts_(std::make_unique<Facts>()) {}
@@ -96,6 +97,7 @@ void Surveyor::take(const pcap::Datagram& datagram) {
     seen->picture.cells =
         std::max(seen->picture.cells, static_cast<std::uint32_t>(spoke.cells.size()));
     seen->picture.bits = spoke.bits;
+    seen->spokes_per_turn = spoke.spokes_per_turn;
     seen->timer.take(spoke.index, spoke.spokes_per_turn, spoke.time);
   }
 }
@@ -132,6 +134,11 @@ void Surveyor::finish(const Seen& seen, SurveyedPicture& picture) const {
       if (traits.key.source != 0) picture.name += " B";
       break;
     }
+    case Family::native:
+      traits.spokes_per_turn = seen.spokes_per_turn;
+      picture.name +=
+          fmt::format(" radar {} view {}", traits.key.source >> 8, traits.key.source & 0xFF);
+      break;
     case Family::cat240:
       traits.spokes_per_turn = seen.widths.spokes_per_turn();
       picture.name += fmt::format(" {}/{}", traits.key.source >> 8, traits.key.source & 0xFF);

@@ -22,6 +22,7 @@ Commands live_commands(const LiveKind& kind, navico::Model model, const wire::Se
     case Family::rd:
     case Family::furuno:
     case Family::cat240:
+    case Family::native:
       break;
   }
   return Failure{fmt::format("a {} takes no commands", name_of(kind.family))};

@@ -14,7 +14,7 @@ namespace {
 
 using captures::Family;
 
-constexpr std::array<LiveKind, 10> kKinds = {{
+constexpr std::array<LiveKind, 11> kKinds = {{
     {"navico_br24", Family::navico, navico::Model::br24, false, true},
     {"navico_3g", Family::navico, navico::Model::g3, false, true},
     {"navico_4g", Family::navico, navico::Model::g4, true, true},
@@ -25,6 +25,7 @@ constexpr std::array<LiveKind, 10> kKinds = {{
     {"raymarine_rd", Family::rd},
     {"furuno_drs", Family::furuno, {}, true},
     {"cat240", Family::cat240, {}, false, false, true},
+    {"native", Family::native, {}, false, false, true},
 }};
 
 }  // namespace
@@ -73,6 +74,7 @@ void LiveGroups::begin_anew() {
       add(furuno::kSpokeAddress);
       break;
     case Family::cat240:
+    case Family::native:
       if (source_.at) add(*source_.at);
       break;
   }

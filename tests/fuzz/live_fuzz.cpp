@@ -46,8 +46,8 @@ void listen(std::span<const std::uint8_t> capture, const server::LiveKind& kind)
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  for (const char* kind :
-       {"navico_halo", "garmin_xhd", "raymarine_quantum", "raymarine_rd", "furuno_drs", "cat240"}) {
+  for (const char* kind : {"navico_halo", "garmin_xhd", "raymarine_quantum", "raymarine_rd",
+                           "furuno_drs", "cat240", "native"}) {
     listen({data, size}, *server::find_live_kind(kind));
   }
   return 0;

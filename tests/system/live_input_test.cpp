@@ -114,6 +114,26 @@ TEST(LiveInputs, ACat240StreamIsShown) {
   EXPECT_GT(likeness.confirmed, 0.9) << "of " << likeness.strong << " strong cells";
 }
 
+// Another server's datagrams: cell by cell its picture, in fragments too.
+TEST(LiveInputs, ANativeStreamIsShown) {
+  TempFolder folder;
+  const std::string scenario = folder.write("small.yaml", small_scenario());
+  for (const char* datagrams : {"65507", "300"}) {
+    RunningServer radar({"--scenario", scenario, "--output",
+                         std::string("native:port=17433,max_datagram=") + datagrams});
+    RunningServer relay({"--scenario", scenario, "--input", "native:port=17433"});
+    client::SpokeClient console = subscribed(radar, 0), display = subscribed(relay, 0);
+    const wire::Status found = await_status(display, transmits);
+    EXPECT_EQ(found.radars(0).name(), "Skerry radar 0 view 0");
+    EXPECT_EQ(found.radars(0).settings().range_nm(), 6.0);
+    const Scan scan = next_scan(display);
+    EXPECT_EQ(scan.geometry.spokes_per_turn, kSmallSpokes);
+    EXPECT_EQ(scan.geometry.cells, kSmallCells);
+    const Likeness likeness = compare(seen_by(scan), next_scan(console));
+    EXPECT_GT(likeness.confirmed, 0.9) << "of " << likeness.strong << " strong cells";
+  }
+}
+
 // Range changes at the radar, its standby, its death and its return; what its console may not.
 TEST(LiveInputs, FollowTheRadar) {
   Pair pair("navico_halo", "");
@@ -280,6 +300,17 @@ TEST(LiveInputs, OwnShipComesAsSentences) {
     return !now.radars(0).own_ship().no_position();
   });
   EXPECT_NEAR(status.radars(0).own_ship().latitude_deg(), 60.425, 0.05);
+}
+
+TEST(LiveInputs, OneThatWouldHearItsOwnDatagramsIsRefused) {
+  for (const auto& [input, advice] : {std::pair{"native", "--no-udp"},
+                                      {"cat240", "--no-cat240"},
+                                      {"native:address=127.0.0.1,port=7411", "--no-udp"}}) {
+    const Ending ending = run({skerryd_program(), "--input", input, "--check"});
+    EXPECT_EQ(ending.code, 2) << input;
+    EXPECT_THAT(ending.err, HasSubstr(advice));
+  }
+  EXPECT_EQ(run({skerryd_program(), "--input", "native", "--no-udp", "--check"}).code, 0);
 }
 
 TEST(LiveInputs, OneThatWouldHearItselfIsRefused) {

@@ -44,6 +44,11 @@ void require_keys(const app::Input& input, const std::string& name, const Keys& 
   }
 }
 
+// Of datagrams with a place that must be told.
+std::uint16_t port_of(std::string_view kind) {
+  return kind == "native" ? kNativePort : kCat240Port;
+}
+
 LiveSource live_source_of(const app::Input& input, const std::string& name) {
   LiveSource source;
   source.kind = find_live_kind(app::Input::Kind_Name(input.kind()));
@@ -69,7 +74,7 @@ LiveSource live_source_of(const app::Input& input, const std::string& name) {
   if (source.kind->has_address) {
     // Without an address: what comes to that port of the interface.
     const std::string address = input.has_address() ? input.address() : source.interface_address;
-    const std::uint32_t port = input.has_port() ? input.port() : kCat240Port;
+    const std::uint32_t port = input.has_port() ? input.port() : port_of(source.kind->name);
     source.at = ipv4_endpoint(fmt::format("{}:{}", address, port));
     if (!source.at) {
       throw std::runtime_error(
@@ -77,6 +82,20 @@ LiveSource live_source_of(const app::Input& input, const std::string& name) {
     }
   }
   return source;
+}
+
+// Whether this server sends just there what it listens for.
+bool hears_its_datagrams(const app::ServerConfig& file, const LiveSource& source) {
+  return source.at &&
+         std::any_of(file.outputs().begin(), file.outputs().end(), [&](const app::Output& output) {
+           if (app::Output::Kind_Name(output.kind()) != source.kind->name) return false;
+           const std::string address = output.has_address()
+                                           ? output.address()
+                                           : std::string(LiveSource{}.interface_address);
+           const std::uint32_t port =
+               output.has_port() ? output.port() : port_of(source.kind->name);
+           return ipv4_endpoint(fmt::format("{}:{}", address, port)) == source.at;
+         });
 }
 
 // Whether an output of this server would be taken for the radar that is listened for.
@@ -121,6 +140,12 @@ std::vector<LiveSource> live_sources(const app::ServerConfig& file) {
         throw std::runtime_error(fmt::format(
             "{}: radar {} has an input already; give each its own radar=", name, source.radar));
       }
+    }
+    if (!source.from && hears_its_datagrams(file, source)) {
+      throw std::runtime_error(fmt::format(
+          "{}: this server sends such datagrams to {} itself; give the input another address or "
+          "port, or leave that output out ({})",
+          name, text_of(*source.at), source.kind->name == "native" ? "--no-udp" : "--no-cat240"));
     }
     if (!source.from && hears_itself(file, source)) {
       throw std::runtime_error(fmt::format(

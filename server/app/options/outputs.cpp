@@ -16,7 +16,6 @@ using app::Output;
 using Keys = std::vector<std::string_view>;
 
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr std::uint16_t kNativePort = 7411;
 
 // The output's own TTL, or the usual one: 0 on loopback, 1 on another interface.
 int multicast_ttl(const Output& output) {

@@ -11,7 +11,8 @@
 
 namespace skerry::server {
 
-inline constexpr std::uint16_t kCat240Port = 8600;  // unless another is given
+// Unless others are given.
+inline constexpr std::uint16_t kCat240Port = 8600, kNativePort = 7411;
 
 // One kind of output: a row for each value of Output.Kind, in the same order.
 struct OutputKind {
