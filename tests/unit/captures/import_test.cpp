@@ -9,6 +9,7 @@
 #include "protocol/raymarine/quantum_report.hpp"
 #include "protocol/raymarine/quantum_spoke.hpp"
 #include "protocol/wire/byte_order.hpp"
+#include "protocol/wire/datagram.hpp"
 #include "tests/unit/captures/imported.hpp"
 
 namespace skerry::captures {
@@ -54,6 +55,51 @@ Spoke spoke_of(const ScanGeometry& geometry, std::uint32_t index, double heading
 }
 
 constexpr Duration kStep = std::chrono::milliseconds(7);  // between spokes
+
+// Two views in one stream are two radars; a datagram that is lost takes its spoke with it.
+TEST(Import, NativeDatagramsComeBackSpokeBySpoke) {
+  for (const std::size_t max_datagram : {kMaxDatagram, kMinDatagram}) {
+    constexpr ScanGeometry kGeometry{360, 512, 4};
+    TestCapture capture;
+    std::vector<Spoke> sent;
+    for (std::uint32_t i = 0; i < 2 * 360; ++i) {
+      for (std::uint32_t view = 0; view < 2; ++view) {
+        Spoke spoke = spoke_of(kGeometry, i % 360, 30.0);
+        spoke.header.view = view;
+        spoke.header.sequence = i;
+        spoke.header.scan = i / 360;
+        for (std::uint8_t& cell : spoke.cells) cell = (cell + view) & 15;
+        wire::ServerMessage message;
+        to_message(spoke, *message.mutable_spoke());
+        const std::string body = message.SerializeAsString();
+        Bytes scratch;
+        std::size_t part = 0;
+        for_each_datagram({0, static_cast<std::uint16_t>(view), i},
+                          {reinterpret_cast<const std::uint8_t*>(body.data()), body.size()},
+                          max_datagram, scratch, [&](std::span<const std::uint8_t> datagram) {
+                            if (i == 100 && part++ == 0) return;  // lost
+                            capture.add(kStep * i, {ipv4(192, 0, 2, 9), 7411},
+                                        Bytes(datagram.begin(), datagram.end()));
+                          });
+        if (view == 0 && i != 100) sent.push_back(std::move(spoke));
+      }
+    }
+    Imported got = imported(capture.bytes());
+    ASSERT_EQ(got.spokes.size(), 2u);
+    EXPECT_EQ(got.hello.radars(0).name(), "Skerry radar 0 view 0");
+    EXPECT_EQ(got.hello.radars(1).name(), "Skerry radar 0 view 1");
+    EXPECT_EQ(got.report.radars[0].counts.missing, 1u);
+    ASSERT_EQ(got.spokes[0].size(), sent.size());
+    for (std::size_t i = 0; i < sent.size(); ++i) {
+      const Spoke &before = sent[i], &now = got.spokes[0][i];
+      ASSERT_EQ(now.cells, before.cells) << i;
+      ASSERT_EQ(now.header.index, before.header.index);
+      ASSERT_EQ(now.header.geometry, before.header.geometry);
+      ASSERT_EQ(now.header.heading, before.header.heading);
+      ASSERT_EQ(now.header.reach(), before.header.reach());
+    }
+  }
+}
 
 TEST(Import, Cat240KeepsItsBearingsWhetherTheHeadingIsKnownOrNot) {
   constexpr ScanGeometry kGeometry{360, 512, 8};
