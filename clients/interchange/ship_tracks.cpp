@@ -54,6 +54,7 @@ void ShipTracks::add(const recording::Traffic& traffic, UtcTime time) {
   for (const auto& item : traffic.items()) {
     const auto& radars = item.radars();
     if (std::find(radars.begin(), radars.end(), radar_) != radars.end()) continue;
+    if (ships_.size() >= kMost && !ships_.contains(item.number())) continue;
     Ship& ship = ships_[item.number()];
     ship.kind = kind_of(item.kind());
     ship.name = item.name();

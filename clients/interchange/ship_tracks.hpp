@@ -13,9 +13,12 @@
 
 namespace skerry::client {
 
-// Memory: a point each 5 s of the last 6 min, for each ship heard of in that time.
+// Memory: a point each 5 s of the last 6 min, for each ship heard of in that time; at most kMost
+// ships, more are left out.
 class ShipTracks {
  public:
+  static constexpr std::size_t kMost = 10'000;
+
   explicit ShipTracks(std::uint32_t radar) : radar_(radar) {}
 
   // Those without a position are left out.
