@@ -20,7 +20,8 @@ const { generateProto, foxgloveMessageSchemas, foxgloveEnumSchemas } = require('
 const { ros2humble } = require('@foxglove/rosmsg-msgs-common');
 
 for (const name of ['SKERRYD', 'SKERRY']) {
-  if (!process.env[name]) throw new Error(`${name} must name the program to test, such as build/bin/${name.toLowerCase()}`);
+  if (!process.env[name])
+    throw new Error(`${name} must name the program to test, such as build/bin/${name.toLowerCase()}`);
 }
 const HALO20 = fileURLToPath(new URL('../../../../shared/data/radar/halo20-ranges.pcap.gz', import.meta.url));
 
@@ -50,7 +51,8 @@ function run(program, args) {
     let text = '';
     for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => { text += data; });
     child.on('error', reject);
-    child.on('exit', (code) => (code === 0 ? resolve(text) : reject(new Error(`${program} ${args.join(' ')}: ${code}\n${text}`))));
+    child.on('exit', (code) => (code === 0 ? resolve(text)
+      : reject(new Error(`${program} ${args.join(' ')}: ${code}\n${text}`))));
   });
 }
 
@@ -58,7 +60,8 @@ function run(program, args) {
 async function recorded() {
   const into = join(folder, 'recorded');
   writeFileSync(join(folder, 'small.yaml'), SCENARIO);
-  const server = spawn(process.env.SKERRYD, ['--tcp-port', '0', '--http-port', '0', '--no-udp', '--no-cat240', '--print-ports',
+  const server = spawn(process.env.SKERRYD, [
+    '--tcp-port', '0', '--http-port', '0', '--no-udp', '--no-cat240', '--print-ports',
     '--scenario', join(folder, 'small.yaml'), '--record', '--record-folder', into]);
   let log = '';
   server.stderr.on('data', (data) => { log = (log + data).slice(-4000); });
@@ -87,19 +90,22 @@ const rosNs = ({ sec, nanosec, nsec }) => BigInt(sec) * 1000000000n + BigInt(nan
 async function source() {
   const file = await readByIndex(recording);
   const types = typesOf(file.reader);
-  return (topic) => byTopic(file, topic).map(({ time, schema, data }) => ({ time, ...types.get(schema).toObject(types.get(schema).decode(data), { defaults: true }) }));
+  return (topic) => byTopic(file, topic).map(({ time, schema, data }) => ({ time,
+    ...types.get(schema).toObject(types.get(schema).decode(data), { defaults: true }) }));
 }
 
 test('Foxglove: every field of a schema has the number, type and label that Foxglove publishes', async (t) => {
   const { reader } = await exported('foxglove');
   const types = typesOf(reader);
-  assert.deepEqual([...reader.channelsById.values()].map(({ topic, messageEncoding }) => `${topic} ${messageEncoding}`).sort(),
+  assert.deepEqual([...reader.channelsById.values()]
+    .map(({ topic, messageEncoding }) => `${topic} ${messageEncoding}`).sort(),
     ['/radar_0/position protobuf', '/radar_0/ppi protobuf', '/radar_0/ships protobuf']);
   let fields = 0;
   for (const type of types.values()) {
     const published = foxgloveMessageSchemas[type.name];
     assert.equal(type.fullName, `.foxglove.${type.name}`);
-    const theirs = protobuf.parse(generateProto(published, Object.values(foxgloveEnumSchemas).filter(({ parentSchemaName }) => parentSchemaName === type.name)),
+    const theirs = protobuf.parse(generateProto(published, Object.values(foxgloveEnumSchemas)
+      .filter(({ parentSchemaName }) => parentSchemaName === type.name)),
       { keepCase: true }).root.lookupType(`foxglove.${type.name}`);
     for (const field of type.fieldsArray) {
       const other = theirs.fields[field.name];
@@ -120,7 +126,8 @@ test('Foxglove: every field of a schema has the number, type and label that Foxg
 test('Foxglove: pictures, positions and tracks are those of the recording', async (t) => {
   const file = await exported('foxglove');
   const types = typesOf(file.reader);
-  const decoded = (topic) => byTopic(file, topic).map(({ time, schema, data }) => ({ time, ...types.get(schema).decode(data) }));
+  const decoded = (topic) => byTopic(file, topic)
+    .map(({ time, schema, data }) => ({ time, ...types.get(schema).decode(data) }));
   const of = await source();
 
   const fixes = decoded('/radar_0/position'), ships = of('radar/0/own_ship');
@@ -141,7 +148,8 @@ test('Foxglove: pictures, positions and tracks are those of the recording', asyn
     assert.equal(ns(image.timestamp), image.time);
     const { width, height, data } = PNG.sync.read(Buffer.from(image.data));
     assert.deepEqual([width, height], [512, 512]);
-    assert.ok(new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size > 20, 'the picture has echoes');
+    assert.ok(new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size > 20,
+      'the picture has echoes');
   }
 
   const tracks = decoded('/radar_0/ships').map(({ geojson }) => JSON.parse(geojson));
@@ -150,7 +158,8 @@ test('Foxglove: pictures, positions and tracks are those of the recording', asyn
   assert.equal(points.length, traffic.length + 1);
   const own = points.find(({ properties }) => properties.own_ship);
   assert.equal(own.properties.name, ships[0].name);
-  for (const { name, mmsi } of traffic) assert.ok(points.some(({ properties }) => properties.name === name && (properties.mmsi ?? 0) === mmsi), name);
+  for (const { name, mmsi } of traffic)
+    assert.ok(points.some(({ properties }) => properties.name === name && (properties.mmsi ?? 0) === mmsi), name);
   const [first] = last.filter(({ geometry, properties }) => geometry.type === 'LineString' && properties.own_ship);
   assert.deepEqual(first.geometry.coordinates[0], [ships[0].longitude_deg, ships[0].latitude_deg]);
   t.diagnostic(`${images.length} pictures, ${fixes.length} positions, ${points.length} ships`);
@@ -158,7 +167,8 @@ test('Foxglove: pictures, positions and tracks are those of the recording', asyn
 
 // As marine_sensor_msgs 2.1.0 has it; the others are in @foxglove/rosmsg-msgs-common.
 const RADAR = {
-  'marine_sensor_msgs/RadarSector': ['std_msgs/Header header', 'float32 angle_start', 'float32 angle_increment', 'duration time_increment',
+  'marine_sensor_msgs/RadarSector': ['std_msgs/Header header', 'float32 angle_start', 'float32 angle_increment',
+    'duration time_increment',
     'duration scan_time', 'float32 range_min', 'float32 range_max', 'marine_sensor_msgs/RadarEcho[] intensities'],
   'marine_sensor_msgs/RadarEcho': ['float32[] echoes'],
 };
@@ -181,7 +191,8 @@ test('ROS 2: every field of every definition is as ROS publishes it', async (t) 
       const type = unqualified(definition.name ?? name);
       const published = RADAR[type] ?? fieldTexts((ros2humble[type] ?? assert.fail(type)).definitions);
       assert.deepEqual(fieldTexts(definition.definitions).map(unqualified).sort(), [...published].sort(), type);
-      if (!type.endsWith('NavSatStatus') && !type.endsWith('NavSatFix')) assert.deepEqual(fieldTexts(definition.definitions).map(unqualified), published, type);
+      if (!type.endsWith('NavSatStatus') && !type.endsWith('NavSatFix'))
+        assert.deepEqual(fieldTexts(definition.definitions).map(unqualified), published, type);
       compared.add(type);
     }
   }
@@ -191,8 +202,10 @@ test('ROS 2: every field of every definition is as ROS publishes it', async (t) 
 
 test('ROS 2: sectors, positions and headings are those of the recording', async (t) => {
   const file = await exported('ros2');
-  const readers = new Map([...file.reader.schemasById].map(([id, { data }]) => [id, new MessageReader(parse(new TextDecoder().decode(data), { ros2: true }))]));
-  const decoded = (topic) => byTopic(file, topic).map(({ time, schema, data }) => ({ time, ...readers.get(schema).readMessage(data) }));
+  const readers = new Map([...file.reader.schemasById]
+    .map(([id, { data }]) => [id, new MessageReader(parse(new TextDecoder().decode(data), { ros2: true }))]));
+  const decoded = (topic) => byTopic(file, topic)
+    .map(({ time, schema, data }) => ({ time, ...readers.get(schema).readMessage(data) }));
   const of = await source();
 
   const spokes = of('radar/0/view/0/spokes');
@@ -205,7 +218,8 @@ test('ROS 2: sectors, positions and headings are those of the recording', async 
     const step = -2 * Math.PI / first.spokes_per_turn;
     assert.ok(Math.abs(sector.angle_increment - step) < 1e-9);
     assert.ok(Math.abs(sector.angle_start - first.index * step) < 1e-6);
-    assert.ok(Math.abs(sector.range_min - first.cell_size_m / 2) < 1e-3 && Math.abs(sector.range_max - first.cell_size_m * (first.cell_count - 0.5)) < 1e-2);
+    assert.ok(Math.abs(sector.range_min - first.cell_size_m / 2) < 1e-3 &&
+      Math.abs(sector.range_max - first.cell_size_m * (first.cell_count - 0.5)) < 1e-2);
     assert.ok(Math.abs(Number(rosNs(sector.scan_time)) / 1e9 - 1) < 0.01, `${Number(rosNs(sector.scan_time))}`);
     for (const { echoes } of sector.intensities) {
       assert.deepEqual(Array.from(echoes), Array.from(spokes[next].cells));
@@ -230,18 +244,23 @@ test('ROS 2: sectors, positions and headings are those of the recording', async 
   t.diagnostic(`${sectors.length} sectors of ${next} spokes, ${fixes.length} positions`);
 });
 
-test('ROS 2: no spoke of a HALO20 is lost where its capture has gaps and ranges change', { skip: existsSync(HALO20) ? false : 'no captures of real radars beside the repository' }, async () => {
+test('ROS 2: no spoke of a HALO20 is lost where its capture has gaps and ranges change', {
+  skip: existsSync(HALO20) ? false : 'no captures of real radars beside the repository',
+}, async () => {
   const capture = join(folder, 'halo20.mcap');
   await run(process.env.SKERRY, ['recording', 'import', HALO20, '-o', capture]);
   const file = await exported('ros2', capture);
-  const id = file.messages[0].schema, reader = new MessageReader(parse(new TextDecoder().decode(file.reader.schemasById.get(id).data), { ros2: true }));
+  const id = file.messages[0].schema;
+  const reader = new MessageReader(parse(new TextDecoder().decode(file.reader.schemasById.get(id).data),
+    { ros2: true }));
   let spokes = 0;
   for (const { data } of byTopic(file, '/radar_0/sectors')) spokes += reader.readMessage(data).intensities.length;
   assert.equal(spokes, 43874);
 });
 
 test('what cannot be exported is said, and no file is left', async () => {
-  for (const [args, why] of [[['--for', 'foxglove', '--radar', '7'], /no spokes of radar 7/], [['--for', 'ros2', '--view', '9'], /no spokes of radar 0 view 9/],
+  for (const [args, why] of [[['--for', 'foxglove', '--radar', '7'], /no spokes of radar 7/],
+    [['--for', 'ros2', '--view', '9'], /no spokes of radar 0 view 9/],
     [['--for', 'ros2', '--csv'], /exactly one/], [['--for', 'rviz'], /foxglove/]]) {
     const path = join(folder, 'nothing.mcap');
     await assert.rejects(run(process.env.SKERRY, ['recording', 'export', recording, ...args, '-o', path]), why);
