@@ -163,8 +163,10 @@ void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& ai
   std::fill(row.begin(), row.end(), 0.0f);
   no_water.clear();
   if (statics.empty()) return;
-  const auto speckle = land_speckle->row(mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
-                                         aim.index, model.geometry.cells);
+  const auto speckle =
+      land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan, aim.index,
+                         model.geometry.spokes_per_turn},
+                        model.geometry.cells);
   statics.add(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
 }
 

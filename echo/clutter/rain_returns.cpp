@@ -35,7 +35,8 @@ double rain_level(const RadarModel& model, double clutter_width, double range_m)
          (range * range * range * range);
 }
 
-RainReturns::RainReturns(const RadarModel& model) : radar_(model.radar) {
+RainReturns::RainReturns(const RadarModel& model)
+    : radar_(model.radar), spokes_per_turn_(model.geometry.spokes_per_turn) {
   // Within the rain's top the level goes as R^-2, beyond as R^-3: one value of each is enough.
   const double width = antenna_pattern_for(model.set)->clutter_width();
   const double near = rain_level(model, width, kNearestRain) * kNearestRain * kNearestRain;
@@ -61,7 +62,7 @@ void RainReturns::pass(std::uint64_t seed, const SpokeAim& aim, const RainKnots&
   echoes.resize(rain.rate_mm_h.size());
   rain_losses(rain.rate_mm_h, 0.0f, 1.6f, echoes);
   const auto speckle =
-      speckle_->row(mixed(seed, radar_, 0x4A1A), aim.scan, aim.index,
+      speckle_->row({mixed(seed, radar_, 0x4A1A), aim.scan, aim.index, spokes_per_turn_},
                     static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(rain.first));
   const std::size_t count = end - rain.first;
   pass_rain(echoes, rain.transmission, rain.step, std::span(level_).subspan(rain.first, count),

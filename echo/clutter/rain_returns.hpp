@@ -45,7 +45,7 @@ class RainReturns {
             std::span<float> power) const;
 
  private:
-  std::uint32_t radar_;
+  std::uint32_t radar_, spokes_per_turn_;
   AlignedFloats level_;
   std::shared_ptr<const Speckle> speckle_;
 };

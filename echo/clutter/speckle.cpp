@@ -25,21 +25,86 @@ double length_of_step(int step) { return step == kNoCorrelation ? 0.0 : exact_ex
 
 }  // namespace
 
-Speckle::Speckle(double spokes, double cells, std::uint64_t seed) {
+Speckle::Speckle(double spokes, double cells, std::uint64_t seed)
+    : spokes_(std::min(spokes, kLongestCorrelation)) {
   const std::vector<float> field = lattice_field(cells, spokes, mixed(seed, 1));
   const std::vector<float> other = lattice_field(cells, spokes, mixed(seed, 2));
+  in_phase_.assign(field.begin(), field.end());
+  quadrature_.assign(other.begin(), other.end());
   tile_.reserve(field.size() + kLongestRow);
   for (std::size_t i = 0; i < field.size(); ++i) {
     tile_.push_back(field[i] * field[i] + other[i] * other[i]);
   }
+  const AlignedFloats powers = tile_;
   give_exponential_law(tile_);
-  tile_.insert(tile_.end(), tile_.begin(), tile_.begin() + kLongestRow);
+  learn_law(powers);
+  for (AlignedFloats* ring : {&tile_, &in_phase_, &quadrature_}) {
+    ring->reserve(ring->size() + kLongestRow);
+    ring->insert(ring->end(), ring->begin(), ring->begin() + kLongestRow);
+  }
 }
 
-std::span<const float> Speckle::row(std::uint64_t key, std::uint32_t scan, std::uint32_t spoke,
-                                    std::uint32_t count, std::uint32_t from) const {
-  const auto start = static_cast<std::uint32_t>(mixed(key, scan)) & ~15u;
-  const std::uint32_t first = (start + spoke * kLatticeStep) & kLatticeMask;
+// Means of the tile by steps of the power's root; a knot that no value came near has its
+// neighbour's.
+void Speckle::learn_law(std::span<const float> powers) {
+  const float most = *std::max_element(powers.begin(), powers.end());
+  to_knot_ = static_cast<float>(kLawKnots - 2) / std::sqrt(most);
+  law_.assign(kLawKnots, 0.0f);
+  std::vector<double> sums(kLawKnots, 0.0), counts(kLawKnots, 0.0);
+  for (std::size_t i = 0; i < powers.size(); ++i) {
+    const auto knot = static_cast<std::size_t>(std::sqrt(powers[i]) * to_knot_ + 0.5f);
+    sums[knot] += static_cast<double>(tile_[i]), counts[knot] += 1.0;
+  }
+  float last = 0.0f;
+  for (std::size_t k = 1; k < kLawKnots; ++k) {
+    if (counts[k] > 0.0) last = static_cast<float>(sums[k] / counts[k]);
+    law_[k] = last;
+  }
+}
+
+float Speckle::by_law(float power) const {
+  const float at = std::min(std::sqrt(power) * to_knot_, static_cast<float>(kLawKnots - 2));
+  const auto knot = static_cast<std::size_t>(at);
+  const float value = law_[knot] + (at - static_cast<float>(knot)) * (law_[knot + 1] - law_[knot]);
+  return std::clamp(value, 2e-6f, 13.0f);
+}
+
+std::uint32_t Speckle::fading_spokes(std::uint32_t spokes_per_turn) const {
+  return std::min(static_cast<std::uint32_t>(3.0 * spokes_ + 0.5), spokes_per_turn / 4);
+}
+
+std::uint32_t Speckle::place_of(const Spoke& at) const {
+  const auto start = static_cast<std::uint32_t>(mixed(at.key, at.scan)) & ~15u;
+  return (start + at.spoke * kLatticeStep) & kLatticeMask;
+}
+
+// Voltages of this turn and of the next, whose spokes have come before it: turned from one to the
+// other by equal angles, so that they stay Gaussian and neighbours as alike as elsewhere.
+std::span<const float> Speckle::faded(const Spoke& at, std::uint32_t count,
+                                      std::uint32_t from) const {
+  const std::uint32_t fading = fading_spokes(at.spokes_per_turn);
+  const std::uint32_t left = at.spokes_per_turn - at.spoke;  // fading .. 1
+  const SinCos turn = sin_cos_units(
+      static_cast<std::uint32_t>((std::uint64_t{fading + 1 - left} << 30) / (fading + 1)));
+  const auto here = static_cast<float>(turn.cos), next = static_cast<float>(turn.sin);
+  const std::uint32_t a = place_of(at);
+  const std::uint32_t b = place_of({at.key, at.scan + 1, 0u - left, at.spokes_per_turn});
+  thread_local AlignedFloats row;
+  row.resize(kLongestRow);
+  const std::uint32_t end = std::min(count, kLongestRow);
+  for (std::uint32_t i = from; i < end; ++i) {
+    const float re = here * in_phase_[a + i] + next * in_phase_[b + i];
+    const float im = here * quadrature_[a + i] + next * quadrature_[b + i];
+    row[i] = by_law(re * re + im * im);
+  }
+  return std::span(row).first(end);
+}
+
+std::span<const float> Speckle::row(const Spoke& at, std::uint32_t count,
+                                    std::uint32_t from) const {
+  if (at.spoke + fading_spokes(at.spokes_per_turn) >= at.spokes_per_turn)
+    return faded(at, count, from);
+  const std::uint32_t first = place_of(at);
   // The tile is larger than the nearer caches, and the next row far from this one.
   const float* const next = tile_.data() + ((first + kLatticeStep) & kLatticeMask);
   for (std::uint32_t i = from; i < count; i += 16) __builtin_prefetch(next + i, 0, 2);

@@ -12,11 +12,13 @@ namespace skerry::echo {
 
 // A torus of unit-mean exponential values (Rayleigh amplitude), correlated in azimuth over the time
 // or the beam that two spokes share and in range over the pulse.  A scan begins at a place of its
-// own on the torus, so turns are independent; within a turn there is no seam, between its last
-// spoke and the first of the next there is one. Exact: the distribution, whatever the correlation
-// (mean 1 within 2e-4, mean of the decibels -2.507 and their deviation 5.570 within 0.005; held by
-// Speckle.HasTheMomentsOfTheExponential). Values lie in [1.9e-6, 13.2]. Immutable, shared between
-// radars of the same correlation (speckle_for); any thread.  1 MB.
+// own on the torus, so turns are independent.  Over its last spokes a turn fades into the next,
+// voltage by voltage, so that the boundary between turns is like any other.
+// Exact: the distribution, whatever the correlation (mean 1 within 2e-4, mean of the decibels
+// -2.507 and their deviation 5.570 within 0.005; held by Speckle.HasTheMomentsOfTheExponential).
+// Of the spokes that fade: mean within 3 %, for the law is carried over by kLawKnots straight lines
+// (Speckle.FadesFromTurnToTurnWithoutASeam).  Values lie in [1.9e-6, 13.2].  Immutable, shared
+// between radars of the same correlation (speckle_for); any thread.  3 MB.
 class Speckle {
  public:
   static constexpr std::uint32_t kLongestRow = 2 * ScanGeometry::kMaxCells;
@@ -25,13 +27,35 @@ class Speckle {
   // for none, and in cells: of the power exp(-2 (d / length)^2).  At most 96 of either.
   Speckle(double spokes, double cells, std::uint64_t seed);
 
+  struct Spoke {
+    std::uint64_t key = 0;
+    std::uint32_t scan = 0, spoke = 0;
+    std::uint32_t spokes_per_turn = 4096;
+  };
   // Values of one spoke, at least `count` (<= kLongestRow) of them, nearest first, 64-byte aligned.
-  // Those `from` on are what is used: the same of the next spoke are fetched ahead.
-  std::span<const float> row(std::uint64_t key, std::uint32_t scan, std::uint32_t spoke,
-                             std::uint32_t count, std::uint32_t from = 0) const;
+  // Those `from` on are what is used: the same of the next spoke are fetched ahead.  Valid until
+  // the same thread's next call, on any speckle.
+  std::span<const float> row(const Spoke& at, std::uint32_t count, std::uint32_t from = 0) const;
+
+  // How many spokes at the end of a turn fade: three correlation lengths, a quarter of a turn at
+  // most.
+  std::uint32_t fading_spokes(std::uint32_t spokes_per_turn) const;
 
  private:
-  AlignedFloats tile_;  // the ring of lattice_field.hpp and its beginning once more
+  static constexpr std::size_t kLawKnots = 257;
+
+  std::uint32_t place_of(const Spoke& at) const;
+  void learn_law(std::span<const float> powers);
+  float by_law(float power) const;
+  std::span<const float> faded(const Spoke& at, std::uint32_t count, std::uint32_t from) const;
+
+  double spokes_;
+  // The rings of lattice_field.hpp and their beginnings once more: what a row is, and the two
+  // quadratures it comes from.
+  AlignedFloats tile_, in_phase_, quadrature_;
+  // From the quadratures' power to that of the tile, by equal steps of its root.
+  AlignedFloats law_;
+  float to_knot_ = 0.0f;
 };
 
 // The speckle of those lengths, rounded to steps of an eighth of an octave (below 1/4: none); kept

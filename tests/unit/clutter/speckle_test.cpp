@@ -68,7 +68,7 @@ TEST(Speckle, HasTheMomentsOfTheExponential) {
     std::set<const float*> seen;
     std::uint32_t count = 0;
     for (std::uint32_t spoke = 0; count < kLatticeSize; ++spoke) {
-      const auto row = speckle.row(1, 0, spoke, 16);
+      const auto row = speckle.row({1, 0, spoke, ~0u}, 16);
       if (!seen.insert(row.data()).second) break;
       for (const float v : row) {
         const double db = 10.0 * std::log10(double{v});
@@ -96,7 +96,8 @@ TEST(Speckle, CorrelatesAsTheSquareOfItsField) {
     double mean = 0.0, square = 0.0, product = 0.0;
     int count = 0;
     for (std::uint32_t s = 0; s < 4096; ++s) {
-      const auto a = speckle.row(7, 0, s, 256), b = speckle.row(7, 0, s + spokes, 256);
+      const auto a = speckle.row({7, 0, s, 8192}, 256),
+                 b = speckle.row({7, 0, s + spokes, 8192}, 256);
       for (std::uint32_t i = 0; i + 32 < 256; ++i) {
         mean += a[i], square += double{a[i]} * a[i], product += double{a[i]} * b[i + cells];
         ++count;
@@ -118,7 +119,8 @@ TEST(Speckle, OfTwoTurnsIsUnrelated) {
   int count = 0;
   for (std::uint32_t scan = 0; scan < 200; ++scan) {
     for (std::uint32_t s = 0; s < 4096; s += 64) {
-      const auto a = speckle.row(7, scan, s, 512), b = speckle.row(7, scan + 1, s, 512);
+      const auto a = speckle.row({7, scan, s, 8192}, 512),
+                 b = speckle.row({7, scan + 1, s, 8192}, 512);
       for (std::uint32_t i = 0; i < 512; i += 16) {
         mean += a[i], square += double{a[i]} * a[i], product += double{a[i]} * b[i];
         ++count;
@@ -129,11 +131,51 @@ TEST(Speckle, OfTwoTurnsIsUnrelated) {
   EXPECT_NEAR((product / count - mean * mean) / (square / count - mean * mean), 0.0, 0.01);
 }
 
+// Mean square differences of neighbours, before the turn's end, at it and far from it.
+TEST(Speckle, FadesFromTurnToTurnWithoutASeam) {
+  for (const auto& [spokes, cells] : {std::pair{6.0, 4.0}, {24.0, 8.0}}) {
+    const Speckle speckle(spokes, cells, 2);
+    constexpr std::uint32_t kTurn = 1024;
+    const std::uint32_t fading = speckle.fading_spokes(kTurn);
+    const auto row = [&](std::uint64_t key, std::uint32_t running) {
+      const auto values = speckle.row({key, running / kTurn, running % kTurn, kTurn}, 512);
+      return std::vector<float>(values.begin(), values.end());
+    };
+    const auto steps = [&](std::uint32_t from, std::uint32_t to, double& mean) {
+      double sum = 0.0, squares = 0.0, n = 0.0;
+      for (std::uint64_t key = 0; key < 40; ++key) {
+        std::vector<float> last = row(key, from);
+        for (std::uint32_t s = from + 1; s <= to; ++s) {
+          std::vector<float> now = row(key, s);
+          for (std::uint32_t i = 0; i < 512; ++i) {
+            sum += now[i], squares += std::pow(double{now[i]} - last[i], 2.0), n += 1.0;
+          }
+          last.swap(now);
+        }
+      }
+      mean = sum / n;
+      return squares / n;
+    };
+    double mean = 0.0, fading_mean = 0.0, ignored = 0.0;
+    const double anywhere = steps(200, 400, mean);
+    const double fades = steps(kTurn - fading + 1, kTurn - 2, fading_mean);
+    const double begins = steps(kTurn - fading - 1, kTurn - fading, ignored);
+    const double bow = steps(kTurn - 1, kTurn, ignored);
+    std::printf("%.0f spokes: steps %.4f, fading %.4f, where it begins %.4f, at the bow %.4f\n",
+                spokes, anywhere, fades, begins, bow);
+    EXPECT_NEAR(mean, 1.0, 0.03);
+    EXPECT_NEAR(fading_mean, 1.0, 0.06);
+    EXPECT_NEAR(fades / anywhere, 1.0, 0.2);
+    EXPECT_NEAR(begins / anywhere, 1.0, 0.35);
+    EXPECT_NEAR(bow / anywhere, 1.0, 0.35);
+  }
+}
+
 TEST(Speckle, IsAlignedAndAsLongAsAskedFor) {
   const Speckle speckle(2.0, 2.0, 2);
-  const auto* const first = speckle.row(0, 0, 0, 4096).data();
+  const auto* const first = speckle.row({0, 0, 0, 16384}, 4096).data();
   for (std::uint32_t s = 0; s < 8192; s += 37) {
-    const auto row = speckle.row(99, s % 5, s, 4096);
+    const auto row = speckle.row({99, s % 5, s, 16384}, 4096);
     EXPECT_EQ(row.size(), 4096u);
     EXPECT_EQ((row.data() - first) % 16, 0);
   }
