@@ -109,6 +109,8 @@ const std::vector<Room>& table() {
       // The echo for other programs: a C library, and the tool that fits and judges coasts.
       {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},
       {"echo/coast_tool", {"protocol/quantity/", "protocol/video/", "protocol/picture/", "echo/"}},
+      // The tool that compares pictures with real radars': it reads recordings and captures.
+      {"echo/picture_tool", {"protocol/", "echo/"}},
       // The server: radar and net do not know each other, app joins them.
       {"server/core", {"protocol/"}},
       {"server/config", {"protocol/"}},
