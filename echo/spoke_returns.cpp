@@ -62,13 +62,14 @@ struct SpokeReturns::Contributors {
         minimum_range(radar),
         saturation(radar),
         pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u),
-        rows(std::size_t{kMaxSector} * pitch),
         looks(kMaxSector),
         dry(kMaxSector) {
     const SpeckleLengths lengths = speckle_lengths(radar, kLandLifetime);
     land_speckle = speckle_for(lengths.spokes, lengths.cells);
   }
 
+  std::uint32_t keep_from(std::uint64_t first, std::uint32_t count);
+  void make_rows(const Scene& scene, std::uint64_t first, std::uint32_t count, std::uint32_t into);
   void look_at_weather(const Scene& scene);
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
   // Land on empty rows, and where it leaves no water.
@@ -114,6 +115,8 @@ struct SpokeReturns::Contributors {
   std::vector<std::vector<CellRun>> dry;  // of each spoke
   std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
   std::vector<PointEcho> points, false_points;
+
+  std::uint64_t made_first = 0, made_end = 0;  // spokes of `rows`
 };
 
 void SpokeReturns::Contributors::look_at_weather(const Scene& scene) {
@@ -163,10 +166,9 @@ void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& ai
   std::fill(row.begin(), row.end(), 0.0f);
   no_water.clear();
   if (statics.empty()) return;
-  const auto speckle =
-      land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan, aim.index,
-                         model.geometry.spokes_per_turn},
-                        model.geometry.cells);
+  const auto speckle = land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
+                                          aim.index, model.geometry.spokes_per_turn},
+                                         model.geometry.cells);
   statics.add(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
 }
 
@@ -247,35 +249,62 @@ SpokeReturns& SpokeReturns::operator=(SpokeReturns&&) noexcept = default;
 const RadarModel& SpokeReturns::model() const { return all_->model; }
 
 void SpokeReturns::set_tune_loss(double db) {
-  all_->tune_factor = static_cast<float>(ratio_from_decibels(-db));
+  const auto factor = static_cast<float>(ratio_from_decibels(-db));
+  if (factor != all_->tune_factor) all_->made_end = all_->made_first;
+  all_->tune_factor = factor;
 }
 
 void SpokeReturns::set_doppler(bool wanted) {
   if (wanted == all_->speeds.has_value()) return;
+  all_->made_end = all_->made_first;
   all_->speeds.reset();
   if (wanted) all_->speeds.emplace(all_->model);
-  all_->closing_rows.resize(wanted ? all_->rows.size() : 0);
+  if (!wanted) all_->closing_rows.clear();
+}
+
+// Moves the rows of spokes from `first` on, which the last call made, to the front; how many.
+std::uint32_t SpokeReturns::Contributors::keep_from(std::uint64_t first, std::uint32_t count) {
+  std::uint32_t kept = 0;
+  if (first > made_first && first < made_end && made_end <= first + count) {
+    kept = static_cast<std::uint32_t>(made_end - first);
+    for (AlignedFloats* store : {&rows, &closing_rows}) {
+      if (store->empty()) continue;
+      const float* from = store->data() + (first - made_first) * pitch;
+      std::copy(from, from + kept * pitch, store->data());
+    }
+  }
+  made_first = first;
+  made_end = first + count;
+  return kept;
 }
 
 PowerRows SpokeReturns::make(const Scene& scene, std::uint64_t first, std::uint32_t count) {
   Contributors& all = *all_;
-  all.prepare(scene, first, count);
+  const std::uint32_t kept = all.keep_from(first, count);
+  if (kept == count) return {first, count, all.pitch, all.rows, all.closing_rows};
+  all.make_rows(scene, first + kept, count - kept, kept);
+  return {first, count, all.pitch, all.rows, all.closing_rows};
+}
+
+// Into the rows from `into` on.
+void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t first,
+                                           std::uint32_t count, std::uint32_t into) {
+  const std::size_t size = (into + count) * pitch;
+  if (rows.size() < size) rows.resize(size);
+  if (speeds && closing_rows.size() < size) closing_rows.resize(size);
+  prepare(scene, first, count);
   const auto row = [&](std::size_t k) {
-    return std::span(all.rows).subspan(k * all.pitch, all.model.geometry.cells);
+    return std::span(rows).subspan((into + k) * pitch, model.geometry.cells);
   };
   const auto closing = [&](std::size_t k) {
-    return all.speeds ? std::span(all.closing_rows).subspan(k * all.pitch, all.model.geometry.cells)
-                      : std::span<float>{};
+    return speeds ? std::span(closing_rows).subspan((into + k) * pitch, model.geometry.cells)
+                  : std::span<float>{};
   };
   // The sea's waves are made only where some spoke sees water.
-  all.parallel(count,
-               [&](std::size_t k) { all.lay_land(scene, all.looks[k].aim, row(k), all.dry[k]); });
-  all.look_for_water(count);
-  all.sea.prepare(scene, all.looks[0].aim, all.looks[count - 1].aim, all.wet);
-  all.parallel(count, [&](std::size_t k) {
-    all.make_row(scene, all.looks[k], all.dry[k], row(k), closing(k));
-  });
-  return {first, count, all.pitch, all.rows, all.closing_rows};
+  parallel(count, [&](std::size_t k) { lay_land(scene, looks[k].aim, row(k), dry[k]); });
+  look_for_water(count);
+  sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
+  parallel(count, [&](std::size_t k) { make_row(scene, looks[k], dry[k], row(k), closing(k)); });
 }
 
 }  // namespace skerry::echo

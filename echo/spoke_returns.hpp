@@ -45,7 +45,9 @@ class SpokeReturns {
 
   // Rows of spokes first .. first + count - 1, valid until the next call.  count: 1 to kMaxSector.
   // scene.index is not read here: it serves is_ashore().
-  static constexpr std::uint32_t kMaxSector = 64;
+  // Rows that the last call made ahead of this one's first are not made again, whatever has become
+  // of the scene.
+  static constexpr std::uint32_t kMaxSector = 128;
   PowerRows make(const Scene& scene, std::uint64_t first, std::uint32_t count);
 
  private:

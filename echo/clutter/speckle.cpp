@@ -9,6 +9,7 @@
 #include "echo/clutter/lattice_field.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/radar/range_response.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -138,7 +139,8 @@ SpeckleLengths speckle_lengths(const RadarModel& model, double lifetime_s) {
   const double beam = 0.849 * model.set.beam_width_deg / 360.0 * spokes_per_turn;
   const double time =
       lifetime_s / model.clock.with_spokes(model.geometry.spokes_per_turn).seconds_per_spoke();
-  return {beam * time / std::sqrt(beam * beam + time * time), 0.632 * model.pulse_cells};
+  return {beam * time / std::sqrt(beam * beam + time * time),
+          coherence_cells(model.pulse_cells, model.poles_per_cell)};
 }
 
 }  // namespace skerry::echo

@@ -47,6 +47,9 @@ struct RadarSet {
   double noise_figure_db = 5.0;
   double losses_db = 3.0;               // feeder and radome, both ways
   double video_range_db = kLogVideoDb;  // from the first level of the video to the last
+  // What the set's processing always integrates, 0 to 100 % of the two-way beam's spokes as the
+  // view's control has it (azimuth_memory.hpp); the larger of the two holds.
+  double integration = 0.0;
   // Shortest first; up_to_nm grows.
   std::vector<Pulse> pulses = {{0.08e-6, 20e6, 3000.0, 1.5},
                                {0.25e-6, 10e6, 1800.0, 3.0},

@@ -33,7 +33,8 @@ inline constexpr std::array kSetLimits = {
     SetLimit{"antenna_height_m", &RadarSet::antenna_height_m, 1.0, 100.0, "m"},
     SetLimit{"noise_figure_db", &RadarSet::noise_figure_db, 0.0, 20.0, "dB"},
     SetLimit{"losses_db", &RadarSet::losses_db, 0.0, 20.0, "dB"},
-    SetLimit{"video_range_db", &RadarSet::video_range_db, 3.0, 100.0, "dB"}};
+    SetLimit{"video_range_db", &RadarSet::video_range_db, 3.0, 100.0, "dB"},
+    SetLimit{"integration", &RadarSet::integration, 0.0, 100.0, "%"}};
 
 // Why this set cannot be: one sentence for each parameter out of its range, naming it as RadarSet
 // does, with its value and the allowed range; empty for a sound set.  Not a number is out of range.

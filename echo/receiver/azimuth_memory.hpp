@@ -35,6 +35,9 @@ class AzimuthMemory {
   void forget();  // as if no spoke had been
 
   const AzimuthStages& stages() const { return stages_; }
+  // How many spokes an integrated echo lies behind the newest of those it is made of.
+  std::uint32_t lag() const { return (stages_.integrated - 1) / 2; }
+  bool is_empty() const { return spokes_ == 0; }
   bool detects() const { return stages_.rejection_db > 0.0 || stages_.integrated > 1; }
   bool stretches() const { return stages_.stretch > 0; }
 

@@ -82,7 +82,8 @@ void ViewReceiver::set_up() {
   powers_.set_up(power_stages(model_.set, geometry.spokes_per_turn, in_force_), geometry.cells,
                  geometry.spokes_per_turn);
   memory_.set_up(azimuth_stages(model_.set.beam_width_deg, geometry.spokes_per_turn,
-                                in_force_.interference_rejection, in_force_.integration,
+                                in_force_.interference_rejection,
+                                std::max(in_force_.integration, model_.set.integration),
                                 in_force_.stretch_bearing ? stretch_cells_ : 0),
                  geometry.cells, noise_->mean_power());
   if (!in_force_.gain_auto) {
@@ -212,14 +213,19 @@ void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::
       if (sector != laid_sector_) lay_offsets();
       laid_sector_ = sector;
     }
-    const Piece piece{rows.subspan(std::size_t{done} * pitch),
-                      pitch,
-                      next_,
-                      step,
-                      seed,
-                      video.subspan(std::size_t{done} * model_.geometry.cells,
-                                    std::size_t{step} * model_.geometry.cells),
-                      count - done - step + ahead};
+    Piece piece{rows.subspan(std::size_t{done} * pitch),
+                pitch,
+                next_,
+                step,
+                seed,
+                video.subspan(std::size_t{done} * model_.geometry.cells,
+                              std::size_t{step} * model_.geometry.cells),
+                count - done - step + ahead};
+    if (memory_.detects() && memory_.is_empty()) look_ahead(piece, parallel);
+    const std::uint32_t lead = memory_.detects() ? std::min(lead_, piece.ahead) : 0;
+    piece.rows = piece.rows.subspan(std::size_t{lead} * pitch);
+    piece.first += lead;
+    piece.ahead -= lead;
     receive_piece(piece, parallel);
     next_ += step;
     if (ends) auto_sea_->finish_sector(sector);
@@ -256,6 +262,23 @@ void ViewReceiver::condition_rows(Piece& piece, const ParallelFor& parallel) {
   powers_.end_spokes(piece.count);
   piece.rows = conditioned_;
   piece.pitch = pitch;
+}
+
+void ViewReceiver::look_ahead(const Piece& piece, const ParallelFor& parallel) {
+  if (lead_ > 0) powers_.forget();
+  lead_ = std::min(memory_.lag(), piece.ahead);
+  thread_local std::vector<std::uint8_t> unseen;
+  for (std::uint32_t taken = 0; taken < lead_;) {
+    Piece part = piece;
+    part.count = std::min(lead_ - taken, kMaxPiece);
+    unseen.resize(std::size_t{part.count} * model_.geometry.cells);
+    part.rows = piece.rows.subspan(std::size_t{taken} * piece.pitch);
+    part.first += taken;
+    part.video = unseen;
+    part.ahead = piece.count + piece.ahead - taken - part.count;
+    receive_piece(part, parallel);
+    taken += part.count;
+  }
 }
 
 void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {

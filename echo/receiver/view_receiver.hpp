@@ -31,9 +31,9 @@ namespace skerry::echo {
 // Views of one radar share its rows and its noise: the same noise, cell by cell, on the same range
 // scale and decimation.  The receiver is blind, and its video 0, before model.blind_cells and
 // beyond the radar's rows.
-// Integration and stretch across spokes look back only: what they show lies late by half of the
-// spokes between the first and the last that they take. Target separation looks to either side, for
-// which it wants rows_ahead() rows of what comes.
+// Integration and target separation look to either side, for which they want rows_ahead() rows of
+// what comes; without those, integration looks back only, and what it shows lies late by half of
+// the spokes that it takes, as what the stretch across spokes shows always does.
 //
 // Deterministic: the video is a function of the sequence of rows and controls, of no matter how
 // many spokes to a call, threads or instruction set.  Calls go on where the last one ended; after a
@@ -54,7 +54,7 @@ class ViewReceiver {
   // Whether the radar's rows cover the view's range; what they do not is 0.
   bool reaches() const { return resampler_.reach() == model_.geometry.cells; }
   // How many rows beyond those of a call it can use.
-  std::uint32_t rows_ahead() const { return powers_.stages().reach; }
+  std::uint32_t rows_ahead() const { return powers_.stages().reach + memory_.lag(); }
   static constexpr double kMostNoiseDb = 12.0;  // at noise rejection 100
 
   // rows: echo power over mean noise, >= 0, < 1e30, `pitch` floats from spoke to spoke, the row's
@@ -90,6 +90,8 @@ class ViewReceiver {
   void lay_offsets();
   void lay_learnt(double constant, std::span<const double> bins);
   void lay_gates();
+  // Takes the rows that integration looks ahead to, once before the first spoke of a sequence.
+  void look_ahead(const Piece& piece, const ParallelFor& parallel);
   void receive_piece(Piece piece, const ParallelFor& parallel);
   // The rows of a piece in the view's cells; of those ahead too.
   void see_rows(Piece& piece, std::uint32_t count, const ParallelFor& parallel);
@@ -124,6 +126,7 @@ class ViewReceiver {
   std::optional<AutoGain> auto_gain_;
   std::uint32_t laid_sector_ = AutoSea::kBearings;  // whose STC the offsets have
   std::uint64_t next_ = 0;
+  std::uint32_t lead_ = 0;  // rows that are taken before the spoke that is shown
 };
 
 }  // namespace skerry::echo

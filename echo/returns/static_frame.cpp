@@ -7,6 +7,7 @@
 
 #include "echo/kernel/azimuth_sum.hpp"
 #include "echo/kernel/pulse_stretch.hpp"
+#include "echo/kernel/range_filter.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/hidden_water.hpp"
@@ -89,7 +90,7 @@ std::span<float> RayRing::begin(std::uint32_t ray) {
 StaticFrame::StaticFrame(const RadarModel& model, const FrameDetail& detail)
     : detail_(detail),
       ray_model_{model.cell_m, model.set.antenna_height_m, model.unit_snr, detail.rays},
-      pulse_cells_(model.pulse_cells),
+      response_(range_response_for(model)),
       reach_(static_cast<std::uint32_t>(1.25 * model.set.beam_width_deg / 360.0 * detail.rays) + 1),
       ring_(power_of_two_from(kMostRows + 2.0 * reach_ + 2.0, 128, detail.rays), detail.cells) {
   const std::uint32_t per_ray = detail.rows / detail.rays;
@@ -156,11 +157,15 @@ void StaticFrame::make_ray(std::uint32_t ray) {
   ground_.record(ray, ray_model_, scratch);
   if (!any) return;
   const auto [first, end] = echoing(power);
-  const std::uint32_t last =
-      std::min(detail_.cells, end + static_cast<std::uint32_t>(std::ceil(pulse_cells_)));
+  const std::uint32_t last = std::min(detail_.cells, end + response_->cells());
   ring_.set_extent(ray, {first, last});
-  if (first < last)
-    stretch_pulse(power.subspan(first, last - first), pulse_cells_, scratch.stretch);
+  if (first >= last) return;
+  const std::span<float> echo = power.subspan(first, last - first);
+  if (response_->is_box()) {
+    stretch_pulse(echo, response_->pulse_cells(), scratch.stretch);
+  } else {
+    filter_range(echo, response_->taps(), response_->tap_cells(), scratch.stretch);
+  }
 }
 
 void StaticFrame::make_row(std::uint32_t row, std::vector<PackedPower>& cells) {

@@ -9,6 +9,7 @@
 
 #include "echo/kernel/parallel_for.hpp"
 #include "echo/radar/radar_model.hpp"
+#include "echo/radar/range_response.hpp"
 #include "echo/returns/hidden_ground.hpp"
 #include "echo/returns/packed_rows.hpp"
 #include "echo/returns/static_ray.hpp"
@@ -117,7 +118,7 @@ class StaticFrame {
 
   FrameDetail detail_;
   StaticRayModel ray_model_;
-  double pulse_cells_;
+  std::shared_ptr<const RangeResponse> response_;
   std::uint32_t reach_;                      // rays to either side of a row's own
   std::vector<std::vector<float>> weights_;  // by row % (rows / rays), of rays -reach .. +reach
 

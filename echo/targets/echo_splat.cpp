@@ -17,6 +17,7 @@ constexpr std::uint32_t kMainPlaces = 512;
 constexpr double kNearLobesDeg = 5.0;
 constexpr float kSlightestPower = 1e-4f;  // of the noise: weaker points are left out
 constexpr float kLeastLobe = 0.05f;       // of the noise: weaker side lobes are
+constexpr float kLeastCellShare = 1e-7f;      // of a cell
 constexpr float kNull = 1e-6f;            // two-way voltage that counts as none
 
 constexpr std::uint32_t kPhases = 1024;
@@ -36,9 +37,7 @@ const Phasors& phasors() {
 }
 
 // A share so small that its square, with the slightest of levels, might be denormal counts as none.
-float root_of_share(double share) {
-  return share < 1e-4 ? 0.0f : std::sqrt(static_cast<float>(share));
-}
+float root_of_share(float share) { return share < kLeastCellShare ? 0.0f : std::sqrt(share); }
 
 }  // namespace
 
@@ -49,7 +48,7 @@ EchoSplat::EchoSplat(const RadarModel& model)
       lobes_units_(
           std::max(null_units_, static_cast<std::uint32_t>(kNearLobesDeg * kUnitsPerDegree))),
       to_place_(static_cast<float>(kMainPlaces) / static_cast<float>(null_units_)),
-      pulse_cells_(std::max(1.0, model.pulse_cells)),
+      response_(range_response_for(model)),
       far_(model) {
   const double highest = std::max(model.set.near_side_lobe_db, model.set.far_side_lobe_db);
   stands_out_ = static_cast<float>(kLeastLobePower / ratio_from_decibels(2.0 * highest));
@@ -71,16 +70,17 @@ float EchoSplat::voltage(std::uint32_t off_units) const {
   return side_lobes_ ? pattern_.one_way(off_units) : 0.0f;
 }
 
-bool EchoSplat::lay(const PointEcho& echo, Point& point) const {
+bool EchoSplat::lay(const PointEcho& echo, Point& point) {
   const double start = echo.range_m / model_.cell_m;
   if (!(start >= 0.0) || start >= model_.geometry.cells) return false;
-  const double end = start + pulse_cells_;
   point.units = echo.bearing_units;
   point.cell = static_cast<std::uint32_t>(start);
-  const auto last = static_cast<std::uint32_t>(end);
-  point.full = last - point.cell - 1;
-  point.lead = root_of_share(1.0 - (start - point.cell));
-  point.tail = root_of_share(end - last);
+  point.cells = std::min(response_->cells(), model_.geometry.cells - point.cell);
+  point.shares = static_cast<std::uint32_t>(shares_.size());
+  shares_.resize(shares_.size() + point.cells);
+  const std::span<float> shares = std::span(shares_).last(point.cells);
+  response_->shares_of(start - point.cell, shares);
+  for (float& share : shares) share = root_of_share(share);
   const float amplitude = std::sqrt(std::min(echo.power, kMaxPointPower));
   const auto turn = static_cast<std::uint32_t>(
       static_cast<std::int32_t>(echo.phase * static_cast<float>(kPhases)));
@@ -92,7 +92,7 @@ bool EchoSplat::lay(const PointEcho& echo, Point& point) const {
 void EchoSplat::prepare(const std::vector<PointEcho>& points, const SpokeAim& first,
                         const SpokeAim& last, const StrongEchoes* strong) {
   side_lobes_ = strong != nullptr;
-  near_.clear(), met_.clear(), points_.clear(), bodies_.clear(), far_.clear();
+  near_.clear(), met_.clear(), points_.clear(), shares_.clear(), bodies_.clear(), far_.clear();
   const auto turned = static_cast<std::int32_t>(last.plane_units - first.plane_units);
   const std::uint32_t middle = first.plane_units + static_cast<std::uint32_t>(turned / 2);
   const std::uint32_t half = static_cast<std::uint32_t>(std::abs(turned / 2)) + 1;
@@ -138,7 +138,7 @@ void EchoSplat::lay_bodies() {
       const std::int64_t off = static_cast<std::int32_t>(point.units - about);
       left = std::min(left, off), right = std::max(right, off);
       cell = std::min(cell, point.cell);
-      cell_end = std::max(cell_end, point.cell + point.full + 2);
+      cell_end = std::max(cell_end, point.cell + point.cells);
       stands_out = stands_out || near_[i].power > stands_out_;
       power += std::min(near_[i].power, kMaxPointPower);
     }
@@ -152,15 +152,13 @@ void EchoSplat::lay_bodies() {
   }
 }
 
-void EchoSplat::add_power(const Point& point, float factor, std::span<float> power) {
+void EchoSplat::add_power(const Point& point, float factor, std::span<float> power) const {
   const float level =
       factor * (point.in_phase * point.in_phase + point.quadrature * point.quadrature);
   if (!(level > kSlightestPower)) return;
-  const std::size_t tail = std::size_t{point.cell} + point.full + 1;
-  power[point.cell] += level * point.lead * point.lead;
-  const std::size_t full_end = std::min(tail, power.size());
-  for (std::size_t c = point.cell + std::size_t{1}; c < full_end; ++c) power[c] += level;
-  if (tail < power.size()) power[tail] += level * point.tail * point.tail;
+  const float* const shares = shares_.data() + point.shares;
+  float* const cells = power.data() + point.cell;
+  for (std::size_t c = 0; c < point.cells; ++c) cells[c] += level * shares[c] * shares[c];
 }
 
 void EchoSplat::add_body(const Body& body, std::uint32_t axis_units, std::span<float> power) const {
@@ -177,12 +175,10 @@ void EchoSplat::add_body(const Body& body, std::uint32_t axis_units, std::span<f
     if (g < kNull) continue;
     any = true;
     const float re = g * point.in_phase, im = g * point.quadrature;
-    const std::size_t at = point.cell - body.cell;
-    in_phase[at] += point.lead * re, quadrature[at] += point.lead * im;
-    const std::size_t last = at + point.full + 1;
-    const std::size_t full_end = std::min(last, width);
-    for (std::size_t c = at + 1; c < full_end; ++c) in_phase[c] += re, quadrature[c] += im;
-    if (last < width) in_phase[last] += point.tail * re, quadrature[last] += point.tail * im;
+    const float* const shares = shares_.data() + point.shares;
+    float* __restrict const is = in_phase + (point.cell - body.cell);
+    float* __restrict const qs = quadrature + (point.cell - body.cell);
+    for (std::size_t c = 0; c < point.cells; ++c) is[c] += shares[c] * re, qs[c] += shares[c] * im;
   }
   if (!any) return;
   float* row = power.data() + body.cell;

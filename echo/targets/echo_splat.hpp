@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "echo/radar/antenna_pattern.hpp"
 #include "echo/radar/radar_model.hpp"
+#include "echo/radar/range_response.hpp"
 #include "echo/scene/spoke_aim.hpp"
 #include "echo/targets/far_lobes.hpp"
 #include "echo/targets/point_echo.hpp"
@@ -16,8 +18,8 @@ namespace skerry::echo {
 
 // Points of one sector, ready to be added to any of its spokes.
 //
-// A point fills the cells from its range over the pulse's length (less than a cell counts as one),
-// the first and the last of them by the share of the cell it covers.  Points of one body add as
+// A point fills the cells from its range on as pulse and receiver have it (range_response.hpp; less
+// than a cell counts as one), each by its mean over the cell.  Points of one body add as
 // voltages, bodies as powers.  Error: where points of one body share a cell that each fills in
 // part, their interference weighs sqrt(f1 f2) instead of the common part; the mean over phases is
 // exact.  Shares below 1e-4 of a cell and points below 1e-4 of the noise are left out.
@@ -54,8 +56,8 @@ class EchoSplat {
  private:
   struct Point {
     std::uint32_t units;
-    std::uint32_t cell, full;  // first cell; cells filled wholly after it
-    float lead, tail;          // square roots of the shares of the first and the last cell
+    std::uint32_t cell, cells;  // the first, and how many
+    std::uint32_t shares;       // square roots of their shares, from here on in shares_
     float in_phase, quadrature;
   };
   struct Body {
@@ -71,12 +73,12 @@ class EchoSplat {
                const StrongEchoes* strong);
   void take_near_of(const StrongEchoes& strong, std::uint32_t middle, std::uint32_t reach);
   void lay_bodies();
-  bool lay(const PointEcho& echo, Point& point) const;
+  bool lay(const PointEcho& echo, Point& point);
   float voltage(std::uint32_t off_units) const;
   // False where the spoke does not see it.
   bool add_one(const Body& body, const SpokeAim& aim, std::span<float> power) const;
   void add_body(const Body& body, std::uint32_t axis_units, std::span<float> power) const;
-  static void add_power(const Point& point, float factor, std::span<float> power);
+  void add_power(const Point& point, float factor, std::span<float> power) const;
 
   RadarModel model_;
   AntennaPattern pattern_;
@@ -84,7 +86,7 @@ class EchoSplat {
   std::uint32_t lobes_units_;  // and the lobes that are laid spoke by spoke
   float to_place_;             // units off the axis -> place in main_lobe_
   float stands_out_;           // power that does in the highest side lobe
-  double pulse_cells_;
+  std::shared_ptr<const RangeResponse> response_;
   std::vector<float> main_lobe_;  // two-way voltage
   FarLobes far_;
 
@@ -92,6 +94,7 @@ class EchoSplat {
   std::vector<PointEcho> near_;
   std::vector<std::uint32_t> met_;  // bodies of near_ that are in the sector's points
   std::vector<Point> points_;
+  std::vector<float> shares_;
   std::vector<Body> bodies_;
 };
 

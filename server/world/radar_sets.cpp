@@ -78,6 +78,8 @@ echo::RadarSet radar_set(const scenario::Radar& radar) {
   if (radar.has_antenna_height_m()) set.antenna_height_m = radar.antenna_height_m();
   if (radar.has_noise_figure_db()) set.noise_figure_db = radar.noise_figure_db();
   if (radar.has_losses_db()) set.losses_db = radar.losses_db();
+  if (radar.has_video_range_db()) set.video_range_db = radar.video_range_db();
+  if (radar.has_set_integration()) set.integration = radar.set_integration();
   if (radar.pulses_size() > 0) set.pulses.clear();
   for (const scenario::Pulse& pulse : radar.pulses()) {
     set.pulses.push_back(

@@ -130,7 +130,7 @@ TEST(ScenarioEquipment, HasTheRangesOfTheTableOfLimits) {
   for (const echo::SetLimit& limit : echo::kSetLimits) {
     std::string key(limit.name);
     double unit = 1.0;
-    if (key == "video_range_db") continue;  // of the set alone
+    if (key == "integration") key = "set_integration";  // the control has the other name
     if (key == "frequency_hz") key = "frequency_ghz", unit = 1e-9;
     if (key == "peak_power_w") key = "peak_power_kw", unit = 1e-3;
     const auto* field = schema->FindFieldByName(key);
