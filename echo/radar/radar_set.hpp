@@ -47,6 +47,9 @@ struct RadarSet {
   double noise_figure_db = 5.0;
   double losses_db = 3.0;               // feeder and radome, both ways
   double video_range_db = kLogVideoDb;  // from the first level of the video to the last
+  // Whether the receiver's filter, two poles of the pulse's bandwidth, shapes echoes along range
+  // (range_response.hpp); else an echo is as long as the pulse and has sharp ends.
+  bool shapes_echoes = false;
   // What the set's processing always integrates, 0 to 100 % of the two-way beam's spokes as the
   // view's control has it (azimuth_memory.hpp); the larger of the two holds.
   double integration = 0.0;

@@ -1,8 +1,6 @@
 #include "echo/radar/shipped_sets.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -74,27 +72,12 @@ RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, doub
   // seen; saturated points are from 0.86 of a beam wide, medium ones 0.67, weak ones a quarter
   // (SOURCES.md "Pictures (e)").
   set.video_range_db = 6.0;
-  set.integration = 100.0;
   set.pulses = {{0.06e-6, 17e6, 3000.0, 0.5},
                 {0.1e-6, 10e6, 3000.0, 1.5},
                 {0.2e-6, 5e6, 2000.0, 3.0},
                 {0.4e-6, 2.5e6, 1500.0, 12.0},
                 {0.8e-6, 1.25e6, 750.0, 96.0}};
   return set;
-}
-
-// Pulses whose echoes of points are `metres` long at a mile's range scale, and longer in proportion
-// to the range scale.
-std::vector<Pulse> pulses_by_range(double metres_at_a_mile, double bandwidth_by_length) {
-  std::vector<Pulse> pulses;
-  for (const auto& [up_to_nm, prf] : {std::pair{0.125, 3000.0}, {0.25, 3000.0}, {0.5, 3000.0}, {0.75, 3000.0}, {1.0, 3000.0},
-                                      {1.5, 3000.0}, {2.0, 3000.0}, {3.0, 2000.0}, {6.0, 1500.0},
-                                      {12.0, 1500.0}, {96.0, 750.0}}) {
-    const double length = std::clamp(metres_at_a_mile * std::min(up_to_nm, 24.0) / (0.5 * kLightSpeed), 0.021e-6, 2e-6);
-    if (!pulses.empty() && length <= pulses.back().length_s) pulses.pop_back();
-    pulses.push_back({length, bandwidth_by_length / length, prf, up_to_nm});
-  }
-  return pulses;
 }
 
 // Sweeps of 165 mW over 1.3 ms, 200 a second [unverified]: the energy of 0.2 us of 1.1 kW
@@ -110,26 +93,15 @@ const auto& all() {
   // which the azimuth extents of saturated points bear out at 1.0 to 1.5 beam widths (SOURCES.md
   // "Pictures (e)").  The 4G's is the beam as its processing sharpens it; its aperture's is 5.2
   // deg.
-  const auto tuned = [](RadarSet set, double metres, double bt, double range_db, double integration) {
-    if (const char* e = std::getenv(("SET_" + set.name).c_str()))
-      std::sscanf(e, "%lf,%lf,%lf,%lf", &metres, &bt, &range_db, &integration);
-    const double prf = set.pulses[0].prf_hz;
-    set.pulses = pulses_by_range(metres, bt);
-    if (prf < 500.0) for (Pulse& p : set.pulses) p.prf_hz = prf;
-    set.video_range_db = range_db, set.integration = integration;
-    return set;
-  };
   static const std::array sets = {
       RadarSet{},
       river_x(),
       thirty_kilowatt_s(),
       dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
-      tuned(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 25.0, 1.0, 8.0, 100.0),
-      tuned(dome("HALO24", 1.2e3, 3.9, 24.5, 24.0), 25.0, 1.0, 8.0, 100.0),
-      tuned(sweeping_dome("4G", 2.6, 24.5, 23.874), 16.0, 1.0, 8.0, 100.0),
-      tuned(sweeping_dome("3G", 5.2, 23.0, 24.0), 16.0, 1.0, 8.0, 100.0),
-      tuned(sweeping_dome("BR24", 5.2, 23.0, 24.0), 16.0, 1.0, 8.0, 100.0),
-      tuned(dome("xHD", 4e3, 3.6, 25.0, 24.0), 16.0, 1.0, 12.0, 50.0),
+      dome("HALO20", 1.2e3, 4.9, 23.5, 22.8),
+      sweeping_dome("4G", 2.6, 24.5, 23.874),
+      sweeping_dome("3G", 5.2, 23.0, 24.0),
+      sweeping_dome("BR24", 5.2, 23.0, 24.0),
       dome("Quantum 2", 2.4e3, 4.9, 23.5, 24.0),
   };
   return sets;

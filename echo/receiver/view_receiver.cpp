@@ -221,7 +221,7 @@ void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::
                 video.subspan(std::size_t{done} * model_.geometry.cells,
                               std::size_t{step} * model_.geometry.cells),
                 count - done - step + ahead};
-    if (memory_.detects() && memory_.is_empty()) look_ahead(piece, parallel);
+    if (memory_.detects() && memory_.is_empty()) look_ahead(piece, ahead, parallel);
     const std::uint32_t lead = memory_.detects() ? std::min(lead_, piece.ahead) : 0;
     piece.rows = piece.rows.subspan(std::size_t{lead} * pitch);
     piece.first += lead;
@@ -264,9 +264,10 @@ void ViewReceiver::condition_rows(Piece& piece, const ParallelFor& parallel) {
   piece.pitch = pitch;
 }
 
-void ViewReceiver::look_ahead(const Piece& piece, const ParallelFor& parallel) {
+void ViewReceiver::look_ahead(const Piece& piece, std::uint32_t ahead,
+                              const ParallelFor& parallel) {
   if (lead_ > 0) powers_.forget();
-  lead_ = std::min(memory_.lag(), piece.ahead);
+  lead_ = std::min(memory_.lag(), ahead);
   thread_local std::vector<std::uint8_t> unseen;
   for (std::uint32_t taken = 0; taken < lead_;) {
     Piece part = piece;

@@ -90,8 +90,9 @@ class ViewReceiver {
   void lay_offsets();
   void lay_learnt(double constant, std::span<const double> bins);
   void lay_gates();
-  // Takes the rows that integration looks ahead to, once before the first spoke of a sequence.
-  void look_ahead(const Piece& piece, const ParallelFor& parallel);
+  // Takes the rows that integration looks ahead to, at most `ahead`, once before the first spoke of
+  // a sequence.
+  void look_ahead(const Piece& piece, std::uint32_t ahead, const ParallelFor& parallel);
   void receive_piece(Piece piece, const ParallelFor& parallel);
   // The rows of a piece in the view's cells; of those ahead too.
   void see_rows(Piece& piece, std::uint32_t count, const ParallelFor& parallel);

@@ -205,7 +205,7 @@ TEST(SpeckleLengths, AreThoseOfBeamTimeAndPulse) {
   // A lifetime of 7.5 ms is 12.3 spokes.
   EXPECT_NEAR(speckle_lengths(model, 7.5e-3).spokes,
               1.0 / std::hypot(1.0 / steady, 1.0 / (7.5e-3 / (2.5 / 4096))), 1e-6);
-  EXPECT_NEAR(speckle_lengths(model, 1.0).cells, 0.632 * model.pulse_cells, 1e-9);
+  EXPECT_NEAR(speckle_lengths(model, 1.0).cells, (1.0 - std::exp(-1.0)) * model.pulse_cells, 1e-9);
 }
 
 }  // namespace

@@ -120,6 +120,61 @@ TEST(Integration, LeavesNothingOfAStrongEchoBehind) {
   }
 }
 
+// Video of spokes `first` .. with the rows ahead that the receiver asks for, in calls of `sector`.
+std::vector<std::uint8_t> video_ahead(ViewReceiver& receiver, const Echo& echo, std::uint64_t first,
+                                      std::uint32_t count, std::uint32_t sector) {
+  const std::size_t pitch = kCells + 16;
+  const std::uint32_t ahead = receiver.rows_ahead();
+  std::vector<float> rows((sector + ahead) * pitch);
+  std::vector<std::uint8_t> video(std::size_t{count} * kCells);
+  for (std::uint32_t done = 0; done < count; done += sector) {
+    const std::uint32_t n = std::min(sector, count - done);
+    for (std::uint32_t k = 0; k < n + ahead; ++k) {
+      for (std::uint32_t i = 0; i < kCells; ++i)
+        rows[k * pitch + i] = static_cast<float>(echo(first + done + k, i));
+    }
+    receiver.receive(rows, pitch, first + done, n, 1, serial_for,
+                     std::span(video).subspan(std::size_t{done} * kCells, std::size_t{n} * kCells),
+                     ahead);
+  }
+  return video;
+}
+
+TEST(Integration, LiesOnTheEchoesOwnBearingWhereRowsAheadAreGiven) {
+  const RadarModel model = model_of(6.0);
+  ViewControls controls = controls_of(6.0);
+  controls.integration = 100.0;
+  const auto once = [](std::uint64_t spoke, std::uint32_t cell) {
+    return cell == 400 && (spoke == 50 || spoke == 1003) ? 1e6 : 0.0;
+  };
+  std::vector<std::uint8_t> first;
+  for (const std::uint32_t sector : {16u, 1u, 7u, 64u, 200u}) {
+    ViewReceiver receiver(model, controls);
+    ASSERT_EQ(receiver.rows_ahead(), 4u);  // of ten spokes
+    const auto video = video_ahead(receiver, once, 0, 200, sector);
+    for (std::uint32_t s = 0; s < 200; ++s)
+      EXPECT_EQ(video[s * kCells + 400] > 0, s >= 46 && s <= 55) << s << " in " << sector;
+    // And behind a jump.
+    const auto after = video_ahead(receiver, once, 1000, 40, sector);
+    for (std::uint32_t s = 0; s < 40; ++s)
+      EXPECT_EQ(after[s * kCells + 400] > 0, s <= 8) << s << " in " << sector;
+    if (first.empty()) first = video;
+    EXPECT_EQ(video, first) << sector;
+  }
+}
+
+TEST(Integration, OfTheSetHoldsWhateverTheViewAsksForLess) {
+  RadarModel model = model_of(6.0);
+  ViewControls controls = controls_of(6.0, 95.0);
+  controls.integration = 100.0;
+  const auto asked = video_of(model, controls, silence, 100);
+  model.set.integration = 100.0;
+  controls.integration = 30.0;
+  EXPECT_EQ(video_of(model, controls, silence, 100), asked);
+  model.set.integration = 0.0;
+  EXPECT_NE(video_of(model, controls, silence, 100), asked);
+}
+
 TEST(Stretch, WidensAPointInRangeAndBearing) {
   const RadarModel model = model_of(6.0);
   const auto point = [](std::uint64_t spoke, std::uint32_t cell) {
