@@ -1,6 +1,7 @@
 #include "echo/artefacts/saturation.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/fast_math.hpp"
@@ -14,7 +15,6 @@ static_assert(kSaturationDb == 90.0, "kLevel is that as a ratio");
 constexpr auto kMostExcess = static_cast<float>(kMostExcessDb * kOctavesPerDb);
 // A loss of 0.02 dB is none.
 constexpr float kNoLoss = 0.0066f;
-constexpr std::size_t kCellsAtOnce = 64;  // cells, skipped where nothing is to be done
 
 }  // namespace
 
@@ -31,7 +31,10 @@ Saturation::Saturation(const RadarModel& model) {
 }
 
 bool Saturation::apply(const Artefacts& artefacts, std::span<float> power) const {
-  if (!artefacts.saturation || peak_of(power) <= kLevel) return false;
+  if (!artefacts.saturation) return false;
+  thread_local std::vector<float> peaks;
+  peaks.resize((power.size() + kPeakCells - 1) / kPeakCells);
+  if (peaks_of(power, peaks) <= kLevel) return false;
   float loss = 0.0f;  // octaves
   const auto dim = [&](std::span<float> run) {
     if (peak_of(run) <= kLevel) {
@@ -54,9 +57,10 @@ bool Saturation::apply(const Artefacts& artefacts, std::span<float> power) const
       }
     }
   };
-  for (std::size_t begin = 0; begin < power.size(); begin += kCellsAtOnce) {
-    const auto block = power.subspan(begin, std::min(kCellsAtOnce, power.size() - begin));
-    if (loss == 0.0f && peak_of(block) <= kLevel) continue;
+  for (std::size_t b = 0; b < peaks.size(); ++b) {
+    if (loss == 0.0f && peaks[b] <= kLevel) continue;
+    const std::size_t begin = b * kPeakCells;
+    const auto block = power.subspan(begin, std::min(kPeakCells, power.size() - begin));
     for (std::size_t at = 0; at < block.size(); at += kRun)
       dim(block.subspan(at, std::min(kRun, block.size() - at)));
   }

@@ -20,6 +20,31 @@ SKERRY_KERNEL_BODY peak_row_body(const float* power, float* peak, std::size_t n)
   *peak = std::bit_cast<float>(most);
 }
 
+inline __attribute__((always_inline)) std::int32_t most_bits(const float* power, std::size_t n) {
+  std::int32_t most = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto bits = std::bit_cast<std::int32_t>(power[i]);
+    most = bits > most ? bits : most;
+  }
+  return most;
+}
+
+SKERRY_KERNEL_BODY block_peaks_body(const float* power, float* peaks, float* peak, std::size_t n) {
+  std::int32_t most = 0;
+  std::size_t b = 0;
+  for (; (b + 1) * kPeakCells <= n; ++b) {
+    const std::int32_t bits = most_bits(power + b * kPeakCells, kPeakCells);
+    peaks[b] = std::bit_cast<float>(bits);
+    most = bits > most ? bits : most;
+  }
+  if (b * kPeakCells < n) {
+    const std::int32_t bits = most_bits(power + b * kPeakCells, n - b * kPeakCells);
+    peaks[b] = std::bit_cast<float>(bits);
+    most = bits > most ? bits : most;
+  }
+  *peak = std::bit_cast<float>(most);
+}
+
 SKERRY_KERNEL_BODY tilt_row_body(TiltedBeam beam, const float* depression, float* power,
                                  std::size_t n) {
   const float most = -beam.floor / beam.fall;  // square radians at which the floor begins
@@ -44,6 +69,10 @@ SKERRY_KERNEL(dying_row,
               (loss, dying, power, n))
 SKERRY_KERNEL(peak_row, (const float* __restrict power, float* __restrict peak, std::size_t n),
               (power, peak, n))
+SKERRY_KERNEL(block_peaks,
+              (const float* __restrict power, float* __restrict peaks, float* __restrict peak,
+               std::size_t n),
+              (power, peaks, peak, n))
 SKERRY_KERNEL(tilt_row,
               (TiltedBeam beam, const float* __restrict depression, float* __restrict power,
                std::size_t n),
@@ -54,6 +83,12 @@ SKERRY_KERNEL(tilt_row,
 float peak_of(std::span<const float> power) noexcept {
   float peak = 0.0f;
   peak_row(power.data(), &peak, power.size());
+  return peak;
+}
+
+float peaks_of(std::span<const float> power, std::span<float> peaks) noexcept {
+  float peak = 0.0f;
+  block_peaks(power.data(), peaks.data(), &peak, power.size());
   return peak;
 }
 

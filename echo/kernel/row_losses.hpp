@@ -8,6 +8,10 @@ namespace skerry::echo {
 
 // The greatest of powers that are all >= 0 and no NaN; 0 of none.
 float peak_of(std::span<const float> power) noexcept;
+// The same of each kPeakCells cells; the last block is what is left.  Requires
+// peaks.size() == (power.size() + kPeakCells - 1) / kPeakCells.  Returns the greatest of them.
+inline constexpr std::size_t kPeakCells = 64;
+float peaks_of(std::span<const float> power, std::span<float> peaks) noexcept;
 
 // The loss of a tilted beam.  With L(x) = max(-fall x^2, floor) the pattern in octaves at x off its
 // axis, power[i] *= 2^min(0, L(tilt - depression[i]) - L(depression[i])).

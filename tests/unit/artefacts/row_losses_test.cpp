@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -37,6 +38,26 @@ TEST(RowLosses, PeakIsTheGreatestOfAnyLength) {
       EXPECT_EQ(peak_of(row), most) << n;
     }
     EXPECT_EQ(peak_of(std::vector<float>(5, 0.0f)), 0.0f);
+  });
+}
+
+TEST(RowLosses, PeaksAreTheGreatestOfEachBlock) {
+  on_every_isa([] {
+    for (std::size_t n = 0; n <= 3 * kPeakCells + 17; ++n) {
+      std::vector<float> row(n);
+      for (std::size_t i = 0; i < n; ++i)
+        row[i] = static_cast<float>(std::exp2(60.0 * as_unit(mixed(n, i)) - 30.0));
+      std::vector<float> peaks((n + kPeakCells - 1) / kPeakCells);
+      const float most = peaks_of(row, peaks);
+      EXPECT_EQ(most, peak_of(row)) << n;
+      for (std::size_t b = 0; b < peaks.size(); ++b) {
+        const std::size_t begin = b * kPeakCells, count = std::min(kPeakCells, n - begin);
+        EXPECT_EQ(peaks[b],
+                  *std::max_element(row.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    row.begin() + static_cast<std::ptrdiff_t>(begin + count)))
+            << n << ", " << b;
+      }
+    }
   });
 }
 
