@@ -1,6 +1,7 @@
 #include "echo/returns/static_frame.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "echo/kernel/azimuth_sum.hpp"
 #include "echo/kernel/pulse_stretch.hpp"
 #include "echo/kernel/range_filter.hpp"
+#include "echo/kernel/row_losses.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/radar/radar_equation.hpp"
 #include "echo/returns/hidden_water.hpp"
@@ -46,12 +48,19 @@ void share_out(std::size_t count, const ParallelFor& parallel,
 // The whole blocks of kPackBlock cells between which all that is not 0 lies.
 std::pair<std::uint32_t, std::uint32_t> echoing(std::span<const float> power) {
   const auto blank = [&](std::size_t block) {
-    const std::size_t end = std::min(power.size(), (block + 1) * kPackBlock);
-    float most = 0.0f;
-    for (std::size_t i = block * kPackBlock; i < end; ++i) most = std::max(most, power[i]);
-    return most == 0.0f;
+    const std::size_t begin = block * kPackBlock;
+    return peak_of(power.subspan(begin, std::min(kPackBlock, power.size() - begin))) == 0.0f;
   };
-  std::size_t first = 0, last = (power.size() + kPackBlock - 1) / kPackBlock;
+  thread_local std::vector<float> peaks;
+  peaks.resize((power.size() + kPeakCells - 1) / kPeakCells);
+  if (peaks_of(power, peaks) == 0.0f) return {0, 0};
+  std::size_t ends[2] = {0, peaks.size()};
+  while (peaks[ends[0]] == 0.0f) ++ends[0];
+  while (peaks[ends[1] - 1] == 0.0f) --ends[1];
+  static_assert(kPeakCells % kPackBlock == 0);
+  constexpr std::size_t kBlocks = kPeakCells / kPackBlock;
+  std::size_t first = ends[0] * kBlocks;
+  std::size_t last = std::min(ends[1] * kBlocks, (power.size() + kPackBlock - 1) / kPackBlock);
   while (last > first && blank(last - 1)) --last;
   while (first < last && blank(first)) ++first;
   return {static_cast<std::uint32_t>(first * kPackBlock),
@@ -91,6 +100,7 @@ StaticFrame::StaticFrame(const RadarModel& model, const FrameDetail& detail)
     : detail_(detail),
       ray_model_{model.cell_m, model.set.antenna_height_m, model.unit_snr, detail.rays},
       response_(range_response_for(model)),
+      per_ray_shift_(static_cast<std::uint32_t>(std::countr_zero(detail.rows / detail.rays))),
       reach_(static_cast<std::uint32_t>(1.25 * model.set.beam_width_deg / 360.0 * detail.rays) + 1),
       ring_(power_of_two_from(kMostRows + 2.0 * reach_ + 2.0, 128, detail.rays), detail.cells) {
   const std::uint32_t per_ray = detail.rows / detail.rays;
@@ -144,8 +154,7 @@ bool StaticFrame::sandy() const {
 }
 
 std::uint32_t StaticFrame::ray_of(std::uint32_t row) const {
-  const std::uint32_t per_ray = detail_.rows / detail_.rays;
-  return (row + per_ray / 2) / per_ray & (detail_.rays - 1);
+  return (row + (1u << per_ray_shift_ >> 1)) >> per_ray_shift_ & (detail_.rays - 1);
 }
 
 void StaticFrame::make_ray(std::uint32_t ray) {

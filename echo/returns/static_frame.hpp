@@ -119,6 +119,7 @@ class StaticFrame {
   FrameDetail detail_;
   StaticRayModel ray_model_;
   std::shared_ptr<const RangeResponse> response_;
+  std::uint32_t per_ray_shift_;              // log2 of rows to a ray
   std::uint32_t reach_;                      // rays to either side of a row's own
   std::vector<std::vector<float>> weights_;  // by row % (rows / rays), of rays -reach .. +reach
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/power_stages.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/targets/sector_view.hpp"
 #include "protocol/quantity/bearing.hpp"
@@ -95,7 +96,8 @@ void ShipShadow::apply(const SpokeAim& aim, std::span<float> power) const {
   shadows(aim, list);
   for (const ShadowedCells& shadow : list) {
     const std::size_t end = std::min<std::size_t>(power.size(), shadow.last_cell + std::size_t{1});
-    for (std::size_t i = shadow.first_cell; i < end; ++i) power[i] *= shadow.factor;
+    if (end > shadow.first_cell)
+      scale_row(power.subspan(shadow.first_cell, end - shadow.first_cell), shadow.factor);
   }
 }
 
