@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "echo/chart/gdal/open_chart.hpp"
-#include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/figure_coast.hpp"
 #include "echo/coast_tool/figure_sheet.hpp"
+#include "echo/tool_console/console.hpp"
 #include "protocol/picture/picture_file.hpp"
 
 namespace skerry::echo {

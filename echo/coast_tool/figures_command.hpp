@@ -1,7 +1,7 @@
 // skerry coast figures: the figures of Ji et al. 2016 on a real coast.
 #pragma once
 
-#include "echo/coast_tool/command.hpp"
+#include "echo/tool_console/command.hpp"
 
 namespace skerry::echo {
 

@@ -1,4 +1,5 @@
-// skerry coast fit: how rough a stretch of coast is, and by which style to refine it.
+#include "echo/coast_tool/fit_command.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,9 +11,8 @@
 
 #include "echo/chart/gdal/coverage.hpp"
 #include "echo/chart/gdal/open_chart.hpp"
-#include "echo/coast_tool/command.hpp"
-#include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/fit_report.hpp"
+#include "echo/tool_console/console.hpp"
 
 namespace skerry::echo {
 namespace {

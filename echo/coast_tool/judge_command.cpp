@@ -11,8 +11,8 @@
 
 #include "echo/chart/gdal/coverage.hpp"
 #include "echo/chart/gdal/open_chart.hpp"
-#include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/judge_run.hpp"
+#include "echo/tool_console/console.hpp"
 
 namespace skerry::echo {
 namespace {

@@ -1,7 +1,7 @@
 // skerry coast judge: every method against the real coast it was not shown.
 #pragma once
 
-#include "echo/coast_tool/command.hpp"
+#include "echo/tool_console/command.hpp"
 
 namespace skerry::echo {
 

@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "echo/tool_console/text_table.hpp"
+
 namespace skerry::echo {
 namespace {
 
@@ -36,31 +38,6 @@ std::string cell(const Spread& s, int digits) {
     text += fmt::format("~{:.{}f}", s.deviation, digits);
   return text;
 }
-
-// Cells in columns as wide as they need; the first to the left, the others to the right.
-class Table {
- public:
-  void begin(std::string first) { rows_.push_back({std::move(first)}); }
-  void add(std::string text) { rows_.back().push_back(std::move(text)); }
-  std::string text() const {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows_) {
-      widths.resize(std::max(widths.size(), row.size()));
-      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    std::string text;
-    for (const auto& row : rows_) {
-      text += fmt::format("{:{}}", row[0], row.size() > 1 ? widths[0] : 0);
-      for (std::size_t i = 1; i < row.size(); ++i)
-        text += fmt::format("  {:>{}}", row[i], widths[i]);
-      text += '\n';
-    }
-    return text;
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
 
 // A column: its heading, digits, and what it takes of one seed.
 template <typename Item>
@@ -133,17 +110,17 @@ const std::vector<PictureColumn>& picture_columns() {
 }
 
 template <typename Columns>
-void add_heads(const Columns& columns, Table& table) {
+void add_heads(const Columns& columns, TextTable& table) {
   for (const auto& column : columns) table.add(column.name);
 }
 template <typename Columns, typename Items>
-void add_cells(const Columns& columns, const Items& items, Table& table) {
+void add_cells(const Columns& columns, const Items& items, TextTable& table) {
   for (const auto& column : columns) table.add(cell(spread_of(items, column.of), column.digits));
 }
 
 template <typename Shapes, typename Scores>
 std::string curve_table(const Judgement& judgement, const Shapes& shapes, const Scores& scores) {
-  Table table;
+  TextTable table;
   table.begin("");
   add_heads(shapes, table);
   add_heads(scores, table);
@@ -179,7 +156,7 @@ std::string nearest_line(const Judgement& judgement) {
 
 std::string picture_table(const Judgement& judgement, std::size_t which) {
   const Judgement::Picture& picture = judgement.pictures[which];
-  Table table;
+  TextTable table;
   table.begin("");
   add_heads(picture_columns(), table);
   for (const RecordedPicture& recorded : kRecordedPictures) {

@@ -5,10 +5,11 @@
 #include <cstdio>
 #include <exception>
 
-#include "echo/coast_tool/command.hpp"
-#include "echo/coast_tool/console.hpp"
 #include "echo/coast_tool/figures_command.hpp"
+#include "echo/coast_tool/fit_command.hpp"
 #include "echo/coast_tool/judge_command.hpp"
+#include "echo/tool_console/command.hpp"
+#include "echo/tool_console/console.hpp"
 
 namespace {
 
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  name_program("skerry coast");
   watch_pipe();
   try {
     return run(argc, argv);

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/ml.hpp>
-#include <tuple>
 
 #include "echo/kernel/hash.hpp"
 
@@ -14,6 +11,7 @@ namespace skerry::echo {
 namespace {
 
 constexpr std::uint32_t kFolds = 4;
+constexpr std::size_t kFifths = 5;
 constexpr int kTrees = 200;
 
 struct Sample {
@@ -23,32 +21,35 @@ struct Sample {
 
 std::uint32_t fold_of(const PicturePatch& patch) { return (patch.place + patch.quadrant) % kFolds; }
 
-// In an order that depends on the seed and on nothing else.
-std::vector<const PicturePatch*> dealt(std::span<const PicturePatch> patches, std::uint64_t seed) {
-  std::vector<std::pair<std::uint64_t, const PicturePatch*>> keyed;
-  for (std::size_t i = 0; i < patches.size(); ++i) keyed.emplace_back(mixed(seed, i), &patches[i]);
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<const PicturePatch*> out;
-  for (const auto& [key, patch] : keyed) out.push_back(patch);
-  return out;
+// Patches among which as many of either set are drawn.
+std::size_t stratum_of(const PicturePatch& patch) {
+  const auto fifth = static_cast<std::size_t>(patch.occupancy * static_cast<float>(kFifths));
+  return fold_of(patch) * kFifths + std::min(kFifths - 1, fifth);
 }
 
-std::size_t stratum_of(const PicturePatch& patch) {
-  return std::min<std::size_t>(4, static_cast<std::size_t>(patch.occupancy * 5.0f));
+using Strata = std::array<std::vector<const PicturePatch*>, kFolds * kFifths>;
+
+// Each stratum in an order that depends on the seed and on nothing else.
+Strata dealt(std::span<const PicturePatch> patches, std::uint64_t seed) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
+  for (std::size_t i = 0; i < patches.size(); ++i) keyed.emplace_back(mixed(seed, i), i);
+  std::sort(keyed.begin(), keyed.end());
+  Strata strata;
+  for (const auto& [key, i] : keyed) strata[stratum_of(patches[i])].push_back(&patches[i]);
+  return strata;
 }
 
 std::vector<Sample> matched(std::span<const PicturePatch> first,
-                            std::span<const PicturePatch> second, std::uint64_t seed,
-                            std::size_t most) {
-  std::array<std::vector<const PicturePatch*>, 5> of_first, of_second;
-  for (const PicturePatch* p : dealt(first, mixed(seed, 1))) of_first[stratum_of(*p)].push_back(p);
-  for (const PicturePatch* p : dealt(second, mixed(seed, 2)))
-    of_second[stratum_of(*p)].push_back(p);
+                            std::span<const PicturePatch> second, const TellingRules& rules) {
+  const Strata of_first = dealt(first, mixed(rules.seed, 1));
+  const Strata of_second = dealt(second, mixed(rules.seed, 2));
   std::size_t all = 0;
-  for (std::size_t s = 0; s < 5; ++s) all += std::min(of_first[s].size(), of_second[s].size());
-  const double share = all > most ? static_cast<double>(most) / static_cast<double>(all) : 1.0;
+  for (std::size_t s = 0; s < of_first.size(); ++s)
+    all += std::min(of_first[s].size(), of_second[s].size());
+  const double share =
+      all > rules.most ? static_cast<double>(rules.most) / static_cast<double>(all) : 1.0;
   std::vector<Sample> samples;
-  for (std::size_t s = 0; s < 5; ++s) {
+  for (std::size_t s = 0; s < of_first.size(); ++s) {
     const auto count = static_cast<std::size_t>(
         share * static_cast<double>(std::min(of_first[s].size(), of_second[s].size())));
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,11 +62,9 @@ std::vector<Sample> matched(std::span<const PicturePatch> first,
 
 // One new label for all turns of a patch.
 void shuffle_labels(std::vector<Sample>& samples, std::uint64_t seed) {
-  using Where = std::tuple<int, std::uint32_t, std::uint32_t, std::uint32_t>;
   for (Sample& sample : samples) {
     const PicturePatch& p = *sample.patch;
-    const Where where{sample.label, p.place, p.spoke, p.cell};
-    std::uint64_t key = mixed(seed, static_cast<std::uint64_t>(std::get<0>(where)));
+    std::uint64_t key = mixed(seed, static_cast<std::uint64_t>(sample.label));
     key = mixed(mixed(mixed(key, p.place), p.spoke), p.cell);
     sample.label = static_cast<int>(key >> 33 & 1u);
   }
@@ -104,8 +103,13 @@ std::vector<double> votes_for(const std::vector<Sample>& learnt, const std::vect
   return out;
 }
 
-// Mann and Whitney's count: pairs in which label 1 has more votes, ties half.
-double auc_of(std::vector<std::pair<double, int>> scored) {
+// Mann and Whitney's count: pairs of the two labels, and how many label 1 wins, ties half.
+struct Pairs {
+  double won = 0.0, all = 0.0;
+  double auc() const { return all > 0.0 ? won / all : 0.5; }
+};
+
+Pairs pairs_of(std::vector<std::pair<double, int>> scored) {
   std::sort(scored.begin(), scored.end());
   double ranks = 0.0, ones = 0.0;
   for (std::size_t i = 0; i < scored.size();) {
@@ -117,7 +121,7 @@ double auc_of(std::vector<std::pair<double, int>> scored) {
     }
   }
   const double zeros = static_cast<double>(scored.size()) - ones;
-  return ones > 0.0 && zeros > 0.0 ? (ranks - ones * (ones + 1.0) / 2.0) / (ones * zeros) : 0.5;
+  return {ranks - ones * (ones + 1.0) / 2.0, ones * zeros};
 }
 
 std::vector<std::string> strongest_of(const std::vector<Sample>& samples, std::size_t features) {
@@ -126,7 +130,7 @@ std::vector<std::string> strongest_of(const std::vector<Sample>& samples, std::s
     std::vector<std::pair<double, int>> scored;
     for (const Sample& s : samples)
       scored.emplace_back(static_cast<double>(s.patch->features[f]), s.label);
-    const double auc = auc_of(std::move(scored));
+    const double auc = pairs_of(std::move(scored)).auc();
     by_auc.emplace_back(-std::max(auc, 1.0 - auc), f);
   }
   std::sort(by_auc.begin(), by_auc.end());
@@ -135,28 +139,40 @@ std::vector<std::string> strongest_of(const std::vector<Sample>& samples, std::s
   return names;
 }
 
+bool has_both(const std::vector<Sample>& samples) {
+  const auto ones = std::count_if(samples.begin(), samples.end(), [](auto& s) { return s.label; });
+  return ones > 0 && ones < static_cast<std::ptrdiff_t>(samples.size());
+}
+
 }  // namespace
 
 TellingApart tell_apart(std::span<const PicturePatch> first, std::span<const PicturePatch> second,
-                        PatchView view, std::uint64_t seed, bool shuffled, std::size_t most) {
-  std::vector<Sample> samples = matched(first, second, seed, most);
-  if (samples.size() / 2 < kLeastPatches)
-    throw TooFewPatches{first.size(), second.size(), samples.size() / 2};
+                        PatchView view, const TellingRules& rules) {
+  std::vector<Sample> samples = matched(first, second, rules);
+  const TooFewPatches few{first.size(), second.size(), samples.size() / 2};
+  if (few.matched < kLeastPatches) throw few;
   const std::size_t features = view == PatchView::mask ? kMaskFeatures : kPatchFeatures;
   TellingApart result;
-  result.patches = samples.size() / 2;
+  result.patches = few.matched;
   result.strongest = strongest_of(samples, features);
-  if (shuffled) shuffle_labels(samples, mixed(seed, 3));
-  std::vector<std::pair<double, int>> scored;
+  if (rules.shuffled) shuffle_labels(samples, mixed(rules.seed, 3));
+  Pairs pairs;
+  result.least = 1.0, result.most = 0.0;
   for (std::uint32_t fold = 0; fold < kFolds; ++fold) {
     std::vector<Sample> learnt, asked;
     for (const Sample& s : samples) (fold_of(*s.patch) == fold ? asked : learnt).push_back(s);
-    const auto ones = std::count_if(learnt.begin(), learnt.end(), [](auto& s) { return s.label; });
-    if (asked.empty() || ones == 0 || ones == static_cast<std::ptrdiff_t>(learnt.size())) continue;
+    if (!has_both(learnt) || !has_both(asked)) continue;
     const std::vector<double> votes = votes_for(learnt, asked, features);
+    std::vector<std::pair<double, int>> scored;
     for (std::size_t i = 0; i < asked.size(); ++i) scored.emplace_back(votes[i], asked[i].label);
+    const Pairs here = pairs_of(std::move(scored));
+    pairs.won += here.won, pairs.all += here.all;
+    result.least = std::min(result.least, here.auc());
+    result.most = std::max(result.most, here.auc());
+    ++result.folds;
   }
-  result.auc = auc_of(std::move(scored));
+  if (result.folds < 2) throw few;
+  result.auc = pairs.auc();
   return result;
 }
 

@@ -13,24 +13,32 @@ namespace skerry::echo {
 enum class PatchView : std::uint8_t { mask, all };  // which features
 
 struct TellingApart {
-  double auc = 0.0;  // area under the curve of right against wrong calls: 0.5 cannot, 1 always can
+  // Area under the curve of right against wrong calls, of pairs of one fold: 0.5 cannot, 1 always
+  // can.
+  double auc = 0.0;
+  double least = 0.0, most = 0.0;      // of the folds
   std::size_t patches = 0;             // of each set, after matching
+  std::size_t folds = 0;               // that had any
   std::vector<std::string> strongest;  // the five features that one by one tell most, best first
 };
 
-// A random forest of 200 trees learns on patches of three quarters of the places' bearings and is
-// asked about the others; each patch is asked about once.  A place and quadrant is wholly on one
-// side.  As many patches of each set in each fifth of occupancy are drawn, at most `most` of each
-// set; a pure function of both sets and the seed.
-// `shuffled`: labels are dealt anew, one for all turns of a patch: what comes out is then 0.5, or
-// the folds leak.
-// Error: TooFewPatches where fewer than kLeastPatches of each are left.
+struct TellingRules {
+  std::uint64_t seed = 1;
+  bool shuffled = false;    // labels are dealt anew, one for all turns of a patch
+  std::size_t most = 1500;  // patches of each set
+};
+
+// A random forest learns on patches of three quarters of the places' bearings and is asked about
+// the others; each patch is asked about once.  A place and quadrant is wholly on one side, in fold
+// (place + quadrant) mod 4.  As many patches of each set in each fold and fifth of occupancy are
+// drawn, so that neither tells anything.  With `shuffled` what comes out is 0.5 to chance, or the
+// folds leak.  A pure function of its arguments.
+// Error: TooFewPatches where fewer than kLeastPatches of each are left, or fewer than two folds.
 inline constexpr std::size_t kLeastPatches = 40;
 struct TooFewPatches {
   std::size_t first = 0, second = 0, matched = 0;
 };
 TellingApart tell_apart(std::span<const PicturePatch> first, std::span<const PicturePatch> second,
-                        PatchView view, std::uint64_t seed, bool shuffled = false,
-                        std::size_t most = 1500);
+                        PatchView view, const TellingRules& rules = {});
 
 }  // namespace skerry::echo

@@ -109,6 +109,8 @@ const std::vector<Room>& table() {
       // The echo for other programs: a C library, and the tool that fits and judges coasts.
       {"echo/capi", {"protocol/quantity/", "protocol/video/", "echo/"}},
       {"echo/coast_tool", {"protocol/quantity/", "protocol/video/", "protocol/picture/", "echo/"}},
+      // How the tools speak on a terminal.
+      {"echo/tool_console", {}},
       // The tool that compares pictures with real radars': it reads recordings and captures.
       {"echo/picture_tool", {"protocol/", "echo/"}},
       // The server: radar and net do not know each other, app joins them.
@@ -198,7 +200,8 @@ const std::vector<Owned>& owned_headers() {
       {"netcdf.h", {"echo/chart/"}, "use echo/chart/gshhg_reader.hpp"},
       {"yaml-cpp/", {"server/config/"}, "use server/config/yaml_message.hpp"},
       {"CLI/",
-       {"server/app/", "clients/cli/", "echo/coast_tool/"},
+       {"server/app/", "clients/cli/", "echo/coast_tool/", "echo/picture_tool/",
+        "echo/tool_console/"},
        "pass the options in as values"},
       {"png.h", {"protocol/picture/"}, "use protocol/picture/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},

@@ -1,4 +1,5 @@
-// Parts that the commands of `skerry-coast` share: how they are made and how they end.
+// Parts that the commands of `skerry-coast` and `skerry-picture` share: how they are made and how
+// they end.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,7 +20,8 @@ struct Command {
   std::function<int()> run;
 };
 
-Command make_fit_command(CLI::App& app);
+// What report() names the program by, such as "skerry coast".  Called once, before anything else.
+void name_program(std::string name);
 
 // Writes the error and what to try to stderr; gives kExitFailure.
 int report(const std::string& text, const std::string& advice = {});

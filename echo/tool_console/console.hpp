@@ -1,4 +1,4 @@
-// The terminal's side of `skerry-coast`: output and progress.
+// The terminal's side of `skerry-coast` and `skerry-picture`: output and progress.
 #pragma once
 
 #include <filesystem>

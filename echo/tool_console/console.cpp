@@ -1,4 +1,4 @@
-#include "echo/coast_tool/console.hpp"
+#include "echo/tool_console/console.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,13 +9,24 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
-#include "echo/coast_tool/command.hpp"
+#include "echo/tool_console/command.hpp"
 
 namespace skerry::echo {
+namespace {
+
+std::string& program_name() {
+  static std::string name = "skerry";
+  return name;
+}
+
+}  // namespace
+
+void name_program(std::string name) { program_name() = std::move(name); }
 
 int report(const std::string& text, const std::string& advice) {
-  fmt::print(stderr, "skerry coast: {}\n", text);
+  fmt::print(stderr, "{}: {}\n", program_name(), text);
   if (!advice.empty()) fmt::print(stderr, "{}\n", advice);
   return kExitFailure;
 }

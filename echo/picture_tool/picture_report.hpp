@@ -1,0 +1,31 @@
+// What the tool says of two radars' pictures: tables for people, lines for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "echo/picture_tool/picture_comparison.hpp"
+
+namespace skerry::echo {
+
+// Two sides beside each other.
+struct PictureReport {
+  std::string real_name, ours_name;
+  double beam_deg = 0.0;
+  SpreadStatistics real, ours;
+  Calls calls;
+  std::vector<std::string> notes;  // why something is missing or not as it seems
+};
+
+// A line of each statistic and of each call.  What cannot be measured is "-", with the reason as a
+// note.
+std::string report_text(const PictureReport& report);
+
+// A line for each side and one for each call: for many captures under each other.
+std::string short_report_head();
+std::string short_report_text(const PictureReport& report);
+
+// Why a statistic of the mean is not there; empty where it is.
+std::string missing_because(const SpreadStatistics& side, const StatisticRow& row);
+
+}  // namespace skerry::echo
