@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "echo/picture_tool/judge_command.hpp"
 #include "echo/picture_tool/table_command.hpp"
 #include "echo/tool_console/command.hpp"
 #include "echo/tool_console/console.hpp"
@@ -20,10 +21,12 @@ int run(int argc, char** argv) {
   app.failure_message(CLI::FailureMessage::simple);
   app.footer(
       "Examples:\n"
+      "  skerry picture judge halo.pcap.gz ours.mcap\n"
       "  skerry picture table captures/\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
   const std::array commands = {
+      make_picture_judge_command(app),
       make_picture_table_command(app),
   };
   if (argc == 1) {

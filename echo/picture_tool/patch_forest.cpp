@@ -19,7 +19,7 @@ struct Sample {
   int label;
 };
 
-std::uint32_t fold_of(const PicturePatch& patch) { return (patch.place + patch.quadrant) % kFolds; }
+std::uint32_t fold_of(const PicturePatch& patch) { return patch.quadrant % kFolds; }
 
 // Patches among which as many of either set are drawn.
 std::size_t stratum_of(const PicturePatch& patch) {

@@ -43,7 +43,7 @@ std::pair<std::vector<PicturePatch>, std::vector<PicturePatch>> halves_of(
   }
   for (PicturePatch& p : patches) {
     p.place = eighth[p.spoke] / 4;
-    p.quadrant = eighth[p.spoke] % 4 + 4 - p.place;
+    p.quadrant = eighth[p.spoke] % 4;
   }
   return parted(patches, [](const PicturePatch& p) { return p.place == 0; });
 }
@@ -80,6 +80,17 @@ std::uint64_t deals_for(const Call& call) {
   return patches > 0.0
              ? static_cast<std::uint64_t>(std::clamp(std::ceil(kPatchesDealt / patches), 5.0, 40.0))
              : 1;
+}
+
+// One place's patches, one half against the other, begun at four bearings.
+Call call_of_halves(const std::string& name, const std::vector<PicturePatch>& patches,
+                    std::uint64_t seed) {
+  std::vector<Call> each;
+  for (std::uint32_t from = 0; from < 4; ++from) {
+    const auto halves = halves_of(patches, from);
+    each.push_back(call_apart("", halves.first, halves.second, {.seed = seed}));
+  }
+  return mean_call(name, each);
 }
 
 bool is_off(const std::optional<TellingApart>& call) {
@@ -156,16 +167,15 @@ Calls call_all(std::span<const TurnsOfPicture> real, std::span<const TurnsOfPict
   tell("real | ours");
   calls.real_ours = call_apart("real | ours", first, second, {.seed = seed});
   tell("real | real");
-  std::vector<Call> each;
-  for (std::uint32_t from = 0; from < 4; ++from) {
-    const auto halves = halves_of(first, from);
-    each.push_back(call_apart("", halves.first, halves.second, {.seed = seed}));
-  }
-  calls.real_real = mean_call("real | real", each);
-  each.clear();
+  calls.real_real = call_of_halves("real | real", first, seed);
   tell("ours | ours");
-  const auto halves = parted(second, [](const PicturePatch& p) { return p.place % 2 == 0; });
-  calls.ours_ours = call_apart("ours | ours", halves.first, halves.second, {.seed = seed});
+  if (ours.size() > 1) {
+    const auto halves = parted(second, [](const PicturePatch& p) { return p.place % 2 == 0; });
+    calls.ours_ours = call_apart("ours | ours", halves.first, halves.second, {.seed = seed});
+  } else {
+    calls.ours_ours = call_of_halves("ours | ours", second, seed);
+  }
+  std::vector<Call> each;
   for (std::uint32_t k = ours_from; ours.size() > 1 && k < ours_from + ours.size(); ++k) {
     tell(fmt::format("one of ours | the others, {} of {}", k - ours_from + 1, ours.size()));
     const auto parts = parted(second, [&](const PicturePatch& p) { return p.place == k; });

@@ -35,7 +35,7 @@ struct Call {
 // The calls of one comparison.  Controls say what a call of two alike sets comes to:
 //   real | real   one half of the patches by bearing against the other, begun at four bearings: the
 //                 mean; a fold is a quarter of either half
-//   ours | ours   every other place against the rest
+//   ours | ours   every other place against the rest; of one place its halves
 //   one | others  each of our places against our others, as the one real place is: the mean
 //   null          real and ours with labels shuffled, the mean of 5 to 40 deals
 struct Calls {

@@ -13,10 +13,6 @@
 namespace skerry::echo {
 namespace {
 
-std::array<const Call*, 5> all_calls(const Calls& calls) {
-  return {&calls.real_ours, &calls.real_real, &calls.ours_ours, &calls.one_others, &calls.null};
-}
-
 std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
@@ -43,6 +39,20 @@ std::string size_of(const SpreadStatistics& side) {
                      side.places == 1 ? "" : "s");
 }
 
+// Why a statistic of the mean is not there; empty where it is.
+std::string missing_because(const SpreadStatistics& side, const StatisticRow& row) {
+  if (std::isfinite(side.mean.*row.of)) return {};
+  if (side.empty())
+    return fmt::format("only {:.2g} % of the cells echo", 100.0 * side.mean.occupancy);
+  const bool of_turns =
+      row.of == &PictureStatistics::turn_lag1 || row.of == &PictureStatistics::bow_seam;
+  if (of_turns) return "no two turns that follow each other and echo";
+  const bool of_outline =
+      row.of == &PictureStatistics::outline_below || row.of == &PictureStatistics::outline_above;
+  if (of_outline) return "no outline, or the beam is too few picture elements wide";
+  return "nothing echoes";
+}
+
 // Statistics that are missing for one reason together.
 std::vector<std::string> missing_notes(const SpreadStatistics& side, const char* name) {
   std::map<std::string, std::vector<std::string_view>> by_reason;
@@ -54,6 +64,18 @@ std::vector<std::string> missing_notes(const SpreadStatistics& side, const char*
   for (const auto& [reason, keys] : by_reason)
     notes.push_back(fmt::format("the {} has no {}: {}", name, fmt::join(keys, ", "), reason));
   return notes;
+}
+
+std::string notes_text(const PictureReport& report) {
+  std::string text;
+  for (const std::string& note : notes_of(report)) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
+}  // namespace
+
+std::array<const Call*, 5> all_calls(const Calls& calls) {
+  return {&calls.real_ours, &calls.real_real, &calls.ours_ours, &calls.one_others, &calls.null};
 }
 
 std::vector<std::string> notes_of(const PictureReport& report) {
@@ -73,27 +95,6 @@ std::vector<std::string> notes_of(const PictureReport& report) {
                     "so the other calls say nothing",
                     kNullLeast, kNullMost));
   return notes;
-}
-
-std::string notes_text(const PictureReport& report) {
-  std::string text;
-  for (const std::string& note : notes_of(report)) text += fmt::format("note: {}\n", note);
-  return text;
-}
-
-}  // namespace
-
-std::string missing_because(const SpreadStatistics& side, const StatisticRow& row) {
-  if (std::isfinite(side.mean.*row.of)) return {};
-  if (side.empty())
-    return fmt::format("only {:.2g} % of the cells echo", 100.0 * side.mean.occupancy);
-  const bool of_turns =
-      row.of == &PictureStatistics::turn_lag1 || row.of == &PictureStatistics::bow_seam;
-  if (of_turns) return "no two turns that follow each other and echo";
-  const bool of_outline =
-      row.of == &PictureStatistics::outline_below || row.of == &PictureStatistics::outline_above;
-  if (of_outline) return "no outline, or the beam is too few picture elements wide";
-  return "nothing echoes";
 }
 
 std::string report_text(const PictureReport& report) {

@@ -1,6 +1,7 @@
 // What the tool says of two radars' pictures: tables for people, lines for programs.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ std::string report_text(const PictureReport& report);
 std::string short_report_head();
 std::string short_report_text(const PictureReport& report);
 
-// Why a statistic of the mean is not there; empty where it is.
-std::string missing_because(const SpreadStatistics& side, const StatisticRow& row);
+// The report's notes, and why each "-" is one.
+std::vector<std::string> notes_of(const PictureReport& report);
+
+std::array<const Call*, 5> all_calls(const Calls& calls);
 
 }  // namespace skerry::echo
