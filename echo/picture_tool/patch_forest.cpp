@@ -6,6 +6,7 @@
 #include <opencv2/ml.hpp>
 
 #include "echo/kernel/hash.hpp"
+#include "echo/picture_tool/patch_line.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -14,10 +15,7 @@ constexpr std::uint32_t kFolds = 4;
 constexpr std::size_t kFifths = 5;
 constexpr int kTrees = 200;
 
-struct Sample {
-  const PicturePatch* patch;
-  int label;
-};
+using Sample = LabelledPatch;
 
 std::uint32_t fold_of(const PicturePatch& patch) { return patch.quadrant % kFolds; }
 
@@ -124,6 +122,28 @@ Pairs pairs_of(std::vector<std::pair<double, int>> scored) {
   return {ranks - ones * (ones + 1.0) / 2.0, ones * zeros};
 }
 
+// Where each value stands among all, 0 to 1, like ones together.
+std::vector<double> standings(const std::vector<double>& values) {
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> out;
+  for (const double v : values) {
+    const auto low = std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin();
+    const auto high = std::upper_bound(sorted.begin(), sorted.end(), v) - sorted.begin();
+    out.push_back(static_cast<double>(low + high) / (2.0 * static_cast<double>(values.size())));
+  }
+  return out;
+}
+
+// By the forest and the line, of equal say.
+std::vector<double> scores_for(const std::vector<Sample>& learnt, const std::vector<Sample>& asked,
+                               std::size_t features) {
+  std::vector<double> scores = standings(votes_for(learnt, asked, features));
+  const std::vector<double> line = standings(line_values(learnt, asked, features));
+  for (std::size_t i = 0; i < scores.size(); ++i) scores[i] += line[i];
+  return scores;
+}
+
 std::vector<std::string> strongest_of(const std::vector<Sample>& samples, std::size_t features) {
   std::vector<std::pair<double, std::size_t>> by_auc;
   for (std::size_t f = 0; f < features; ++f) {
@@ -162,9 +182,9 @@ TellingApart tell_apart(std::span<const PicturePatch> first, std::span<const Pic
     std::vector<Sample> learnt, asked;
     for (const Sample& s : samples) (fold_of(*s.patch) == fold ? asked : learnt).push_back(s);
     if (!has_both(learnt) || !has_both(asked)) continue;
-    const std::vector<double> votes = votes_for(learnt, asked, features);
+    const std::vector<double> scores = scores_for(learnt, asked, features);
     std::vector<std::pair<double, int>> scored;
-    for (std::size_t i = 0; i < asked.size(); ++i) scored.emplace_back(votes[i], asked[i].label);
+    for (std::size_t i = 0; i < asked.size(); ++i) scored.emplace_back(scores[i], asked[i].label);
     const Pairs here = pairs_of(std::move(scored));
     pairs.won += here.won, pairs.all += here.all;
     result.least = std::min(result.least, here.auc());

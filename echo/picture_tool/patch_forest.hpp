@@ -28,11 +28,13 @@ struct TellingRules {
   std::size_t most = 1500;  // patches of each set
 };
 
-// A random forest learns on patches of three quarters of the places' bearings and is asked about
-// the others; each patch is asked about once.  A place and quadrant is wholly on one side, in fold
-// (place + quadrant) mod 4.  As many patches of each set in each fold and fifth of occupancy are
+// A random forest of 200 trees and a PatchLine, of equal say, learn on patches of three quarters of
+// the bearings and are asked about the others; each patch is asked about once.  A fold is a
+// quadrant of all places: so a place and quadrant is wholly on one side, also where both sets show
+// one and the same place.  As many patches of each set in each fold and fifth of occupancy are
 // drawn, so that neither tells anything.  With `shuffled` what comes out is 0.5 to chance, or the
 // folds leak.  A pure function of its arguments.
+//
 // Error: TooFewPatches where fewer than kLeastPatches of each are left, or fewer than two folds.
 inline constexpr std::size_t kLeastPatches = 40;
 struct TooFewPatches {
