@@ -1,10 +1,13 @@
-// skerry-picture: judges made pictures by real ones.  `skerry picture` runs it.
+// skerry-picture: judges made pictures by real ones, and finds their sets.  `skerry picture` and
+// `skerry radar` run it.
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
 #include <exception>
+#include <string_view>
+#include <vector>
 
+#include "echo/picture_tool/fit_command.hpp"
 #include "echo/picture_tool/judge_command.hpp"
 #include "echo/picture_tool/table_command.hpp"
 #include "echo/tool_console/command.hpp"
@@ -14,21 +17,21 @@ namespace {
 
 using namespace skerry::echo;
 
-int run(int argc, char** argv) {
-  CLI::App app{"Judges made radar pictures by real ones.", "skerry picture"};
+constexpr const char* kPictureFooter =
+    "Examples:\n"
+    "  skerry picture judge halo.pcap.gz ours.mcap\n"
+    "  skerry picture table captures/\n"
+    "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
+    "command line cannot be understood.\n";
+constexpr const char* kRadarFooter =
+    "Examples:\n"
+    "  skerry radar fit halo.pcap.gz\n"
+    "Exit codes: 0 done, 1 it could not be done, 2 the command line cannot be understood.\n";
+
+int parsed_and_run(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv) {
   app.set_version_flag("--version", "skerry-picture " SKERRY_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
-  app.footer(
-      "Examples:\n"
-      "  skerry picture judge halo.pcap.gz ours.mcap\n"
-      "  skerry picture table captures/\n"
-      "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
-      "command line cannot be understood.\n");
-  const std::array commands = {
-      make_picture_judge_command(app),
-      make_picture_table_command(app),
-  };
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;
@@ -44,10 +47,24 @@ int run(int argc, char** argv) {
   return kExitUsage;
 }
 
+// `skerry radar` runs `skerry-picture radar`.
+int run(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "radar") {
+    name_program("skerry radar");
+    CLI::App app{"Finds the set of a recorded radar.", "skerry radar"};
+    app.footer(kRadarFooter);
+    return parsed_and_run(app, {make_radar_fit_command(app)}, argc - 1, argv + 1);
+  }
+  name_program("skerry picture");
+  CLI::App app{"Judges made radar pictures by real ones.", "skerry picture"};
+  app.footer(kPictureFooter);
+  return parsed_and_run(app, {make_picture_judge_command(app), make_picture_table_command(app)},
+                        argc, argv);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  name_program("skerry picture");
   watch_pipe();
   try {
     return run(argc, argv);
