@@ -9,6 +9,7 @@
 
 #include "echo/picture_tool/fit_command.hpp"
 #include "echo/picture_tool/judge_command.hpp"
+#include "echo/picture_tool/sheet_command.hpp"
 #include "echo/picture_tool/table_command.hpp"
 #include "echo/tool_console/command.hpp"
 #include "echo/tool_console/console.hpp"
@@ -20,6 +21,7 @@ using namespace skerry::echo;
 constexpr const char* kPictureFooter =
     "Examples:\n"
     "  skerry picture judge halo.pcap.gz ours.mcap\n"
+    "  skerry picture sheet -o sheet.png halo.pcap.gz\n"
     "  skerry picture table captures/\n"
     "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
     "command line cannot be understood.\n";
@@ -58,7 +60,9 @@ int run(int argc, char** argv) {
   name_program("skerry picture");
   CLI::App app{"Judges made radar pictures by real ones.", "skerry picture"};
   app.footer(kPictureFooter);
-  return parsed_and_run(app, {make_picture_judge_command(app), make_picture_table_command(app)},
+  return parsed_and_run(app,
+                        {make_picture_judge_command(app), make_picture_sheet_command(app),
+                         make_picture_table_command(app)},
                         argc, argv);
 }
 
