@@ -57,14 +57,13 @@ std::string report_csv(const PictureReport& report) {
       text += fmt::format("statistic,{},{},{}\n", row.key, measure, value_text(value, ""));
   }
   for (const Call* call : all_calls(report.calls)) {
-    for (const auto& [view, told] :
-         {std::pair{"mask", &call->mask}, std::pair{"all", &call->all}}) {
-      const bool known = told->has_value();
+    for (const bool mask : {true, false}) {
+      const auto& told = mask ? call->mask : call->all;
+      const TellingApart t = told.value_or(TellingApart{});
       const auto line = [&](const char* measure, double value) {
-        text += fmt::format("call,{},{}_{},{}\n", call->name, view, measure,
-                            known ? value_text(value, "") : "");
+        text += fmt::format("call,{},{}_{},{}\n", call->name, mask ? "mask" : "all", measure,
+                            told ? value_text(value, "") : "");
       };
-      const TellingApart& t = known ? **told : TellingApart{};
       line("auc", t.auc), line("least", t.least), line("most", t.most);
     }
   }
