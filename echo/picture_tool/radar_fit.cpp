@@ -167,8 +167,10 @@ std::string scenario_of(const FitGrid& grid, const FitPoint& point) {
   text += "        pulses:\n";
   for (const Pulse& pulse : set.pulses)
     text += fmt::format(
-        "          - {{length_us: {:.4g}, bandwidth_mhz: {:.4g}, prf_hz: {:g}, up_to_nm: {:g}}}\n",
-        pulse.length_s * 1e6, pulse.bandwidth_hz * 1e-6, pulse.prf_hz, pulse.up_to_nm);
+        "          - {{length_us: {:.4g}, bandwidth_mhz: {:.4g}, prf_hz: {:g}, up_to_nm: {:g}, "
+        "compression_db: {:.4g}}}\n",
+        pulse.length_s * 1e6, pulse.bandwidth_hz * 1e-6, pulse.prf_hz, pulse.up_to_nm,
+        pulse.compression_db);
   return text;
 }
 

@@ -21,7 +21,8 @@ double noise_watts(const RadarSet& set, const Pulse& pulse) {
 }
 
 double unit_signal_to_noise(const RadarSet& set, const Pulse& pulse) {
-  return received_watts_of_unit_target(set) / noise_watts(set, pulse);
+  const double level = received_watts_of_unit_target(set) / noise_watts(set, pulse);
+  return pulse.compression_db == 0.0 ? level : level * ratio_from_decibels(pulse.compression_db);
 }
 
 double hidden_height(double range_m, double antenna_height_m) {

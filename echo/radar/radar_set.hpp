@@ -25,6 +25,9 @@ struct Pulse {
   double bandwidth_hz = 0.0;  // noise bandwidth of the receiver
   double prf_hz = 1000.0;     // pulses per second
   double up_to_nm = 96.0;     // longest range scale that chooses this pulse by itself
+  // Energy over that of the peak power over the length, dB: of a coded pulse or a sweep, of which
+  // `length_s` is what it is compressed to.
+  double compression_db = 0.0;
   friend bool operator==(const Pulse&, const Pulse&) = default;
 };
 

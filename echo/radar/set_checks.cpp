@@ -52,6 +52,7 @@ void check_pulse(Faults& faults, const Pulse& pulse, const Pulse* before, std::s
   faults.within(name + ".length_s", pulse.length_s, 0.02e-6, 5e-6, "s");
   faults.within(name + ".prf_hz", pulse.prf_hz, 100.0, 20000.0, "Hz");
   faults.within(name + ".up_to_nm", pulse.up_to_nm, 0.125, 96.0, "NM");
+  faults.within(name + ".compression_db", pulse.compression_db, -10.0, 40.0, "dB");
   if (before && !(pulse.length_s > before->length_s))
     faults.add("%s: %g s is not longer than the pulse before it, %g s", name + ".length_s",
                pulse.length_s, before->length_s);

@@ -1,12 +1,18 @@
 #include "echo/radar/shipped_sets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "echo/kernel/exact_math.hpp"
+
 namespace skerry::echo {
 namespace {
+
+// Of pulses as they come out of compression, and the scale from which they grow no longer.
+constexpr double kShortest_s = 0.021e-6, kLongest_s = 1.2e-6, kLongestScale_nm = 12.0;
 
 // A river radar.  All [unverified]: short pulses, a long antenna, turning fast.
 RadarSet river_x() {
@@ -80,6 +86,33 @@ RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, doub
   return set;
 }
 
+// A dome whose echoes of points are `metres` long on the range scale of a mile, and longer in
+// proportion to the range scale, behind a filter of one over the pulse's length: the resolution
+// that captures show by range.  Fitted, all of it, to SOURCES.md "Pictures".  Its pulses have the
+// energy of dome()'s, those of less than 1.5 NM of that for 1.5 NM, as coded pulses and sweeps
+// have.
+RadarSet resolving(RadarSet set, double metres, double integration, double video_range_db) {
+  const std::vector<Pulse> energies(set.pulses.begin() + 1, set.pulses.end());
+  set.pulses.clear();
+  for (const double up_to_nm : {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 6.0, 12.0, 96.0}) {
+    const Pulse& energy = *std::find_if(energies.begin(), energies.end(),
+                                        [&](const Pulse& p) { return up_to_nm <= p.up_to_nm; });
+    const double asked = metres * std::min(up_to_nm, kLongestScale_nm) / (0.5 * kLightSpeed);
+    Pulse pulse = energy;
+    pulse.length_s = std::clamp(asked, kShortest_s, kLongest_s);
+    pulse.bandwidth_hz = 1.0 / pulse.length_s;
+    pulse.up_to_nm = up_to_nm;
+    pulse.compression_db = decibels_from_ratio(energy.length_s / pulse.length_s);
+    // A pulse serves every scale that asks for the same length.
+    if (!set.pulses.empty() && pulse.length_s <= set.pulses.back().length_s) set.pulses.pop_back();
+    set.pulses.push_back(pulse);
+  }
+  set.shapes_echoes = true;
+  set.integration = integration;
+  set.video_range_db = video_range_db;
+  return set;
+}
+
 // Sweeps of 165 mW over 1.3 ms, 200 a second [unverified]: the energy of 0.2 us of 1.1 kW
 // [computed].
 RadarSet sweeping_dome(std::string name, double beam_width_deg, double gain_db, double rpm) {
@@ -98,10 +131,12 @@ const auto& all() {
       river_x(),
       thirty_kilowatt_s(),
       dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
-      dome("HALO20", 1.2e3, 4.9, 23.5, 22.8),
-      sweeping_dome("4G", 2.6, 24.5, 23.874),
-      sweeping_dome("3G", 5.2, 23.0, 24.0),
-      sweeping_dome("BR24", 5.2, 23.0, 24.0),
+      resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 25.0, 100.0, 6.6),
+      resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 34.0, 60.0, 5.0),
+      resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 34.0, 60.0, 6.0),
+      resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 60.0, 5.0),
+      resolving(sweeping_dome("BR24", 5.2, 23.0, 24.0), 16.0, 60.0, 5.0),
+      resolving(dome("xHD", 4e3, 3.6, 24.6, 24.0), 16.0, 50.0, 12.0),
       dome("Quantum 2", 2.4e3, 4.9, 23.5, 24.0),
   };
   return sets;

@@ -18,13 +18,14 @@ double chance(std::uint64_t seed, std::uint64_t a, std::uint64_t b) {
   return static_cast<double>(mixed(mixed(seed, a), b) >> 11) / 9007199254740992.0;
 }
 
-// Smooth between points of a lattice; about 0.5 in the mean.
-double smooth(std::uint64_t seed, double s, double c) {
+// Smooth between points of a lattice that is `round` points round the turn; about 0.5 in the mean.
+double smooth(std::uint64_t seed, double s, double c, std::uint64_t round) {
   const auto i = static_cast<std::uint64_t>(s), k = static_cast<std::uint64_t>(c);
+  const std::uint64_t j = (i + 1) % round;
   const auto eased = [](double x) { return x * x * (3.0 - 2.0 * x); };
   const double u = eased(s - static_cast<double>(i)), v = eased(c - static_cast<double>(k));
-  const double low = chance(seed, i, k) * (1 - u) + chance(seed, i + 1, k) * u;
-  const double high = chance(seed, i, k + 1) * (1 - u) + chance(seed, i + 1, k + 1) * u;
+  const double low = chance(seed, i, k) * (1 - u) + chance(seed, j, k) * u;
+  const double high = chance(seed, i, k + 1) * (1 - u) + chance(seed, j, k + 1) * u;
   return low * (1 - v) + high * v;
 }
 
@@ -36,11 +37,14 @@ TurnsOfPicture blobs(std::uint64_t place, const BlobLook& look, std::uint32_t tu
   picture.reach_m = kCells * kCell_m;
   picture.spokes = kSpokes, picture.cells = kCells;
   picture.full_scale = 15;
+  const double round = std::round(kSpokes / look.across);
   for (std::uint32_t t = 0; t < turns; ++t) {
     std::vector<std::uint8_t> video;
     for (std::uint32_t s = 0; s < kSpokes; ++s) {
       for (std::uint32_t c = 0; c < kCells; ++c) {
-        const double over = smooth(place, s / look.across, c / look.along) - 0.62;
+        const double over =
+            smooth(place, s * round / kSpokes, c / look.along, static_cast<std::uint64_t>(round)) -
+            0.62;
         const bool hole = chance(mixed(place, 99 + t), s, c) < look.holes;
         const double level = std::ceil(over * 60.0);
         video.push_back(static_cast<std::uint8_t>(
