@@ -133,7 +133,7 @@ const auto& all() {
       dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
       resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 25.0, 100.0, 6.6),
       resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 34.0, 60.0, 5.0),
-      resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 34.0, 60.0, 6.0),
+      resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 30.0, 60.0, 6.0),
       resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 60.0, 5.0),
       resolving(sweeping_dome("BR24", 5.2, 23.0, 24.0), 16.0, 60.0, 5.0),
       resolving(dome("xHD", 4e3, 3.6, 24.6, 24.0), 16.0, 50.0, 12.0),
