@@ -31,6 +31,13 @@ struct Pulse {
   friend bool operator==(const Pulse&, const Pulse&) = default;
 };
 
+// A level of 16 that a set's video has, and where it begins: a share of the video's decibels.
+struct VideoLevel {
+  double from = 0.0;       // 0 to 1
+  std::uint8_t shown = 0;  // 1 to 15
+  friend bool operator==(const VideoLevel&, const VideoLevel&) = default;
+};
+
 // Which pulse the operator wants.
 enum class PulseChoice : std::uint8_t { automatic, short_pulse, medium_pulse, long_pulse };
 
@@ -50,6 +57,9 @@ struct RadarSet {
   double noise_figure_db = 5.0;
   double losses_db = 3.0;               // feeder and radome, both ways
   double video_range_db = kLogVideoDb;  // from the first level of the video to the last
+  // Its levels where they are not 16 even ones, ascending; what lies below the first is 0.  8-bit
+  // video is joined straight within each level.
+  std::vector<VideoLevel> levels;
   // Whether the receiver's filter, two poles of the pulse's bandwidth, shapes echoes along range
   // (range_response.hpp); else an echo is as long as the pulse and has sharp ends.
   bool shapes_echoes = false;

@@ -87,11 +87,12 @@ RadarSet dome(std::string name, double peak_power_w, double beam_width_deg, doub
 }
 
 // A dome whose echoes of points are `metres` long on the range scale of a mile, and longer in
-// proportion to the range scale, behind a filter of one over the pulse's length: the resolution
-// that captures show by range.  Fitted, all of it, to SOURCES.md "Pictures".  Its pulses have the
-// energy of dome()'s, those of less than 1.5 NM of that for 1.5 NM, as coded pulses and sweeps
-// have.
-RadarSet resolving(RadarSet set, double metres, double integration, double video_range_db) {
+// proportion to the range scale, behind a filter of `bandwidth_by_length` over the pulse's length:
+// the resolution that captures show by range.  Fitted, all of it, to SOURCES.md "Pictures".  Its
+// pulses have the energy of dome()'s, those of less than 1.5 NM of that for 1.5 NM, as coded pulses
+// and sweeps have.
+RadarSet resolving(RadarSet set, double metres, double integration, double video_range_db,
+                   double bandwidth_by_length = 1.0) {
   const std::vector<Pulse> energies(set.pulses.begin() + 1, set.pulses.end());
   set.pulses.clear();
   for (const double up_to_nm : {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 6.0, 12.0, 96.0}) {
@@ -100,9 +101,9 @@ RadarSet resolving(RadarSet set, double metres, double integration, double video
     const double asked = metres * std::min(up_to_nm, kLongestScale_nm) / (0.5 * kLightSpeed);
     Pulse pulse = energy;
     pulse.length_s = std::clamp(asked, kShortest_s, kLongest_s);
-    pulse.bandwidth_hz = 1.0 / pulse.length_s;
+    pulse.bandwidth_hz = bandwidth_by_length / pulse.length_s;
     pulse.up_to_nm = up_to_nm;
-    pulse.compression_db = decibels_from_ratio(energy.length_s / pulse.length_s);
+    pulse.compression_db = decibels_from_ratio(pulse.bandwidth_hz / energy.bandwidth_hz);
     // A pulse serves every scale that asks for the same length.
     if (!set.pulses.empty() && pulse.length_s <= set.pulses.back().length_s) set.pulses.pop_back();
     set.pulses.push_back(pulse);
@@ -110,6 +111,24 @@ RadarSet resolving(RadarSet set, double metres, double integration, double video
   set.shapes_echoes = true;
   set.integration = integration;
   set.video_range_db = video_range_db;
+  return set;
+}
+
+// HALO video: the lowest levels and the last but one are wide, the others even [fitted: levels of
+// the captures' cells].
+RadarSet halo_levels(RadarSet set) {
+  double from = 0.0;
+  std::uint8_t shown = 1;
+  for (const double share : {0.045, 0.112, 0.076, 0.061, 0.051, 0.045, 0.045, 0.045, 0.045, 0.045,
+                             0.045, 0.045, 0.045, 0.066, 0.09})
+    set.levels.push_back({from += share, shown++});
+  return set;
+}
+
+// 4G video: twelve even levels, then the highest [captures: levels 13 and 14 do not occur].
+RadarSet levels_of_4g(RadarSet set) {
+  for (std::uint8_t k = 1; k <= 12; ++k) set.levels.push_back({k / 16.0, k});
+  set.levels.push_back({13 / 16.0, 15});
   return set;
 }
 
@@ -131,11 +150,11 @@ const auto& all() {
       river_x(),
       thirty_kilowatt_s(),
       dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
-      resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 25.0, 100.0, 6.6),
-      resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 34.0, 60.0, 5.0),
-      resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 30.0, 60.0, 6.0),
-      resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 60.0, 5.0),
-      resolving(sweeping_dome("BR24", 5.2, 23.0, 24.0), 16.0, 60.0, 5.0),
+      halo_levels(resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 20.0, 100.0, 6.9, 0.7)),
+      halo_levels(resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 28.0, 60.0, 6.9, 0.7)),
+      levels_of_4g(resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 30.0, 60.0, 6.0)),
+      resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 70.0, 3.6, 0.8),
+      resolving(sweeping_dome("BR24", 5.2, 23.0, 24.0), 15.0, 50.0, 3.6),
       resolving(dome("xHD", 4e3, 3.6, 24.6, 24.0), 16.0, 50.0, 12.0),
       dome("Quantum 2", 2.4e3, 4.9, 23.5, 24.0),
   };

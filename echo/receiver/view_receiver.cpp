@@ -37,7 +37,23 @@ ViewReceiver::ViewReceiver(const RadarModel& model, const ViewControls& controls
       steps_per_db_(256.0 / model.set.video_range_db),
       scale_{static_cast<float>(steps_per_db_ * kDecibelsPerOctave), 255.0f},
       offsets_(model.geometry.cells) {
+  lay_levels();
   set_up();
+}
+
+void ViewReceiver::lay_levels() {
+  const std::vector<VideoLevel>& levels = model_.set.levels;
+  if (levels.empty()) return;
+  levels_.assign(256, 0);
+  for (std::size_t v = 0; v < levels_.size(); ++v) {
+    const double at = (static_cast<double>(v) + 0.5) / 256.0;
+    std::size_t k = levels.size();
+    while (k > 0 && levels[k - 1].from > at) --k;
+    if (k == 0) continue;
+    const double from = levels[k - 1].from, to = k < levels.size() ? levels[k].from : 1.0;
+    const double into = std::clamp((at - from) / std::max(to - from, 1e-9), 0.0, 0.999);
+    levels_[v] = static_cast<std::uint8_t>(16.0 * (levels[k - 1].shown + into));
+  }
 }
 
 RowResampler ViewReceiver::resampler() const {
@@ -322,6 +338,9 @@ void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
       const std::size_t begin = part * kColumns;
       memory_.stretch(piece.video, piece.count, begin, std::min(kColumns, cells - begin));
     });
+  }
+  if (!levels_.empty()) {
+    for (std::uint8_t& v : piece.video) v = levels_[v];
   }
   if (model_.geometry.bits == 4) halve_bits(piece.video);
 }

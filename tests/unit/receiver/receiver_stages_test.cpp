@@ -175,6 +175,31 @@ TEST(Integration, OfTheSetHoldsWhateverTheViewAsksForLess) {
   EXPECT_NE(video_of(model, controls, silence, 100), asked);
 }
 
+// Echoes of every level of the video, one cell each, so strong that noise does not matter.
+TEST(VideoLevels, OfTheSetAreWhereItHasThem) {
+  for (const std::uint32_t bits : {4u, 8u}) {
+    RadarModel model = model_of(6.0, 1.25, kSpokes, bits);
+    model.set.levels = {{0.25, 1}, {0.5, 2}, {0.75, 15}};
+    ViewControls controls = controls_of(6.0, 0.0);
+    const ViewReceiver receiver(model, controls);
+    const auto ladder = [&](auto, std::uint32_t cell) {
+      // The power whose even level is cell - 100, of 256.
+      return std::pow(10.0, 0.1 * (threshold_db(0.0) + kStepDb * (cell - 100.0 + 0.5)));
+    };
+    const auto video = video_of(model, controls, ladder, 1);
+    const std::uint32_t unit = bits == 4 ? 1 : 16;
+    for (const auto& [even, shown] : {std::pair{20u, 0u},
+                                      {60u, 0u},
+                                      {68u, 1u},
+                                      {124u, 1u},
+                                      {132u, 2u},
+                                      {188u, 2u},
+                                      {196u, 15u},
+                                      {250u, 15u}})
+      EXPECT_EQ(video[100 + even] / unit, shown) << even << " of " << bits << " bits";
+  }
+}
+
 TEST(Stretch, WidensAPointInRangeAndBearing) {
   const RadarModel model = model_of(6.0);
   const auto point = [](std::uint64_t spoke, std::uint32_t cell) {
