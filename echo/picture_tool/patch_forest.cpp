@@ -68,7 +68,7 @@ void shuffle_labels(std::vector<Sample>& samples, std::uint64_t seed) {
   }
 }
 
-cv::Mat rows_of(const std::vector<Sample>& samples, std::size_t features) {
+cv::Mat feature_rows(const std::vector<Sample>& samples, std::size_t features) {
   cv::Mat rows(static_cast<int>(samples.size()), static_cast<int>(features), CV_32F);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t f = 0; f < features; ++f)
@@ -89,9 +89,9 @@ std::vector<double> votes_for(const std::vector<Sample>& learnt, const std::vect
   forest->setMinSampleCount(6);
   forest->setActiveVarCount(0);  // the root of their number
   forest->setTermCriteria({cv::TermCriteria::MAX_ITER, kTrees, 0.0});
-  forest->train(rows_of(learnt, features), cv::ml::ROW_SAMPLE, labels);
+  forest->train(feature_rows(learnt, features), cv::ml::ROW_SAMPLE, labels);
   cv::Mat votes;
-  forest->getVotes(rows_of(asked, features), votes, 0);
+  forest->getVotes(feature_rows(asked, features), votes, 0);
   const int column = votes.at<int>(0, 0) == 1 ? 0 : 1;
   std::vector<double> out;
   for (int i = 1; i < votes.rows; ++i) {
