@@ -17,7 +17,7 @@ constexpr std::uint32_t kMainPlaces = 512;
 constexpr double kNearLobesDeg = 5.0;
 constexpr float kSlightestPower = 1e-4f;  // of the noise: weaker points are left out
 constexpr float kLeastLobe = 0.05f;       // of the noise: weaker side lobes are
-constexpr float kLeastCellShare = 1e-7f;      // of a cell
+constexpr float kLeastCellShare = 1e-7f;  // of a cell
 constexpr float kNull = 1e-6f;            // two-way voltage that counts as none
 
 constexpr std::uint32_t kPhases = 1024;

@@ -82,9 +82,8 @@ echo::RadarSet radar_set(const scenario::Radar& radar) {
   if (radar.has_set_integration()) set.integration = radar.set_integration();
   if (radar.pulses_size() > 0) set.pulses.clear();
   for (const scenario::Pulse& pulse : radar.pulses()) {
-    set.pulses.push_back(
-        {pulse.length_us() * 1e-6, pulse.bandwidth_mhz() * 1e6, pulse.prf_hz(), pulse.up_to_nm(),
-         pulse.compression_db()});
+    set.pulses.push_back({pulse.length_us() * 1e-6, pulse.bandwidth_mhz() * 1e6, pulse.prf_hz(),
+                          pulse.up_to_nm(), pulse.compression_db()});
   }
   return set;
 }
