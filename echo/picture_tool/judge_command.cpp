@@ -12,6 +12,7 @@ namespace {
 struct PictureJudgeAsked {
   PictureJudgeOptions options;
   bool json = false;
+  std::size_t features = kFeaturesShown;
   std::string csv;
 };
 
@@ -21,7 +22,7 @@ int run_picture_judge(const PictureJudgeAsked& asked) {
       judge_pictures(asked.options, [&](const std::string& what) { progress.show(what); });
   progress.clear();
   if (!asked.csv.empty()) write_file(asked.csv, report_csv(report));
-  write_out(asked.json ? report_json(report) : report_text(report));
+  write_out(asked.json ? report_json(report) : report_text(report, asked.features));
   const bool called = report.calls.real_ours.mask.has_value();
   return called ? kExitOk : kExitFailure;
 }
@@ -57,6 +58,9 @@ Command make_picture_judge_command(CLI::App& app) {
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   command->add_option("--seed", asked->options.seed, "Of draws and of the trees' labels")
+      ->capture_default_str();
+  command->add_option("--features", asked->features, "Features shown that tell them apart")
+      ->check(CLI::Range(0, static_cast<int>(kPatchFeatures)))
       ->capture_default_str();
   command->add_flag("--json", asked->json, "Print JSON instead of tables");
   command->add_option("--csv", asked->csv, "Write every figure to a file");

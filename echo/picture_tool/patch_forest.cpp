@@ -144,19 +144,29 @@ std::vector<double> scores_for(const std::vector<Sample>& learnt, const std::vec
   return scores;
 }
 
-std::vector<std::string> strongest_of(const std::vector<Sample>& samples, std::size_t features) {
-  std::vector<std::pair<double, std::size_t>> by_auc;
+// Of the values of that label.
+double median_of(const std::vector<std::pair<double, int>>& scored, int label) {
+  std::vector<double> values;
+  for (const auto& [value, of] : scored) {
+    if (of == label) values.push_back(value);
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<TellingFeature> one_by_one(const std::vector<Sample>& samples, std::size_t features) {
+  std::vector<TellingFeature> told;
   for (std::size_t f = 0; f < features; ++f) {
     std::vector<std::pair<double, int>> scored;
     for (const Sample& s : samples)
       scored.emplace_back(static_cast<double>(s.patch->features[f]), s.label);
-    const double auc = pairs_of(std::move(scored)).auc();
-    by_auc.emplace_back(-std::max(auc, 1.0 - auc), f);
+    const double auc = pairs_of(scored).auc();
+    told.push_back({patch_feature_name(f), std::max(auc, 1.0 - auc), median_of(scored, 0),
+                    median_of(scored, 1)});
   }
-  std::sort(by_auc.begin(), by_auc.end());
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < 5; ++i) names.emplace_back(patch_feature_name(by_auc[i].second));
-  return names;
+  std::stable_sort(told.begin(), told.end(), [](auto& a, auto& b) { return a.auc > b.auc; });
+  return told;
 }
 
 bool has_both(const std::vector<Sample>& samples) {
@@ -174,7 +184,7 @@ TellingApart tell_apart(std::span<const PicturePatch> first, std::span<const Pic
   const std::size_t features = view == PatchView::mask ? kMaskFeatures : kPatchFeatures;
   TellingApart result;
   result.patches = few.matched;
-  result.strongest = strongest_of(samples, features);
+  result.features = one_by_one(samples, features);
   if (rules.shuffled) shuffle_labels(samples, mixed(rules.seed, 3));
   Pairs pairs;
   result.least = 1.0, result.most = 0.0;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "echo/measure/picture_patches.hpp"
@@ -12,14 +12,21 @@ namespace skerry::echo {
 
 enum class PatchView : std::uint8_t { mask, all };  // which features
 
+// One feature, and how surely it alone tells the sets apart.
+struct TellingFeature {
+  std::string_view name;
+  double auc = 0.5;                  // 0.5 to 1, whichever set has more of it
+  double first = 0.0, second = 0.0;  // medians
+};
+
 struct TellingApart {
   // Area under the curve of right against wrong calls, of pairs of one fold: 0.5 cannot, 1 always
   // can.
   double auc = 0.0;
-  double least = 0.0, most = 0.0;      // of the folds
-  std::size_t patches = 0;             // of each set, after matching
-  std::size_t folds = 0;               // that had any
-  std::vector<std::string> strongest;  // the five features that one by one tell most, best first
+  double least = 0.0, most = 0.0;        // of the folds
+  std::size_t patches = 0;               // of each set, after matching
+  std::size_t folds = 0;                 // that had any
+  std::vector<TellingFeature> features;  // all that were looked at, what tells most first
 };
 
 struct TellingRules {

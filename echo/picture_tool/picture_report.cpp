@@ -72,6 +72,23 @@ std::string notes_text(const PictureReport& report) {
   return text;
 }
 
+// The features that one by one tell most, with the median of either side; nothing where there was
+// no call.
+std::string features_text(const PictureReport& report, std::size_t most) {
+  const auto& told = report.calls.real_ours.all;
+  if (!told || most == 0) return {};
+  TextTable table;
+  table.begin("tells, one by one");
+  table.add("AUC"), table.add("first"), table.add("second");
+  for (std::size_t i = 0; i < std::min(most, told->features.size()); ++i) {
+    const TellingFeature& feature = told->features[i];
+    table.begin(std::string(feature.name));
+    table.add(number(feature.auc, 2)), table.add(number(feature.first, 3));
+    table.add(number(feature.second, 3));
+  }
+  return table.text();
+}
+
 }  // namespace
 
 std::array<const Call*, 5> all_calls(const Calls& calls) {
@@ -97,7 +114,7 @@ std::vector<std::string> notes_of(const PictureReport& report) {
   return notes;
 }
 
-std::string report_text(const PictureReport& report) {
+std::string report_text(const PictureReport& report, std::size_t features) {
   std::string text =
       fmt::format("first   {}, {}\nsecond  {}, {}\nbeam    {:g} deg\n\n", report.real_name,
                   size_of(report.real), report.ours_name, size_of(report.ours), report.beam_deg);
@@ -118,10 +135,8 @@ std::string report_text(const PictureReport& report) {
     calls.add(call->mask ? fmt::format("{}", call->mask->patches) : "-");
   }
   text += calls.text();
-  const Call& told = report.calls.real_ours;
-  if (told.mask) text += fmt::format("mask tells by: {}\n", fmt::join(told.mask->strongest, "; "));
-  if (told.all) text += fmt::format("all tell by:   {}\n", fmt::join(told.all->strongest, "; "));
-  return text + notes_text(report);
+  const std::string told = features_text(report, features);
+  return text + (told.empty() ? "" : "\n") + told + notes_text(report);
 }
 
 std::string short_report_head() {
@@ -129,7 +144,7 @@ std::string short_report_head() {
                      "spoke lag", "range lag", "turn", "seam", "occ.");
 }
 
-std::string short_report_text(const PictureReport& report) {
+std::string short_report_text(const PictureReport& report, std::size_t features) {
   std::string text;
   const auto line = [&](const std::string& name, const PictureStatistics& s) {
     text += fmt::format("{:36} {:>9} {:>14} {:>10} {:>10} {:>5} {:>5} {:>5}\n", name,
@@ -146,12 +161,9 @@ std::string short_report_text(const PictureReport& report) {
     text +=
         fmt::format("   {:12} mask {:>4} all {:>4}", call->name, auc(call->mask), auc(call->all));
     if (call->mask) text += fmt::format("  ({} patches)", call->mask->patches);
-    if (call == &report.calls.real_ours && call->mask && call->all)
-      text += fmt::format("  {} | {}", fmt::join(call->mask->strongest, "; "),
-                          fmt::join(call->all->strongest, "; "));
     text += '\n';
   }
-  return text + notes_text(report);
+  return text + features_text(report, features) + notes_text(report);
 }
 
 }  // namespace skerry::echo

@@ -19,12 +19,15 @@ struct PictureReport {
 };
 
 // A line of each statistic and of each call.  What cannot be measured is "-", with the reason as a
-// note.
-std::string report_text(const PictureReport& report);
+// note.  Then the features that tell real from ours, at most as many as asked for.
+std::string report_text(const PictureReport& report, std::size_t features);
 
 // A line for each side and one for each call: for many captures under each other.
 std::string short_report_head();
-std::string short_report_text(const PictureReport& report);
+std::string short_report_text(const PictureReport& report, std::size_t features);
+
+// The features of either view that tell most.
+inline constexpr std::size_t kFeaturesShown = 5;
 
 // The report's notes, and why each "-" is one.
 std::vector<std::string> notes_of(const PictureReport& report);

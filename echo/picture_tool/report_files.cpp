@@ -36,12 +36,23 @@ std::string list_json(const std::vector<std::string>& texts) {
   return out + "]";
 }
 
+std::string features_json(const std::vector<TellingFeature>& features) {
+  std::string out = "[";
+  for (const TellingFeature& feature : features) {
+    if (out.size() > 1) out += ", ";
+    out +=
+        fmt::format(R"({{"name": {}, "auc": {:.6g}, "first": {:.6g}, "second": {:.6g}}})",
+                    quoted(std::string(feature.name)), feature.auc, feature.first, feature.second);
+  }
+  return out + "]";
+}
+
 std::string call_json(const std::optional<TellingApart>& call) {
   if (!call) return "null";
   return fmt::format(R"({{"auc": {:.6g}, "least": {:.6g}, "most": {:.6g}, "patches": {}, )"
-                     R"("folds": {}, "strongest": {}}})",
+                     R"("folds": {}, "features": {}}})",
                      call->auc, call->least, call->most, call->patches, call->folds,
-                     list_json(call->strongest));
+                     features_json(call->features));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace {
 struct TableAsked {
   std::string folder, only;
   bool pairs = false;
+  std::size_t features = 0;
   StandInOptions options;
 };
 
@@ -75,7 +76,7 @@ int run_table(const TableAsked& asked) {
       std::string text;
       try {
         RealAndRadar real = real_and_radar(file, row, asked.options.real_turns);
-        text = short_report_text(stand_in_report(real, chart, asked.options, tell));
+        text = short_report_text(stand_in_report(real, chart, asked.options, tell), asked.features);
         ++told;
         if (asked.pairs) all.push_back(std::move(real));
       } catch (const std::runtime_error& error) {
@@ -107,6 +108,10 @@ Command make_picture_table_command(CLI::App& app) {
   command->add_flag("--pairs", asked->pairs, "Also every two real pictures against each other");
   command->add_option("--places", asked->options.places, "Places of ours for each capture")
       ->check(CLI::Range(1, 24))
+      ->capture_default_str();
+  command
+      ->add_option("--features", asked->features, "Features shown of each that tell real from ours")
+      ->check(CLI::Range(0, static_cast<int>(kPatchFeatures)))
       ->capture_default_str();
   command->add_option("--seed", asked->options.seed, "Of places, folds and trees")
       ->capture_default_str();
