@@ -139,8 +139,7 @@ SpeckleLengths speckle_lengths(const RadarModel& model, double lifetime_s) {
   const double beam = 0.849 * model.set.beam_width_deg / 360.0 * spokes_per_turn;
   const double time =
       lifetime_s / model.clock.with_spokes(model.geometry.spokes_per_turn).seconds_per_spoke();
-  return {beam * time / std::sqrt(beam * beam + time * time),
-          coherence_cells(model.pulse_cells, model.poles_per_cell)};
+  return {beam * time / std::sqrt(beam * beam + time * time), coherence_cells(range_shape(model))};
 }
 
 }  // namespace skerry::echo

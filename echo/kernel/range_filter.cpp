@@ -34,22 +34,25 @@ SKERRY_KERNEL(filter_taps,
 }  // namespace
 
 void filter_range(std::span<float> power, std::span<const float> taps, std::uint32_t tap_cells,
-                  std::vector<float>& scratch) {
+                  std::uint32_t lead, std::vector<float>& scratch) {
   thread_local std::vector<float> boxes;
-  if (tap_cells > 1) stretch_pulse(power, tap_cells, boxes);
   const std::size_t before = taps.size() * tap_cells;
-  scratch.assign(before + power.size() + kCellsFiltered, 0.0f);
-  std::copy(power.begin(), power.end(), scratch.begin() + static_cast<std::ptrdiff_t>(before));
-  filter_taps(scratch.data() + before, taps.data(), taps.size(), tap_cells, power.data(),
-              power.size());
+  scratch.assign(before + power.size() + lead + kCellsFiltered, 0.0f);
+  float* const row = scratch.data() + before;
+  std::copy(power.begin(), power.end(), row);
+  if (tap_cells > 1) stretch_pulse({row, power.size() + lead}, tap_cells, boxes);
+  filter_taps(row + lead, taps.data(), taps.size(), tap_cells, power.data(), power.size());
 }
 
 void filter_range_reference(std::span<const float> power, std::span<const float> taps,
-                            std::uint32_t tap_cells, std::span<double> out) {
+                            std::uint32_t tap_cells, std::uint32_t lead, std::span<double> out) {
   for (std::size_t i = 0; i < power.size(); ++i) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < taps.size() * tap_cells && k <= i; ++k)
-      sum += static_cast<double>(taps[k / tap_cells]) * static_cast<double>(power[i - k]);
+    for (std::size_t k = 0; k < taps.size() * tap_cells && k <= i + lead; ++k) {
+      const std::size_t from = i + lead - k;
+      if (from < power.size())
+        sum += static_cast<double>(taps[k / tap_cells]) * static_cast<double>(power[from]);
+    }
     out[i] = sum;
   }
 }

@@ -88,6 +88,33 @@ SKERRY_KERNEL(grow,
                std::size_t n),
               (video, a, b, n))
 
+// out[i] = the mean of rows[0][i] .. rows[2 reach][i], the middle one reach + 1 times, each beside
+// it once less; `out` may be one of them.  Rounded: `inverse` is 65536 / (reach + 1)^2.
+inline __attribute__((always_inline)) void triangle_of(const std::uint8_t* const* rows,
+                                                       std::size_t reach, std::uint32_t inverse,
+                                                       std::uint8_t* out, std::size_t begin,
+                                                       std::size_t n) {
+  std::uint16_t sum[64] = {};
+  for (std::size_t k = 0; k <= 2 * reach; ++k) {
+    const auto weight = static_cast<std::uint16_t>(k <= reach ? k + 1 : 2 * reach + 1 - k);
+    const std::uint8_t* from = rows[k] + begin;
+    for (std::size_t i = 0; i < n; ++i)
+      sum[i] = static_cast<std::uint16_t>(sum[i] + weight * from[i]);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    out[begin + i] = static_cast<std::uint8_t>((sum[i] * inverse + 0x8000u) >> 16);
+}
+SKERRY_KERNEL_BODY triangle_mean_body(const std::uint8_t* const* rows, std::size_t reach,
+                                      std::uint32_t inverse, std::uint8_t* out, std::size_t n) {
+  std::size_t begin = 0;
+  for (; begin + 64 <= n; begin += 64) triangle_of(rows, reach, inverse, out, begin, 64);
+  triangle_of(rows, reach, inverse, out, begin, n - begin);
+}
+SKERRY_KERNEL(triangle_mean,
+              (const std::uint8_t* const* rows, std::size_t reach, std::uint32_t inverse,
+               std::uint8_t* out, std::size_t n),
+              (rows, reach, inverse, out, n))
+
 SKERRY_KERNEL_BODY upper_half_body(std::uint8_t* video, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) video[i] = static_cast<std::uint8_t>(video[i] >> 4);
 }
@@ -163,6 +190,29 @@ void stretch_video(std::span<std::uint8_t> video, std::size_t cells, unsigned re
   }
 }
 
+void smooth_rows(std::span<const std::uint8_t* const> rows, std::span<std::uint8_t> out) noexcept {
+  const auto reach = static_cast<std::uint32_t>(rows.size() / 2), all = (reach + 1) * (reach + 1);
+  triangle_mean(rows.data(), reach, (0x10000u + all / 2) / all, out.data(), out.size());
+}
+
+void smooth_video(std::span<std::uint8_t> video, std::size_t cells, unsigned cells_together,
+                  std::vector<std::uint8_t>& scratch) {
+  if (cells_together <= 1) return;
+  constexpr std::size_t kPad = kMostSmoothed;  // zeros at both ends
+  const std::size_t reach = cells_together - 1;
+  scratch.resize(cells + 2 * kPad);
+  std::uint8_t* row = scratch.data() + kPad;
+  std::fill_n(scratch.data(), kPad, std::uint8_t{0});
+  std::fill_n(row + cells, kPad, std::uint8_t{0});
+  const std::uint8_t* rows[2 * kMostSmoothed - 1];
+  for (std::size_t k = 0; k <= 2 * reach; ++k) rows[k] = row + k - reach;
+  for (std::size_t s = 0; s < video.size(); s += cells) {
+    const std::span<std::uint8_t> spoke = video.subspan(s, cells);
+    std::copy(spoke.begin(), spoke.end(), row);
+    smooth_rows({rows, 2 * reach + 1}, spoke);
+  }
+}
+
 void keep_largest(std::span<std::uint8_t> video, std::span<const std::uint8_t> a,
                   std::span<const std::uint8_t> b) noexcept {
   grow(video.data(), a.data(), b.data(), video.size());
@@ -186,6 +236,18 @@ void stretch_video_reference(std::span<const std::uint8_t> video, unsigned reach
     out[i] = 0;
     for (std::size_t k = i > reach ? i - reach : 0; k <= i + reach && k < video.size(); ++k)
       out[i] = std::max(out[i], video[k]);
+  }
+}
+
+void smooth_video_reference(std::span<const std::uint8_t> video, unsigned cells_together,
+                            std::span<double> out) {
+  const auto n = static_cast<std::ptrdiff_t>(cells_together);
+  const auto cells = static_cast<std::ptrdiff_t>(video.size());
+  for (std::ptrdiff_t i = 0; i < cells; ++i) {
+    double sum = 0.0;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - n + 1); k < std::min(cells, i + n); ++k)
+      sum += static_cast<double>(n - std::abs(k - i)) * video[static_cast<std::size_t>(k)];
+    out[static_cast<std::size_t>(i)] = sum / static_cast<double>(n * n);
   }
 }
 

@@ -1,4 +1,5 @@
-// Receiver stages on finished 8-bit video: differentiation (FTC) and stretching of echoes.
+// Receiver stages on finished 8-bit video: differentiation (FTC), stretching and smoothing of
+// echoes.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,15 @@ inline constexpr unsigned kMaxStretch = 3;
 void stretch_video(std::span<std::uint8_t> video, std::size_t cells, unsigned reach,
                    std::vector<std::uint8_t>& scratch);
 
+// Mean of `cells_together` cells, twice: a triangle of 2 n - 1 cells about each, of n n in all.
+// Beyond the ends is nothing.  cells_together <= kMostSmoothed; 1 leaves the video as it is.
+// Error: half a step of rounding.
+inline constexpr unsigned kMostSmoothed = 8;
+void smooth_video(std::span<std::uint8_t> video, std::size_t cells, unsigned cells_together,
+                  std::vector<std::uint8_t>& scratch);
+// The same of an odd number of rows as long as `out`, which may be one of them.
+void smooth_rows(std::span<const std::uint8_t* const> rows, std::span<std::uint8_t> out) noexcept;
+
 // video[i] = max(video[i], a[i], b[i]).  Requires a and b to be as long.
 void keep_largest(std::span<std::uint8_t> video, std::span<const std::uint8_t> a,
                   std::span<const std::uint8_t> b) noexcept;
@@ -31,10 +41,12 @@ void keep_largest(std::span<std::uint8_t> video, std::span<const std::uint8_t> a
 // 8-bit video to 4 bits: the upper half of each cell.
 void halve_bits(std::span<std::uint8_t> video) noexcept;
 
-// Twins, of one spoke: the mean in double, and the plain search.
+// Twins, of one spoke: the means in double, and the plain search.
 void differentiate_video_reference(std::span<const std::uint8_t> video, unsigned octaves,
                                    unsigned weight, std::span<double> out);
 void stretch_video_reference(std::span<const std::uint8_t> video, unsigned reach,
                              std::span<std::uint8_t> out);
+void smooth_video_reference(std::span<const std::uint8_t> video, unsigned cells_together,
+                            std::span<double> out);
 
 }  // namespace skerry::echo

@@ -19,7 +19,7 @@ constexpr std::array kRows = {
     CapturedRadar{"4g-ranges", "4G", 1809.0, 1.95},
     CapturedRadar{"4g-ranges", "4G", 2713.0, 1.95},
     CapturedRadar{"garminxhd", "xHD", 0.0, 1.125},
-    CapturedRadar{"halo-velocitytrack", "HALO24", 0.0, 1.72},
+    CapturedRadar{"halo-velocitytrack", "HALO24", 0.0, 1.72, true},
     CapturedRadar{"halo3-5", "HALO3", 0.0, 1.72},
     CapturedRadar{"quantum2", "Quantum 2", 0.0, 2.24},
 };

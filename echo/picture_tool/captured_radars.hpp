@@ -18,6 +18,7 @@ struct CapturedRadar {
   std::string_view set;           // of shipped_sets.hpp
   double reach_m = 0.0;           // 0: the one with most turns
   double reach_over_scale = 1.0;  // what the radar sends, over what it is set to
+  bool velocity_track = false;    // its highest levels tell Doppler
 };
 std::span<const CapturedRadar> captured_radars();
 

@@ -136,6 +136,7 @@ TurnsOfPicture make_picture(const MadeRadar& radar, const StandIn& place, std::u
                       std::span(video).subspan(std::size_t{s} * picture.cells,
                                                std::size_t{count} * picture.cells));
     }
+    for (std::uint8_t& cell : video) cell = std::min(cell, radar.highest);
     picture.turns.push_back(std::move(video));
     picture.follows.push_back(t > 0);
   }

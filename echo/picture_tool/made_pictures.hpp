@@ -19,6 +19,7 @@ struct MadeRadar {
   RadarSet set;
   ViewControls controls;  // the instrumented range is the picture's reach
   ScanGeometry geometry;
+  std::uint8_t highest = 255;  // what is stronger is shown so
 
   double reach_m() const { return reach_of(controls).in_metres(); }
 };

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "protocol/navico/frame.hpp"
+
 namespace skerry::echo {
 namespace {
 
@@ -30,6 +32,7 @@ RealAndRadar real_and_radar(const std::string& file, const CapturedRadar& row,
   if (row.capture.empty())
     out.notes.push_back(fmt::format("the file's name tells no set: {} is taken", row.set));
   out.radar = radar_like(out.real, stand_in_set(row.set, out.notes), row.reach_over_scale);
+  if (row.velocity_track) out.radar.highest = navico::kMostBesideDoppler;
   return out;
 }
 

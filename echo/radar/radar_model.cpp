@@ -31,8 +31,7 @@ RadarModel with_rows_of(RadarModel model, std::uint32_t cells) {
 RadarModel with_cells_of(RadarModel model, double cell_m) {
   model.cell_m = cell_m;
   model.pulse_cells = 0.5 * kLightSpeed * model.pulse.length_s / cell_m;
-  if (model.set.shapes_echoes)
-    model.poles_per_cell = 4.0 * model.pulse.bandwidth_hz * cell_m / (0.5 * kLightSpeed);
+  model.bandwidth_cells = model.pulse.bandwidth_hz * cell_m / (0.5 * kLightSpeed);
   const double blind = blind_range_m(model.pulse.length_s);
   model.blind_cells = std::min(model.geometry.cells, static_cast<std::uint32_t>(blind / cell_m));
   return model;

@@ -17,11 +17,10 @@ struct RadarModel {
   SpokeClock clock{24.0, 4096};
   std::uint32_t radar = 0;  // which radar of the host: tells noise and fluctuation apart
 
-  double cell_m = 1.0;       // range of a cell
-  double pulse_cells = 1.0;  // c tau / 2 in cells
-  // Rate of the receiver's poles, 4 B, to the time of a cell (range_response.hpp); 0: no filter.
-  double poles_per_cell = 0.0;
-  double spoke_radians = 0.0;  // arc of a spoke
+  double cell_m = 1.0;           // range of a cell
+  double pulse_cells = 1.0;      // c tau / 2 in cells
+  double bandwidth_cells = 0.0;  // the pulse's bandwidth times the time of a cell
+  double spoke_radians = 0.0;    // arc of a spoke
   double unit_snr = 1.0;  // signal over noise of 1 m2 at 1 m in free space (radar_equation.hpp)
 
   // First cell that is seen after the transmitter has fired and the TR cell has recovered.

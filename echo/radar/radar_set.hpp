@@ -33,9 +33,17 @@ struct Pulse {
 
 // A level of 16 that a set's video has, and where it begins: a share of the video's decibels.
 struct VideoLevel {
-  double from = 0.0;       // 0 to 1
-  std::uint8_t shown = 0;  // 1 to 15
+  double from = 0.0;   // 0 to 1
+  double shown = 0.0;  // 1 to 15
   friend bool operator==(const VideoLevel&, const VideoLevel&) = default;
+};
+
+// What the receiver's filter makes of an echo along range (range_response.hpp), each of the pulse's
+// bandwidth.
+enum class RangeFilter : std::uint8_t {
+  none,       // an echo is as long as the pulse and has sharp ends
+  two_poles,  // it rises and decays: tuned amplifiers
+  gaussian,   // both its ends are alike: pulses compressed, or sweeps analysed, under a window
 };
 
 // Which pulse the operator wants.
@@ -60,9 +68,9 @@ struct RadarSet {
   // Its levels where they are not 16 even ones, ascending; what lies below the first is 0.  8-bit
   // video is joined straight within each level.
   std::vector<VideoLevel> levels;
-  // Whether the receiver's filter, two poles of the pulse's bandwidth, shapes echoes along range
-  // (range_response.hpp); else an echo is as long as the pulse and has sharp ends.
-  bool shapes_echoes = false;
+  RangeFilter range_filter = RangeFilter::none;
+  // Cells over which it averages its video along range, twice (smooth_video()); 1: not at all.
+  std::uint32_t video_smoothing = 1;
   // What the set's processing always integrates, 0 to 100 % of the two-way beam's spokes as the
   // view's control has it (azimuth_memory.hpp); the larger of the two holds.
   double integration = 0.0;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <utility>
+#include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
 
@@ -13,39 +13,64 @@ namespace {
 
 constexpr double kLog2E = 1.4426950408889634;
 constexpr double kMostCells = 4096.0;
+constexpr double kGaussianEnd = 0.97;  // 1 / B: where its answer to a step is kEnd
+const double kGaussianRate = std::sqrt(2.0 * std::numbers::pi);
 
-// 1 - (1 + x) e^-x: the filter's answer to a step, x >= 0.
-double step_answer(double x) { return 1.0 - (1.0 + x) * exact_exp2(-std::min(x, 500.0) * kLog2E); }
+double exact_exp(double x) { return exact_exp2(std::max(x, -700.0) * kLog2E); }
 
-// In the middles of steps of so many cells, until it has decayed.
-std::vector<double> voltages(double pulse_cells, double a, double step) {
+// (1 + erf(x)) / 2.  Error: 8e-8 (Abramowitz and Stegun 7.1.26).
+double gaussian_answer(double x) {
+  const double z = std::fabs(x), t = 1.0 / (1.0 + 0.3275911 * z);
+  const double poly =
+      t *
+      (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
+  const double tail = 0.5 * poly * exact_exp(-z * z);
+  return x < 0.0 ? tail : 1.0 - tail;
+}
+
+double two_pole_answer(double x) { return x > 0.0 ? 1.0 - (1.0 + x) * exact_exp(-x) : 0.0; }
+
+double voltage_at(double x, const RangeShape& shape) {
+  const double past = x - shape.pulse_cells, b = shape.bandwidth_cells;
+  if (shape.filter == RangeFilter::gaussian)
+    return gaussian_answer(kGaussianRate * b * x) - gaussian_answer(kGaussianRate * b * past);
+  return two_pole_answer(4.0 * b * x) - two_pole_answer(4.0 * b * past);
+}
+
+double begin_of(const RangeShape& shape) {
+  return shape.filter == RangeFilter::gaussian ? -kGaussianEnd / shape.bandwidth_cells : 0.0;
+}
+
+// In the middles of steps of so many cells from `begin` on, until it has decayed.
+std::vector<double> voltages(const RangeShape& shape, double begin, double step) {
   std::vector<double> voltage;
   double peak = 0.0;
-  for (double x = 0.5 * step; x < pulse_cells + kMostCells; x += step) {
-    const double past = x - pulse_cells;
-    const double v = step_answer(a * x) - (past > 0.0 ? step_answer(a * past) : 0.0);
+  for (double x = begin + 0.5 * step; x < shape.pulse_cells + kMostCells; x += step) {
+    const double v = voltage_at(x, shape);
     peak = std::max(peak, v);
-    if (past > 0.0 && v < RangeResponse::kEnd * peak) break;
+    if (x > shape.pulse_cells && v < RangeResponse::kEnd * peak) break;
     voltage.push_back(v);
   }
   return voltage;
 }
 
-bool is_fast(double poles_per_cell) {
-  return !(poles_per_cell > 0.0) || poles_per_cell >= RangeResponse::kFastest;
+bool is_sharp(const RangeShape& shape) {
+  return shape.filter == RangeFilter::none || !(shape.bandwidth_cells > 0.0) ||
+         shape.bandwidth_cells >= RangeResponse::kFastest;
 }
 
 }  // namespace
 
-RangeResponse::RangeResponse(double pulse_cells, double poles_per_cell)
-    : pulse_cells_(std::max(1.0, pulse_cells)) {
-  const double a = poles_per_cell;
-  if (is_fast(a)) {
+RangeResponse::RangeResponse(const RangeShape& shape)
+    : pulse_cells_(std::max(1.0, shape.pulse_cells)) {
+  if (is_sharp(shape)) {
     cells_ = static_cast<std::uint32_t>(std::ceil(pulse_cells_)) + 1;
     return;
   }
+  const RangeShape own{shape.filter, pulse_cells_, shape.bandwidth_cells};
   const double step = 1.0 / kSteps;
-  const std::vector<double> voltage = voltages(pulse_cells_, a, step);
+  lead_ = static_cast<std::uint32_t>(std::min(kMostCells, std::ceil(-begin_of(own))));
+  const std::vector<double> voltage = voltages(own, -static_cast<double>(lead_), step);
   const double peak = *std::max_element(voltage.begin(), voltage.end());
   sums_.assign(1, 0.0);
   for (const double v : voltage) sums_.push_back(sums_.back() + v * v / (peak * peak) * step);
@@ -85,21 +110,22 @@ void RangeResponse::shares_of(double into, std::span<float> shares) const {
 
 std::shared_ptr<const RangeResponse> range_response_for(const RadarModel& model) {
   static std::mutex mutex;
-  static std::map<std::pair<double, double>, std::weak_ptr<const RangeResponse>> known;
+  static std::map<RangeShape, std::weak_ptr<const RangeResponse>> known;
+  const RangeShape shape = range_shape(model);
   const std::lock_guard lock(mutex);
   std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-  auto& kept = known[{model.pulse_cells, model.poles_per_cell}];
+  auto& kept = known[shape];
   if (auto found = kept.lock()) return found;
-  auto made = std::make_shared<const RangeResponse>(model.pulse_cells, model.poles_per_cell);
+  auto made = std::make_shared<const RangeResponse>(shape);
   kept = made;
   return made;
 }
 
-double coherence_cells(double pulse_cells, double poles_per_cell) {
+double coherence_cells(const RangeShape& shape) {
   constexpr double kE = 2.718281828459045;
-  if (is_fast(poles_per_cell)) return (1.0 - 1.0 / kE) * pulse_cells;
-  const double step = pulse_cells / 64.0;
-  const std::vector<double> voltage = voltages(pulse_cells, poles_per_cell, step);
+  if (is_sharp(shape)) return (1.0 - 1.0 / kE) * shape.pulse_cells;
+  const double step = shape.pulse_cells / 64.0;
+  const std::vector<double> voltage = voltages(shape, begin_of(shape), step);
   const auto overlap = [&](std::size_t lag) {
     double sum = 0.0;
     for (std::size_t i = 0; i + lag < voltage.size(); ++i) sum += voltage[i] * voltage[i + lag];
@@ -115,12 +141,15 @@ double coherence_cells(double pulse_cells, double poles_per_cell) {
   return step * static_cast<double>(voltage.size());
 }
 
-double range_voltage_reference(double x, double pulse_cells, double poles_per_cell) {
+double range_voltage_reference(double x, const RangeShape& shape) {
+  const double b = shape.bandwidth_cells;
   const auto answer = [&](double cells) {
-    const double a = poles_per_cell * std::max(0.0, cells);
+    if (shape.filter == RangeFilter::gaussian)
+      return 0.5 * std::erfc(-std::sqrt(2.0 * std::numbers::pi) * b * cells);
+    const double a = 4.0 * b * std::max(0.0, cells);
     return 1.0 - (1.0 + a) * std::exp(-a);
   };
-  return answer(x) - answer(x - std::max(1.0, pulse_cells));
+  return answer(x) - answer(x - std::max(1.0, shape.pulse_cells));
 }
 
 }  // namespace skerry::echo

@@ -108,27 +108,37 @@ RadarSet resolving(RadarSet set, double metres, double integration, double video
     if (!set.pulses.empty() && pulse.length_s <= set.pulses.back().length_s) set.pulses.pop_back();
     set.pulses.push_back(pulse);
   }
-  set.shapes_echoes = true;
+  set.range_filter = RangeFilter::gaussian;
   set.integration = integration;
   set.video_range_db = video_range_db;
   return set;
 }
 
-// HALO video: the lowest levels and the last but one are wide, the others even [fitted: levels of
-// the captures' cells].
-RadarSet halo_levels(RadarSet set) {
-  double from = 0.0;
-  std::uint8_t shown = 1;
-  for (const double share : {0.045, 0.112, 0.076, 0.061, 0.051, 0.045, 0.045, 0.045, 0.045, 0.045,
-                             0.045, 0.045, 0.045, 0.066, 0.09})
-    set.levels.push_back({from += share, shown++});
+// HALO video: edges rise and fall in straight lines over six cells, whatever a cell's length
+// [captures: at cells of 3.1 and of 0.39 m].
+RadarSet smoothing(RadarSet set) {
+  set.video_smoothing = 4;
   return set;
 }
 
 // 4G video: twelve even levels, then the highest [captures: levels 13 and 14 do not occur].
 RadarSet levels_of_4g(RadarSet set) {
-  for (std::uint8_t k = 1; k <= 12; ++k) set.levels.push_back({k / 16.0, k});
-  set.levels.push_back({13 / 16.0, 15});
+  for (int k = 1; k <= 12; ++k) set.levels.push_back({k / 16.0, 1.0 * k});
+  set.levels.push_back({13 / 16.0, 15.0});
+  return set;
+}
+
+// A magnetron's plain pulse behind a tuned amplifier.
+RadarSet magnetron(RadarSet set) {
+  set.range_filter = RangeFilter::two_poles;
+  return set;
+}
+
+// xHD video: 8 bits, of which the weakest echo shows 40 [captures: nothing is 1 to 38, and all from
+// 40 to 254 are as frequent].
+RadarSet levels_of_xhd(RadarSet set) {
+  constexpr double kFirst = 2.5;
+  for (int k = 0; k < 14; ++k) set.levels.push_back({k / (16.0 - kFirst), kFirst + k});
   return set;
 }
 
@@ -150,13 +160,13 @@ const auto& all() {
       river_x(),
       thirty_kilowatt_s(),
       dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
-      halo_levels(resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 20.0, 100.0, 6.9, 0.7)),
-      halo_levels(resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 28.0, 60.0, 6.9, 0.7)),
-      levels_of_4g(resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 30.0, 60.0, 6.0)),
-      resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 70.0, 3.6, 0.8),
+      smoothing(resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 20.0, 20.0, 3.5, 0.7)),
+      smoothing(resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 28.0, 20.0, 4.5, 0.7)),
+      levels_of_4g(resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 32.0, 60.0, 6.0, 0.75)),
+      resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 70.0, 3.6, 0.7),
       resolving(sweeping_dome("BR24", 5.2, 23.0, 24.0), 15.0, 50.0, 3.6),
-      resolving(dome("xHD", 4e3, 3.6, 24.6, 24.0), 16.0, 50.0, 12.0),
-      dome("Quantum 2", 2.4e3, 4.9, 23.5, 24.0),
+      levels_of_xhd(magnetron(resolving(dome("xHD", 4e3, 3.6, 24.6, 24.0), 16.0, 50.0, 12.0))),
+      resolving(dome("Quantum 2", 2.4e3, 4.9, 23.5, 24.0), 20.0, 60.0, 6.0),
   };
   return sets;
 }

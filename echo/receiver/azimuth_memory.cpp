@@ -41,6 +41,7 @@ void AzimuthMemory::set_up(const AzimuthStages& stages, std::uint32_t cells, dou
   so_far_.resize(sums ? pitch_ : 0);
   nothing_.assign(sums ? pitch_ : 0, 0.0f);
   shown_.resize(2 * std::size_t{stages.stretch} * cells);
+  rough_.resize((2 * std::size_t{stages.smoothing} - 2) * cells);
   forget();
 }
 
@@ -49,6 +50,7 @@ void AzimuthMemory::forget() {
   std::fill(group_.begin(), group_.end(), 0.0f);
   std::fill(so_far_.begin(), so_far_.end(), 0.0f);
   std::fill(shown_.begin(), shown_.end(), std::uint8_t{0});
+  std::fill(rough_.begin(), rough_.end(), std::uint8_t{0});
   spokes_ = 0;
 }
 
@@ -91,28 +93,44 @@ void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t be
   }
 }
 
-// From the last spoke back, so that each still finds those before it as they were.
-void AzimuthMemory::stretch(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
-                            std::size_t columns) {
-  const std::size_t kept = 2 * std::size_t{stages_.stretch};
-  const auto shown = [&](std::size_t k) {  // the last `kept` spokes, then this call's
-    return k < kept ? std::span(shown_).subspan(k * cells_ + begin, columns)
-                    : video.subspan((k - kept) * cells_ + begin, columns);
+// show(rows): makes the newest of `kept` + 1 spokes, oldest first, what is shown.  From the last
+// spoke back, so that each still finds those before it as they were.
+template <typename Show>
+void AzimuthMemory::with_earlier(std::vector<std::uint8_t>& earlier, std::size_t kept,
+                                 std::span<std::uint8_t> video, std::uint32_t count,
+                                 std::size_t begin, std::size_t columns, const Show& show) const {
+  const auto spoke = [&](std::size_t k) {  // the last `kept` spokes, then this call's
+    return k < kept ? earlier.data() + k * cells_ + begin
+                    : video.data() + (k - kept) * cells_ + begin;
   };
   thread_local std::vector<std::uint8_t> last;
   last.resize(kept * columns);
-  for (std::size_t k = 0; k < kept; ++k) {
-    const auto row = shown(count + k);
-    std::copy(row.begin(), row.end(), last.begin() + static_cast<std::ptrdiff_t>(k * columns));
-  }
+  for (std::size_t k = 0; k < kept; ++k)
+    std::copy_n(spoke(count + k), columns, last.data() + k * columns);
+  thread_local std::vector<std::uint8_t*> rows;
+  rows.resize(kept + 1);
   for (std::size_t k = count; k-- > 0;) {
+    for (std::size_t j = 0; j <= kept; ++j) rows[j] = spoke(k + j);
+    show(rows);
+  }
+  for (std::size_t k = 0; k < kept; ++k) std::copy_n(last.data() + k * columns, columns, spoke(k));
+}
+
+void AzimuthMemory::stretch(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
+                            std::size_t columns) {
+  const std::size_t kept = 2 * std::size_t{stages_.stretch};
+  with_earlier(shown_, kept, video, count, begin, columns, [&](const auto& rows) {
     for (std::size_t back = 0; back < kept; back += 2)
-      keep_largest(shown(kept + k), shown(k + back), shown(k + back + 1));
-  }
-  for (std::size_t k = 0; k < kept; ++k) {
-    const auto row = std::span(last).subspan(k * columns, columns);
-    std::copy(row.begin(), row.end(), shown(k).begin());
-  }
+      keep_largest({rows[kept], columns}, {rows[back], columns}, {rows[back + 1], columns});
+  });
+}
+
+void AzimuthMemory::smooth(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
+                           std::size_t columns) {
+  with_earlier(rough_, 2 * std::size_t{stages_.smoothing} - 2, video, count, begin, columns,
+               [&](const auto& rows) {
+                 smooth_rows({rows.data(), rows.size()}, {rows.back(), columns});
+               });
 }
 
 void AzimuthMemory::end_spokes(std::uint32_t count) { spokes_ += count; }

@@ -15,6 +15,7 @@ struct AzimuthStages {
   double rejection_db = 0.0;     // a cell this far above the two spokes before is replaced; 0: off
   std::uint32_t integrated = 1;  // spokes
   std::uint32_t stretch = 0;     // spokes to either side
+  std::uint32_t smoothing = 1;   // spokes averaged, twice (smooth_video()); 1: none
   friend bool operator==(const AzimuthStages&, const AzimuthStages&) = default;
 };
 
@@ -35,11 +36,12 @@ class AzimuthMemory {
   void forget();  // as if no spoke had been
 
   const AzimuthStages& stages() const { return stages_; }
-  // How many spokes an integrated echo lies behind the newest of those it is made of.
-  std::uint32_t lag() const { return (stages_.integrated - 1) / 2; }
+  // How many spokes an integrated and smoothed echo lies behind the newest of those it is made of.
+  std::uint32_t lag() const { return (stages_.integrated - 1) / 2 + stages_.smoothing - 1; }
   bool is_empty() const { return spokes_ == 0; }
   bool detects() const { return stages_.rejection_db > 0.0 || stages_.integrated > 1; }
   bool stretches() const { return stages_.stretch > 0; }
+  bool smooths() const { return stages_.smoothing > 1; }
 
   // Cells begin .. begin + video.size() - 1 of the k-th spoke of this call, spoke number `spoke`.
   // power, noise, offset and video begin at cell `begin`.
@@ -49,10 +51,17 @@ class AzimuthMemory {
   // Stretches `count` finished spokes, `cells` bytes apart in `video`, in these columns.
   void stretch(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
                std::size_t columns);
+  // Smooths them, likewise.
+  void smooth(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
+              std::size_t columns);
   void end_spokes(std::uint32_t count);
 
  private:
   void close_group(std::size_t begin, std::size_t columns);
+  template <typename Show>
+  void with_earlier(std::vector<std::uint8_t>& earlier, std::size_t kept,
+                    std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
+                    std::size_t columns, const Show& show) const;
 
   AzimuthStages stages_;
   std::size_t cells_ = 0, pitch_ = 0;
@@ -61,6 +70,7 @@ class AzimuthMemory {
   AlignedFloats group_;   // `integrated` spokes by number: powers, then sums of what follows
   AlignedFloats so_far_, nothing_;
   std::vector<std::uint8_t> shown_;  // 2 * stretch spokes before this call, oldest first
+  std::vector<std::uint8_t> rough_;  // 2 * smoothing - 2 spokes before they are smoothed
   std::uint64_t spokes_ = 0;         // since it began
 };
 

@@ -45,14 +45,14 @@ void ViewReceiver::lay_levels() {
   const std::vector<VideoLevel>& levels = model_.set.levels;
   if (levels.empty()) return;
   levels_.assign(256, 0);
-  for (std::size_t v = 0; v < levels_.size(); ++v) {
+  for (std::size_t v = 1; v < levels_.size(); ++v) {
     const double at = (static_cast<double>(v) + 0.5) / 256.0;
     std::size_t k = levels.size();
     while (k > 0 && levels[k - 1].from > at) --k;
     if (k == 0) continue;
     const double from = levels[k - 1].from, to = k < levels.size() ? levels[k].from : 1.0;
     const double into = std::clamp((at - from) / std::max(to - from, 1e-9), 0.0, 0.999);
-    levels_[v] = static_cast<std::uint8_t>(16.0 * (levels[k - 1].shown + into));
+    levels_[v] = static_cast<std::uint8_t>(std::min(255.0, 16.0 * (levels[k - 1].shown + into)));
   }
 }
 
@@ -97,11 +97,12 @@ void ViewReceiver::set_up() {
   stretch_cells_ = static_cast<unsigned>(std::ceil(in_force_.echo_stretch * 0.03));
   powers_.set_up(power_stages(model_.set, geometry.spokes_per_turn, in_force_), geometry.cells,
                  geometry.spokes_per_turn);
-  memory_.set_up(azimuth_stages(model_.set.beam_width_deg, geometry.spokes_per_turn,
-                                in_force_.interference_rejection,
-                                std::max(in_force_.integration, model_.set.integration),
-                                in_force_.stretch_bearing ? stretch_cells_ : 0),
-                 geometry.cells, noise_->mean_power());
+  AzimuthStages stages = azimuth_stages(model_.set.beam_width_deg, geometry.spokes_per_turn,
+                                        in_force_.interference_rejection,
+                                        std::max(in_force_.integration, model_.set.integration),
+                                        in_force_.stretch_bearing ? stretch_cells_ : 0);
+  stages.smoothing = model_.set.video_smoothing;
+  memory_.set_up(stages, geometry.cells, noise_->mean_power());
   if (!in_force_.gain_auto) {
     auto_gain_.reset();
   } else if (!auto_gain_) {
@@ -202,6 +203,18 @@ void ViewReceiver::finish(std::span<std::uint8_t> video) const {
   }
   differentiate_video(video, model_.geometry.cells, rain_octaves_, rain_weight_, scratch);
   stretch_video(video, model_.geometry.cells, stretch_cells_, scratch);
+  if (model_.set.video_smoothing > 1) smooth(video, scratch);
+}
+
+// Where the receiver is blind there is nothing still.
+void ViewReceiver::smooth(std::span<std::uint8_t> video, std::vector<std::uint8_t>& scratch) const {
+  const std::size_t cells = model_.geometry.cells;
+  smooth_video(video, cells, model_.set.video_smoothing, scratch);
+  for (std::size_t s = 0; s < video.size(); s += cells) {
+    const std::span<std::uint8_t> spoke = video.subspan(s, cells);
+    std::fill_n(spoke.begin(), blind_cells_, std::uint8_t{0});
+    std::fill(spoke.begin() + resampler_.reach(), spoke.end(), std::uint8_t{0});
+  }
 }
 
 void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::uint64_t first,
@@ -237,8 +250,8 @@ void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::
                 video.subspan(std::size_t{done} * model_.geometry.cells,
                               std::size_t{step} * model_.geometry.cells),
                 count - done - step + ahead};
-    if (memory_.detects() && memory_.is_empty()) look_ahead(piece, ahead, parallel);
-    const std::uint32_t lead = memory_.detects() ? std::min(lead_, piece.ahead) : 0;
+    if (memory_.lag() > 0 && memory_.is_empty()) look_ahead(piece, ahead, parallel);
+    const std::uint32_t lead = memory_.lag() > 0 ? std::min(lead_, piece.ahead) : 0;
     piece.rows = piece.rows.subspan(std::size_t{lead} * pitch);
     piece.first += lead;
     piece.ahead -= lead;
@@ -325,8 +338,8 @@ void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
                         scale_, video_of(piece, k).subspan(begin, size));
       }
     });
-    memory_.end_spokes(piece.count);
-    if (rain_weight_ > 0 || stretch_cells_ > 0 || !gates_.empty()) {
+    if (rain_weight_ > 0 || stretch_cells_ > 0 || model_.set.video_smoothing > 1 ||
+        !gates_.empty()) {
       parallel((piece.count + kTogether - 1) / kTogether, [&](std::size_t part) {
         const std::size_t begin = part * kTogether * cells;
         finish(piece.video.subspan(begin, std::min(kTogether * cells, piece.video.size() - begin)));
@@ -339,6 +352,13 @@ void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
       memory_.stretch(piece.video, piece.count, begin, std::min(kColumns, cells - begin));
     });
   }
+  if (memory_.smooths()) {
+    parallel((cells + kColumns - 1) / kColumns, [&](std::size_t part) {
+      const std::size_t begin = part * kColumns;
+      memory_.smooth(piece.video, piece.count, begin, std::min(kColumns, cells - begin));
+    });
+  }
+  memory_.end_spokes(piece.count);
   if (!levels_.empty()) {
     for (std::uint8_t& v : piece.video) v = levels_[v];
   }

@@ -24,9 +24,10 @@ namespace skerry::echo {
 
 // The stages, in order: cells of the view's range - target separation - side lobe suppression -
 // target boost - noise, coherent - square-law detector - interference rejection - integration -
-// log - gain and STC - 8 bits - noise rejection - rain control - stretch - 4 bits if so.  A stage
-// that is off costs nothing.  The first three weigh echo against echo, so noise does not mislead
-// them; noise rejection blanks what does not stand kMostNoiseDb over mean noise, or less.
+// log - gain and STC - 8 bits - noise rejection - rain control - stretch - the set's smoothing and
+// levels - 4 bits if so.  A stage that is off costs nothing.  The first three weigh echo against
+// echo, so noise does not mislead them; noise rejection blanks what does not stand kMostNoiseDb
+// over mean noise, or less.
 //
 // Views of one radar share its rows and its noise: the same noise, cell by cell, on the same range
 // scale and decimation.  The receiver is blind, and its video 0, before model.blind_cells and
@@ -102,6 +103,7 @@ class ViewReceiver {
   std::span<const float> row_of(const Piece& piece, std::size_t k) const;
   std::span<std::uint8_t> video_of(const Piece& piece, std::size_t k) const;
   void finish(std::span<std::uint8_t> video) const;
+  void smooth(std::span<std::uint8_t> video, std::vector<std::uint8_t>& scratch) const;
 
   void lay_levels();
   RowResampler resampler() const;

@@ -165,15 +165,17 @@ void StaticFrame::make_ray(std::uint32_t ray) {
   const bool any = add_static_ray(view_, ray_model_, ray * units, true, scratch, power);
   ground_.record(ray, ray_model_, scratch);
   if (!any) return;
-  const auto [first, end] = echoing(power);
-  const std::uint32_t last = std::min(detail_.cells, end + response_->cells());
+  const auto [begin, end] = echoing(power);
+  const std::uint32_t first = begin - std::min(begin, response_->lead());
+  const std::uint32_t last = std::min(detail_.cells, end + response_->cells() - response_->lead());
   ring_.set_extent(ray, {first, last});
-  if (first >= last) return;
+  if (begin >= end) return;
   const std::span<float> echo = power.subspan(first, last - first);
   if (response_->is_box()) {
     stretch_pulse(echo, response_->pulse_cells(), scratch.stretch);
   } else {
-    filter_range(echo, response_->taps(), response_->tap_cells(), scratch.stretch);
+    filter_range(echo, response_->taps(), response_->tap_cells(), response_->lead(),
+                 scratch.stretch);
   }
 }
 

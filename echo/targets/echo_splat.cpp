@@ -72,14 +72,18 @@ float EchoSplat::voltage(std::uint32_t off_units) const {
 
 bool EchoSplat::lay(const PointEcho& echo, Point& point) {
   const double start = echo.range_m / model_.cell_m;
-  if (!(start >= 0.0) || start >= model_.geometry.cells) return false;
+  const std::uint32_t lead = response_->lead();
+  if (!(start >= 0.0) || start >= model_.geometry.cells + lead) return false;
+  const auto cell = static_cast<std::uint32_t>(start);
+  // What would lie before the antenna is left out.
+  const std::uint32_t before = cell < lead ? lead - cell : 0;
   point.units = echo.bearing_units;
-  point.cell = static_cast<std::uint32_t>(start);
-  point.cells = std::min(response_->cells(), model_.geometry.cells - point.cell);
-  point.shares = static_cast<std::uint32_t>(shares_.size());
-  shares_.resize(shares_.size() + point.cells);
-  const std::span<float> shares = std::span(shares_).last(point.cells);
-  response_->shares_of(start - point.cell, shares);
+  point.cell = cell + before - lead;
+  point.cells = std::min(response_->cells() - before, model_.geometry.cells - point.cell);
+  point.shares = static_cast<std::uint32_t>(shares_.size()) + before;
+  shares_.resize(shares_.size() + before + point.cells);
+  const std::span<float> shares = std::span(shares_).last(before + point.cells);
+  response_->shares_of(start - cell, shares);
   for (float& share : shares) share = root_of_share(share);
   const float amplitude = std::sqrt(std::min(echo.power, kMaxPointPower));
   const auto turn = static_cast<std::uint32_t>(

@@ -70,6 +70,27 @@ TEST(VideoStages, StretchIsTheLargestOfItsNeighbours) {
   });
 }
 
+TEST(VideoStages, SmoothingIsTheMeanOfMeansWithinHalfAStep) {
+  std::mt19937 random(3);
+  std::vector<std::uint8_t> scratch;
+  on_every_isa([&] {
+    for (const std::size_t cells : {16u, 63u, 64u, 200u}) {
+      for (unsigned together = 1; together <= kMostSmoothed; ++together) {
+        std::vector<std::uint8_t> video(3 * cells);
+        for (auto& v : video) v = random() % 2 ? static_cast<std::uint8_t>(random() % 256) : 255;
+        const std::vector<std::uint8_t> before = video;
+        smooth_video(video, cells, together, scratch);
+        for (std::size_t s = 0; s < video.size(); s += cells) {
+          std::vector<double> exact(cells);
+          smooth_video_reference(std::span(before).subspan(s, cells), together, exact);
+          for (std::size_t i = 0; i < cells; ++i)
+            EXPECT_NEAR(video[s + i], exact[i], together == 1 ? 0.0 : 0.51) << i << " " << together;
+        }
+      }
+    }
+  });
+}
+
 TEST(VideoStages, TheLargestIsKeptAndFourBitsAreTheUpperHalf) {
   on_every_isa([&] {
     for (std::size_t n : {1u, 64u, 67u, 1000u}) {

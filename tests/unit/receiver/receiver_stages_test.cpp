@@ -175,6 +175,46 @@ TEST(Integration, OfTheSetHoldsWhateverTheViewAsksForLess) {
   EXPECT_NE(video_of(model, controls, silence, 100), asked);
 }
 
+// One cell of one spoke, saturated, with and without integration beside the smoothing.
+TEST(VideoSmoothing, LiesOnTheEchoesOwnBearing) {
+  RadarModel model = model_of(6.0);
+  model.set.video_smoothing = 4;
+  ViewControls controls = controls_of(6.0, 0.0);
+  const auto once = [](std::uint64_t spoke, std::uint32_t cell) {
+    return cell == 400 && spoke == 50 ? 1e9 : 0.0;
+  };
+  const double weights[] = {1, 2, 3, 4, 3, 2, 1};
+  std::vector<std::uint8_t> first;
+  for (const std::uint32_t sector : {16u, 1u, 5u, 64u, 128u}) {
+    ViewReceiver receiver(model, controls);
+    ASSERT_EQ(receiver.rows_ahead(), 3u);
+    const auto video = video_ahead(receiver, once, 0, 128, sector);
+    for (std::uint32_t s = 44; s < 57; ++s) {
+      for (std::uint32_t c = 394; c < 407; ++c) {
+        const bool near = s >= 47 && s < 54 && c >= 397 && c < 404;
+        const double exact = near ? 255.0 * weights[s - 47] * weights[c - 397] / 256.0 : 0.0;
+        EXPECT_NEAR(video[s * kCells + c], exact, 0.75) << s << ", " << c << " in " << sector;
+      }
+    }
+    if (first.empty()) first = video;
+    EXPECT_EQ(video, first) << sector;
+  }
+  controls.integration = 100.0;
+  ViewReceiver receiver(model, controls);
+  EXPECT_EQ(receiver.rows_ahead(), 4u + 3u);
+}
+
+TEST(VideoSmoothing, ShowsNothingWhereTheReceiverIsBlind) {
+  RadarModel model = model_of(6.0);
+  model.blind_cells = 20;
+  const ViewControls controls = controls_of(6.0, 0.0);
+  const auto ring = [](std::uint64_t, std::uint32_t cell) { return cell == 21 ? 1e9 : 0.0; };
+  model.set.video_smoothing = 4;
+  const auto video = video_of(model, controls, ring, 16);
+  EXPECT_EQ(video[15 * kCells + 19], 0);
+  EXPECT_GT(video[15 * kCells + 20], 0);
+}
+
 // Echoes of every level of the video, one cell each, so strong that noise does not matter.
 TEST(VideoLevels, OfTheSetAreWhereItHasThem) {
   for (const std::uint32_t bits : {4u, 8u}) {
