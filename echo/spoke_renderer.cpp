@@ -66,6 +66,10 @@ void SpokeRenderer::render(const Scene& scene, std::uint64_t first, std::uint32_
         video.subspan((spoke - first) * geometry_.cells, std::size_t{step} * geometry_.cells),
         static_cast<std::uint32_t>(rows_.first + rows_.count - spoke - step));
     spoke += step;
+    if (spoke == block + kBlock) {
+      returns_->release(spoke);
+      rows_ = {};
+    }
   }
 }
 

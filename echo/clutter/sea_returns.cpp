@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "echo/kernel/azimuth_sum.hpp"
 #include "echo/kernel/clutter_row.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/shelf.hpp"
 #include "echo/radar/antenna_pattern.hpp"
 #include "protocol/quantity/angle.hpp"
 
@@ -34,6 +36,11 @@ bool same_direction(double a_deg, double b_deg) {
 bool same_swell(const Swell& a, const Swell& b) {
   return a.height_m == b.height_m && a.period_s == b.period_s &&
          same_direction(a.from_deg, b.from_deg);
+}
+
+Shelf<AlignedFloats>& row_shelf() {
+  static Shelf<AlignedFloats> shelf;
+  return shelf;
 }
 
 }  // namespace
@@ -90,14 +97,17 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
   const std::uint64_t last_row = last.spoke / texture_spokes_ + (texture_spokes_ > 1 ? 1 : 0);
   const auto count = static_cast<std::size_t>(last_row - first_row + 1);
   const bool goes_on = row_count_ > 0 && first_row == first_row_ + row_count_ - 1;
+  const bool released = rows_.empty();
+  if (released) rows_ = row_shelf().take();
+  if (rows_.size() < count * pitch_) rows_.resize(count * pitch_);
   if (goes_on) {
-    const float* const kept = rows_.data() + (row_count_ - 1) * pitch_;
+    const float* const kept =
+        released ? last_row_.data() : rows_.data() + (row_count_ - 1) * pitch_;
     std::copy(kept, kept + pitch_, rows_.begin());
     std::swap(laid_.front(), laid_[row_count_ - 1]);
   }
   first_row_ = first_row;
   row_count_ = count;
-  rows_.resize(row_count_ * pitch_);
   laid_.resize(row_count_);
   for (std::size_t r = 0; r < row_count_; ++r) {
     if (r > 0 || !goes_on) laid_[r].reset();
@@ -106,6 +116,15 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
   }
   // The next sector continues from these.
   std::erase_if(nodes_, [&](const Node& n) { return n.used_for != last_row * texture_spokes_; });
+}
+
+void SeaReturns::release() {
+  if (rows_.empty()) return;
+  if (row_count_ > 0) {
+    const float* const last = rows_.data() + (row_count_ - 1) * pitch_;
+    last_row_.assign(last, last + pitch_);
+  }
+  row_shelf().put_back(std::exchange(rows_, {}));
 }
 
 void SeaReturns::look_for_water(std::span<const std::uint8_t> wet) {

@@ -39,6 +39,10 @@ class SeaReturns {
   void prepare(const Scene& scene, const SpokeAim& first, const SpokeAim& last,
                std::span<const std::uint8_t> wet = {});
 
+  // What prepare() laid is not added any more: its memory goes to whichever radar is next.  Not
+  // needed.  Thread: the radar's.
+  void release();
+
   bool any() const { return profile_.reach() > 0; }
   // Cells from here on have no sea clutter.
   std::uint32_t reach_cells() const { return profile_.reach(); }
@@ -120,7 +124,8 @@ class SeaReturns {
   std::uint64_t first_row_ = 0;  // its spoke over texture_spokes_
   std::size_t row_count_ = 0;
   std::size_t pitch_ = 0;
-  AlignedFloats rows_;
+  AlignedFloats rows_;        // empty after release()
+  AlignedFloats last_row_;    // of them, then
   std::vector<Blocks> laid_;  // of each row
 };
 

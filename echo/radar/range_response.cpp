@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <utility>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/shared_tables.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -84,15 +83,9 @@ void RangeResponse::shares_of(double into, std::span<float> shares) const {
 }
 
 std::shared_ptr<const RangeResponse> range_response_for(const RadarModel& model) {
-  static std::mutex mutex;
-  static std::map<std::pair<double, double>, std::weak_ptr<const RangeResponse>> known;
-  const std::lock_guard lock(mutex);
-  std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-  auto& kept = known[{model.pulse_cells, model.poles_per_cell}];
-  if (auto found = kept.lock()) return found;
-  auto made = std::make_shared<const RangeResponse>(model.pulse_cells, model.poles_per_cell);
-  kept = made;
-  return made;
+  static SharedTables<std::pair<double, double>, RangeResponse> tables;
+  return tables.get({model.pulse_cells, model.poles_per_cell},
+                    [&] { return RangeResponse(model.pulse_cells, model.poles_per_cell); });
 }
 
 double coherence_cells(double pulse_cells, double poles_per_cell) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
@@ -36,6 +37,20 @@ const Phasors& phasors() {
   return table;
 }
 
+std::shared_ptr<const std::vector<float>> main_lobe_of(double beam_width_deg,
+                                                       std::uint32_t null_units) {
+  static SharedTables<double, std::vector<float>> tables;
+  return tables.get(beam_width_deg, [&] {
+    std::vector<float> lobe;
+    for (std::uint32_t k = 0; k <= kMainPlaces + 1; ++k) {
+      const double off = null_units / kUnitsPerDegree * k / kMainPlaces;
+      const double v = std::max(0.0, cosine_taper_voltage(off, beam_width_deg));
+      lobe.push_back(static_cast<float>(v * v));
+    }
+    return lobe;
+  });
+}
+
 // A share so small that its square, with the slightest of levels, might be denormal counts as none.
 float root_of_share(float share) { return share < kLeastCellShare ? 0.0f : std::sqrt(share); }
 
@@ -43,20 +58,16 @@ float root_of_share(float share) { return share < kLeastCellShare ? 0.0f : std::
 
 EchoSplat::EchoSplat(const RadarModel& model)
     : model_(model),
-      pattern_(*antenna_pattern_for(model.set)),
+      pattern_(antenna_pattern_for(model.set)),
       null_units_(static_cast<std::uint32_t>(1.25 * model.set.beam_width_deg * kUnitsPerDegree)),
       lobes_units_(
           std::max(null_units_, static_cast<std::uint32_t>(kNearLobesDeg * kUnitsPerDegree))),
       to_place_(static_cast<float>(kMainPlaces) / static_cast<float>(null_units_)),
       response_(range_response_for(model)),
+      main_lobe_(main_lobe_of(model.set.beam_width_deg, null_units_)),
       far_(model) {
   const double highest = std::max(model.set.near_side_lobe_db, model.set.far_side_lobe_db);
   stands_out_ = static_cast<float>(kLeastLobePower / ratio_from_decibels(2.0 * highest));
-  for (std::uint32_t k = 0; k <= kMainPlaces + 1; ++k) {
-    const double off = null_units_ / kUnitsPerDegree * k / kMainPlaces;
-    const double v = std::max(0.0, cosine_taper_voltage(off, model.set.beam_width_deg));
-    main_lobe_.push_back(static_cast<float>(v * v));
-  }
 }
 
 // Two-way voltage is one-way power.
@@ -65,9 +76,10 @@ float EchoSplat::voltage(std::uint32_t off_units) const {
     const float place = static_cast<float>(off_units) * to_place_;
     const auto k = static_cast<std::uint32_t>(place);
     const float t = place - static_cast<float>(k);
-    return main_lobe_[k] + t * (main_lobe_[k + 1] - main_lobe_[k]);
+    const float* const lobe = main_lobe_->data() + k;
+    return lobe[0] + t * (lobe[1] - lobe[0]);
   }
-  return side_lobes_ ? pattern_.one_way(off_units) : 0.0f;
+  return side_lobes_ ? pattern_->one_way(off_units) : 0.0f;
 }
 
 bool EchoSplat::lay(const PointEcho& echo, Point& point) {
@@ -107,7 +119,7 @@ void EchoSplat::prepare(const std::vector<PointEcho>& points, const SpokeAim& fi
   }
   if (strong && !strong->points.empty()) {
     take_near_of(*strong, middle, half + lobes_units_);
-    far_.prepare(pattern_, *strong, met_, half + lobes_units_, first, last);
+    far_.prepare(*pattern_, *strong, met_, half + lobes_units_, first, last);
   }
   const auto by_body = [](const PointEcho& a, const PointEcho& b) { return a.body < b.body; };
   if (!std::is_sorted(near_.begin(), near_.end(), by_body))

@@ -81,13 +81,13 @@ class EchoSplat {
   void add_power(const Point& point, float factor, std::span<float> power) const;
 
   RadarModel model_;
-  AntennaPattern pattern_;
+  std::shared_ptr<const AntennaPattern> pattern_;
   std::uint32_t null_units_;   // where the main lobe ends
   std::uint32_t lobes_units_;  // and the lobes that are laid spoke by spoke
   float to_place_;             // units off the axis -> place in main_lobe_
   float stands_out_;           // power that does in the highest side lobe
   std::shared_ptr<const RangeResponse> response_;
-  std::vector<float> main_lobe_;  // two-way voltage
+  std::shared_ptr<const std::vector<float>> main_lobe_;  // two-way voltage
   FarLobes far_;
 
   bool side_lobes_ = false;

@@ -90,6 +90,7 @@ void ViewRenderers::render(const echo::Scene& scene, std::uint64_t first, std::u
       view.receiver.colour(rows.cells, rows.closing, rows.pitch, count, view.video, view.doppler);
     }
   }
+  returns_.release(first + count);
 }
 
 RangeScale ViewRenderers::range_of(std::uint32_t view) const {
