@@ -359,6 +359,8 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
   parallel(count, [&](std::size_t k) { make_row(scene, looks[k], dry[k], row(k), closing(k)); });
   sea.release();
+  splat.release();
+  false_splat.release();
 }
 
 }  // namespace skerry::echo

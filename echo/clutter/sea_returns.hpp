@@ -43,9 +43,9 @@ class SeaReturns {
   // needed.  Thread: the radar's.
   void release();
 
-  bool any() const { return profile_.reach() > 0; }
+  bool any() const { return profile_->reach() > 0; }
   // Cells from here on have no sea clutter.
-  std::uint32_t reach_cells() const { return profile_.reach(); }
+  std::uint32_t reach_cells() const { return profile_->reach(); }
 
   // Adds the clutter of a prepared spoke to power, which holds the radar's cells: to all of them,
   // or to those that are open water, first_cell .. end_cell - 1.  Thread: any, after prepare().
@@ -60,7 +60,7 @@ class SeaReturns {
   void local_mean_reference(const Scene& scene, const SpokeAim& aim, std::span<double> row);
 
   std::uint32_t texture_spokes() const { return texture_spokes_; }
-  const SeaProfile& profile() const { return profile_; }
+  const SeaProfile& profile() const { return *profile_; }
 
  private:
   // Samples in use, of kSamplesPerLaw.
@@ -110,7 +110,7 @@ class SeaReturns {
   std::uint64_t speckle_key_ = 0;
 
   std::optional<Weather> weather_;
-  SeaProfile profile_;
+  std::shared_ptr<const SeaProfile> profile_ = std::make_shared<const SeaProfile>();
   std::optional<SeaField> field_;
   std::vector<Node> nodes_;  // of this sector and, at its end, of the next
   struct Kept {

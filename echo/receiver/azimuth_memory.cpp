@@ -6,11 +6,20 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/video_stages.hpp"
+#include "protocol/video/scan_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
+
 constexpr float kUnknown = 1e30f;  // before the first spoke: nothing is far above it
+
+// Zeros for a whole row, one for all radars.
+const float* nothing() {
+  static const AlignedFloats row(ScanGeometry::kMaxCells, 0.0f);
+  return row.data();
 }
+
+}  // namespace
 
 AzimuthStages azimuth_stages(double beam_width_deg, std::uint32_t spokes_per_turn, double rejection,
                              double integration, unsigned stretch) {
@@ -39,7 +48,6 @@ void AzimuthMemory::set_up(const AzimuthStages& stages, std::uint32_t cells, dou
   const bool sums = stages.integrated > 1;
   group_.resize(sums ? stages.integrated * pitch_ : 0);
   so_far_.resize(sums ? pitch_ : 0);
-  nothing_.assign(sums ? pitch_ : 0, 0.0f);
   shown_.resize(2 * std::size_t{stages.stretch} * cells);
   forget();
 }
@@ -77,7 +85,7 @@ void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t be
     const std::uint64_t place = spoke % stages_.integrated;
     if (place == 0) close_group(begin, video.size());
     float* kept = group_.data() + place * pitch_ + begin;
-    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : nothing_.data() + begin;
+    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : nothing() + begin;
     const std::uint64_t summed = std::min<std::uint64_t>(stages_.integrated, spokes_ + k + 1);
     integration = {later, so_far_.data() + begin, kept, 1.0f / static_cast<float>(summed)};
   }

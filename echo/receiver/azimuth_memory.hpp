@@ -59,7 +59,7 @@ class AzimuthMemory {
   float ratio_ = 1.0f, floor_ = 1.0f;
   AlignedFloats totals_;  // three spokes by number
   AlignedFloats group_;   // `integrated` spokes by number: powers, then sums of what follows
-  AlignedFloats so_far_, nothing_;
+  AlignedFloats so_far_;
   std::vector<std::uint8_t> shown_;  // 2 * stretch spokes before this call, oldest first
   std::uint64_t spokes_ = 0;         // since it began
 };

@@ -31,10 +31,10 @@ TEST(SharedTables, GivesTheSameTableForTheSameKeyAndAnotherForAnother) {
 
 TEST(SharedTables, FreesATableWithItsLastHolder) {
   struct Counted {
-    explicit Counted(int& in_use) : in_use(in_use) { ++in_use; }
-    Counted(const Counted& from) : in_use(from.in_use) { ++in_use; }
-    ~Counted() { --in_use; }
-    int& in_use;
+    explicit Counted(int& count) : all(count) { ++all; }
+    Counted(const Counted& from) : all(from.all) { ++all; }
+    ~Counted() { --all; }
+    int& all;
   };
   int in_use = 0;
   SharedTables<int, Counted> tables;
