@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -48,6 +49,30 @@ class SharedTables {
 
   std::mutex mutex_;
   std::vector<std::shared_ptr<Entry>> entries_;
+};
+
+// The same, but the `kMost` tables asked for last also stay.
+template <typename Key, typename Table, std::size_t kMost>
+class KeptTables {
+ public:
+  template <typename Make>
+  std::shared_ptr<const Table> get(const Key& key, Make&& make) {
+    auto table = shared_.get(key, std::forward<Make>(make));
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find(last_.begin(), last_.end(), table);
+    if (found == last_.end()) {
+      if (last_.size() == kMost) last_.pop_back();
+      last_.insert(last_.begin(), table);
+    } else {
+      std::rotate(last_.begin(), found, found + 1);
+    }
+    return table;
+  }
+
+ private:
+  SharedTables<Key, Table> shared_;
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<const Table>> last_;  // asked for last first
 };
 
 }  // namespace skerry::echo

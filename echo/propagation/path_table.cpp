@@ -261,7 +261,7 @@ float PathTable::body(float range_m, float height_m) const {
 }
 
 std::shared_ptr<const PathTable> path_table_for(const PathConditions& conditions, double reach_m) {
-  static SharedTables<std::pair<PathConditions, double>, PathTable> tables;
+  static KeptTables<std::pair<PathConditions, double>, PathTable, 4> tables;
   return tables.get({conditions, reach_m}, [&] { return PathTable(conditions, reach_m); });
 }
 

@@ -76,5 +76,23 @@ TEST(SharedTables, NobodyWaitsForATableOfAnotherKey) {
   EXPECT_EQ(outer->size(), 4u);
 }
 
+TEST(KeptTables, StayAsLongAsTheyAreAmongTheLastAskedFor) {
+  KeptTables<int, Numbers, 2> tables;
+  int made = 0;
+  const auto ask = [&](int key) {
+    tables.get(key, [&] {
+      ++made;
+      return Numbers(1, key);
+    });
+  };
+  ask(1), ask(2), ask(1);
+  EXPECT_EQ(made, 2);
+  ask(3);  // 2 goes
+  ask(1);
+  EXPECT_EQ(made, 3);
+  ask(2);
+  EXPECT_EQ(made, 4);
+}
+
 }  // namespace
 }  // namespace skerry::echo
