@@ -5,6 +5,7 @@
 //   radar_bench --full          the full scene alone, to be profiled
 //   radar_bench --fleet [N]     N radars by turns against one after the other
 //   radar_bench --memory        whose memory a radar is made of
+//   radar_bench --stages        what each stage costs, and its share of memory's speed
 //   radar_bench --changes       first sectors after changes of the range scale
 //
 // Columns: ns/cell of the scene, of the floor beside it, their ratio, and how many such radars of
@@ -320,6 +321,10 @@ int run(int turns, const std::string& part, std::size_t radars) {
     working_set(*full);
     return 0;
   }
+  if (part == "--stages") {
+    stage_table(*full);
+    return 0;
+  }
   if (part == "--changes") {
     range_changes(*full);
     return 0;
@@ -343,6 +348,7 @@ int run(int turns, const std::string& part, std::size_t radars) {
   fleets(*full, turns > 1 ? std::vector<std::size_t>{1, 150, 400} : std::vector<std::size_t>{10},
          turns);
   working_set(*full);
+  stage_table(*full);
   if (turns > 1) range_changes(*full);
   contributors(*full, turns);
   a_further_view(*full);
@@ -371,7 +377,8 @@ int main(int argc, char** argv) {
     const std::string_view word = argv[i];
     if (word == "--turns" && i + 1 < argc) {
       turns = std::max(1, std::atoi(argv[++i]));
-    } else if (word == "--full" || word == "--memory" || word == "--changes") {
+    } else if (word == "--full" || word == "--memory" || word == "--stages" ||
+               word == "--changes") {
       part = word;
     } else if (word == "--fleet") {
       part = word;
@@ -382,7 +389,7 @@ int main(int argc, char** argv) {
     } else {
       fmt::print(stderr,
                  "radar_bench: unknown argument '{}'; usage: radar_bench [--turns N]\n"
-                 "  [--full | --memory | --changes | --fleet [RADARS]]\n",
+                 "  [--full | --stages | --memory | --changes | --fleet [RADARS]]\n",
                  word);
       return 2;
     }

@@ -23,6 +23,10 @@ void by_turns(const scenes::NamedScene& full, std::size_t radars, int turns);
 // Bytes of a radar's own and shared memory by owner, and how much of it a sector touches.
 void working_set(const scenes::NamedScene& full);
 
+// What each stage costs and what memory it goes through, for each instruction set, beside the
+// speed of memory in the same run.
+void stage_table(const scenes::NamedScene& full);
+
 // First sectors after a change of the range scale, against the median of later ones.
 void range_changes(const scenes::NamedScene& full);
 
