@@ -13,8 +13,10 @@ namespace {
 
 constexpr float kUnknown = 1e30f;  // before the first spoke: nothing is far above it
 
+constexpr std::size_t kLineFloats = 16, kMostFetched = 1u << 14;  // of a cache line; worth it
+
 // Zeros for a whole row, one for all radars.
-const float* nothing() {
+const float* row_of_zeros() {
   static const AlignedFloats row(ScanGeometry::kMaxCells, 0.0f);
   return row.data();
 }
@@ -85,7 +87,7 @@ void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t be
     const std::uint64_t place = spoke % stages_.integrated;
     if (place == 0) close_group(begin, video.size());
     float* kept = group_.data() + place * pitch_ + begin;
-    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : nothing() + begin;
+    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : row_of_zeros() + begin;
     const std::uint64_t summed = std::min<std::uint64_t>(stages_.integrated, spokes_ + k + 1);
     integration = {later, so_far_.data() + begin, kept, 1.0f / static_cast<float>(summed)};
   }
@@ -120,6 +122,14 @@ void AzimuthMemory::stretch(std::span<std::uint8_t> video, std::uint32_t count, 
   for (std::size_t k = 0; k < kept; ++k) {
     const auto row = std::span(last).subspan(k * columns, columns);
     std::copy(row.begin(), row.end(), shown(k).begin());
+  }
+}
+
+void AzimuthMemory::fetch() const {
+  for (const AlignedFloats* rows : {&totals_, &group_, &so_far_}) {
+    if (rows->size() > kMostFetched) continue;
+    for (std::size_t i = 0; i < rows->size(); i += kLineFloats)
+      __builtin_prefetch(rows->data() + i, 1, 2);
   }
 }
 

@@ -50,6 +50,8 @@ class AzimuthMemory {
   void stretch(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
                std::size_t columns);
   void end_spokes(std::uint32_t count);
+  // Brings the memory near, for a receive() some microseconds later.
+  void fetch() const;
 
  private:
   void close_group(std::size_t begin, std::size_t columns);
