@@ -57,6 +57,7 @@ void SpokeRenderer::render(const Scene& scene, std::uint64_t first, std::uint32_
   for (std::uint64_t spoke = first; spoke < end;) {
     const std::uint64_t block = spoke - spoke % kBlock;
     if (rows_.count == 0 || rows_.first != block) {
+      receiver_->fetch();
       rows_ = returns_->make(scene, block, kBlock + receiver_->rows_ahead());
     }
     const auto step = static_cast<std::uint32_t>(std::min(end, block + kBlock) - spoke);
@@ -66,6 +67,10 @@ void SpokeRenderer::render(const Scene& scene, std::uint64_t first, std::uint32_
         video.subspan((spoke - first) * geometry_.cells, std::size_t{step} * geometry_.cells),
         static_cast<std::uint32_t>(rows_.first + rows_.count - spoke - step));
     spoke += step;
+    if (spoke == block + kBlock) {
+      returns_->release(spoke);
+      rows_ = {};
+    }
   }
 }
 

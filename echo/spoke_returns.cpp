@@ -18,6 +18,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/power_stages.hpp"
+#include "echo/kernel/shelf.hpp"
 #include "echo/propagation/propagation.hpp"
 #include "echo/propagation/rain_path.hpp"
 #include "echo/returns/static_returns.hpp"
@@ -39,12 +40,26 @@ constexpr std::uint64_t kLandSpeckle = 0x1A4D5;
 
 }  // namespace
 
-struct SpokeReturns::Contributors {
+// What is needed while a sector is made and seen, and by no other radar then.
+struct SpokeReturns::Sector {
   struct Look {
     SpokeAim aim;  // as the antenna, swayed with the ship, sees it
     Motion motion;
   };
 
+  AlignedFloats rows, closing_rows;
+  std::vector<Look> looks;
+  std::vector<std::vector<CellRun>> dry;  // of each spoke
+  std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
+  std::vector<PointEcho> points, false_points;
+
+  static Shelf<Sector>& shelf() {
+    static Shelf<Sector> all;
+    return all;
+  }
+};
+
+struct SpokeReturns::Contributors : SpokeReturns::Sector {
   Contributors(const RadarModel& radar, ParallelFor in_parallel)
       : model(radar),
         parallel(std::move(in_parallel)),
@@ -61,13 +76,19 @@ struct SpokeReturns::Contributors {
         motion(radar),
         minimum_range(radar),
         saturation(radar),
-        pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u),
-        looks(kMaxSector),
-        dry(kMaxSector) {
+        pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u) {
     const SpeckleLengths lengths = speckle_lengths(radar, kLandLifetime);
     land_speckle = speckle_for(lengths.spokes, lengths.cells);
   }
 
+  ~Contributors() {
+    if (has_sector) Sector::shelf().put_back(std::move(sector()));
+  }
+  Contributors(const Contributors&) = delete;
+  Contributors& operator=(const Contributors&) = delete;
+
+  Sector& sector() { return *this; }
+  void take_sector();
   std::uint32_t keep_from(std::uint64_t first, std::uint32_t count);
   void make_rows(const Scene& scene, std::uint64_t first, std::uint32_t count, std::uint32_t into);
   void look_at_weather(const Scene& scene);
@@ -110,14 +131,22 @@ struct SpokeReturns::Contributors {
   std::optional<RadialSpeeds> speeds;  // nothing: nobody wants them
 
   std::size_t pitch;
-  AlignedFloats rows, closing_rows;
-  std::vector<Look> looks;
-  std::vector<std::vector<CellRun>> dry;  // of each spoke
-  std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
-  std::vector<PointEcho> points, false_points;
-
   std::uint64_t made_first = 0, made_end = 0;  // spokes of `rows`
+  // Between sectors those rows may lie here instead, and the sector's memory on the shelf.
+  bool has_sector = false;
+  AlignedFloats kept_rows, kept_closing;
 };
+
+void SpokeReturns::Contributors::take_sector() {
+  sector() = Sector::shelf().take();
+  has_sector = true;
+  if (looks.size() < kMaxSector) looks.resize(kMaxSector);
+  if (dry.size() < kMaxSector) dry.resize(kMaxSector);
+  if (rows.size() < kept_rows.size()) rows.resize(kept_rows.size());
+  if (closing_rows.size() < kept_closing.size()) closing_rows.resize(kept_closing.size());
+  std::copy(kept_rows.begin(), kept_rows.end(), rows.begin());
+  std::copy(kept_closing.begin(), kept_closing.end(), closing_rows.begin());
+}
 
 void SpokeReturns::Contributors::look_at_weather(const Scene& scene) {
   if (propagation && scene.atmosphere == atmosphere && scene.wave_height_m == wave_height_m) return;
@@ -259,19 +288,22 @@ void SpokeReturns::set_doppler(bool wanted) {
   all_->made_end = all_->made_first;
   all_->speeds.reset();
   if (wanted) all_->speeds.emplace(all_->model);
-  if (!wanted) all_->closing_rows.clear();
 }
 
-// Moves the rows of spokes from `first` on, which the last call made, to the front; how many.
+// Moves the rows of spokes from `first` on, which the last call made ahead, to the front; how many.
 std::uint32_t SpokeReturns::Contributors::keep_from(std::uint64_t first, std::uint32_t count) {
+  const bool ahead = first > made_first || !has_sector;
+  if (!has_sector) take_sector();
   std::uint32_t kept = 0;
-  if (first > made_first && first < made_end && made_end <= first + count) {
+  if (ahead && first >= made_first && first < made_end && made_end <= first + count) {
     kept = static_cast<std::uint32_t>(made_end - first);
-    for (AlignedFloats* store : {&rows, &closing_rows}) {
-      if (store->empty()) continue;
-      const float* from = store->data() + (first - made_first) * pitch;
-      std::copy(from, from + kept * pitch, store->data());
-    }
+    const auto move = [&](AlignedFloats& store) {
+      if (first == made_first) return;
+      const float* from = store.data() + (first - made_first) * pitch;
+      std::copy(from, from + kept * pitch, store.data());
+    };
+    move(rows);
+    if (speeds) move(closing_rows);
   }
   made_first = first;
   made_end = first + count;
@@ -281,9 +313,30 @@ std::uint32_t SpokeReturns::Contributors::keep_from(std::uint64_t first, std::ui
 PowerRows SpokeReturns::make(const Scene& scene, std::uint64_t first, std::uint32_t count) {
   Contributors& all = *all_;
   const std::uint32_t kept = all.keep_from(first, count);
-  if (kept == count) return {first, count, all.pitch, all.rows, all.closing_rows};
-  all.make_rows(scene, first + kept, count - kept, kept);
-  return {first, count, all.pitch, all.rows, all.closing_rows};
+  if (kept < count) all.make_rows(scene, first + kept, count - kept, kept);
+  PowerRows made{first, count, all.pitch, all.rows};
+  if (all.speeds) made.closing = all.closing_rows;
+  return made;
+}
+
+void SpokeReturns::release(std::uint64_t from) {
+  Contributors& all = *all_;
+  if (!all.has_sector || from <= all.made_first) return;
+  const std::uint64_t kept = all.made_end > from ? all.made_end - from : 0;
+  // To copy most of them would cost more than it saves.
+  if (2 * kept > all.made_end - all.made_first) return;
+  const auto keep = [&](const AlignedFloats& store, AlignedFloats& keeper) {
+    const float* begin = store.data() + (from - all.made_first) * all.pitch;
+    keeper.assign(begin, begin + kept * all.pitch);
+  };
+  all.kept_rows.clear();
+  all.kept_closing.clear();
+  if (kept > 0) keep(all.rows, all.kept_rows);
+  if (kept > 0 && all.speeds) keep(all.closing_rows, all.kept_closing);
+  all.made_first = from;
+  all.made_end = from + kept;
+  Sector::shelf().put_back(std::move(all.sector()));
+  all.has_sector = false;
 }
 
 // Into the rows from `into` on.
@@ -305,6 +358,9 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
   look_for_water(count);
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
   parallel(count, [&](std::size_t k) { make_row(scene, looks[k], dry[k], row(k), closing(k)); });
+  sea.release();
+  splat.release();
+  false_splat.release();
 }
 
 }  // namespace skerry::echo

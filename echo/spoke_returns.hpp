@@ -49,8 +49,13 @@ class SpokeReturns {
   // of the scene.
   static constexpr std::uint32_t kMaxSector = 128;
   PowerRows make(const Scene& scene, std::uint64_t first, std::uint32_t count);
+  // The rows last made have been seen up to spoke `from`: their memory goes to whichever radar is
+  // next, but for a copy of those made ahead.  Not needed, but a radar that keeps its rows from
+  // sector to sector finds them in no near cache.
+  void release(std::uint64_t from);
 
  private:
+  struct Sector;
   struct Contributors;
   std::unique_ptr<Contributors> all_;
 };

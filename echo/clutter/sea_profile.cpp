@@ -1,6 +1,7 @@
 #include "echo/clutter/sea_profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -8,6 +9,7 @@
 #include "echo/clutter/gamma_law.hpp"
 #include "echo/clutter/nrl_sea.hpp"
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/propagation/path_terms.hpp"
 #include "protocol/quantity/angle.hpp"
 
@@ -172,6 +174,33 @@ SeaProfile::Look SeaProfile::look(double bearing_deg) const {
     look.laws.push_back(gamma_law(nu * kept));
   }
   return look;
+}
+
+namespace {
+
+// All that a profile is made of.
+struct SeaProfileKey {
+  PathConditions path;
+  std::array<double, 17> numbers;
+  friend bool operator==(const SeaProfileKey&, const SeaProfileKey&) = default;
+};
+
+}  // namespace
+
+std::shared_ptr<const SeaProfile> sea_profile_for(const RadarModel& model,
+                                                  const Atmosphere& atmosphere,
+                                                  const SeaSurface& sea,
+                                                  const SeaProfile::Sampling& sampling) {
+  static SharedTables<SeaProfileKey, SeaProfile> tables;
+  const SeaProfileKey key{
+      path_conditions(model.set, atmosphere, 0.0),
+      {model.set.frequency_hz, static_cast<double>(model.set.polarisation),
+       model.set.vertical_beam_deg, model.pulse.length_s, model.unit_snr, model.cell_m,
+       static_cast<double>(model.geometry.cells), sea.state, sea.swell.height_m, sea.swell.period_s,
+       sea.swell.from_deg, sampling.clutter_width, sampling.shortest_length_m,
+       sampling.longest_length_m, sampling.node_radians, sampling.row_share,
+       static_cast<double>(sampling.row_spokes)}};
+  return tables.get(key, [&] { return SeaProfile(model, atmosphere, sea, sampling); });
 }
 
 }  // namespace skerry::echo

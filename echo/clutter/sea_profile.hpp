@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "echo/clutter/swell_wave.hpp"
@@ -75,5 +76,11 @@ class SeaProfile {
   double swell_from_deg_ = 0.0;
   SwellWave swell_{Swell{}};
 };
+
+// Shared by radars that differ in nothing of all this.  Any thread.
+std::shared_ptr<const SeaProfile> sea_profile_for(const RadarModel& model,
+                                                  const Atmosphere& atmosphere,
+                                                  const SeaSurface& sea,
+                                                  const SeaProfile::Sampling& sampling);
 
 }  // namespace skerry::echo

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "echo/kernel/azimuth_sum.hpp"
 #include "echo/kernel/clutter_row.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/shelf.hpp"
 #include "echo/radar/antenna_pattern.hpp"
 #include "protocol/quantity/angle.hpp"
 
@@ -34,6 +36,11 @@ bool same_direction(double a_deg, double b_deg) {
 bool same_swell(const Swell& a, const Swell& b) {
   return a.height_m == b.height_m && a.period_s == b.period_s &&
          same_direction(a.from_deg, b.from_deg);
+}
+
+Shelf<AlignedFloats>& row_shelf() {
+  static Shelf<AlignedFloats> shelf;
+  return shelf;
 }
 
 }  // namespace
@@ -72,12 +79,12 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
     sampling.row_spokes = texture_spokes_;
     sampling.row_share = std::min(
         1.0, double{1} * texture_spokes_ * nodes_per_turn_ / model_.geometry.spokes_per_turn);
-    profile_ = SeaProfile(model_, scene.atmosphere, scene.sea, sampling);
+    profile_ = sea_profile_for(model_, scene.atmosphere, scene.sea, sampling);
     row_count_ = 0;
     speckle_key_ = mixed(scene.seed, model_.radar, 0x5EA5BEC);
-    pitch_ = (profile_.reach() + 31u) & ~std::size_t{15};
-    octaves_.resize(profile_.samples());
-    raw_.resize(profile_.samples() + profile_.samples_per_pulse());
+    pitch_ = (profile_->reach() + 31u) & ~std::size_t{15};
+    octaves_.resize(profile_->samples());
+    raw_.resize(profile_->samples() + profile_->samples_per_pulse());
     if (any() && !speckle_) {
       const SpeckleLengths lengths =
           speckle_lengths(model_, speckle_lifetime(model_.set.wavelength_m()));
@@ -90,40 +97,52 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
   const std::uint64_t last_row = last.spoke / texture_spokes_ + (texture_spokes_ > 1 ? 1 : 0);
   const auto count = static_cast<std::size_t>(last_row - first_row + 1);
   const bool goes_on = row_count_ > 0 && first_row == first_row_ + row_count_ - 1;
+  const bool released = rows_.empty();
+  if (released) rows_ = row_shelf().take();
+  if (rows_.size() < count * pitch_) rows_.resize(count * pitch_);
   if (goes_on) {
-    const float* const kept = rows_.data() + (row_count_ - 1) * pitch_;
+    const float* const kept =
+        released ? last_row_.data() : rows_.data() + (row_count_ - 1) * pitch_;
     std::copy(kept, kept + pitch_, rows_.begin());
     std::swap(laid_.front(), laid_[row_count_ - 1]);
   }
   first_row_ = first_row;
   row_count_ = count;
-  rows_.resize(row_count_ * pitch_);
   laid_.resize(row_count_);
   for (std::size_t r = 0; r < row_count_; ++r) {
     if (r > 0 || !goes_on) laid_[r].reset();
     lay_row(scene, (first_row_ + r) * texture_spokes_, laid_[r],
-            std::span(rows_).subspan(r * pitch_, profile_.reach()));
+            std::span(rows_).subspan(r * pitch_, profile_->reach()));
   }
   // The next sector continues from these.
   std::erase_if(nodes_, [&](const Node& n) { return n.used_for != last_row * texture_spokes_; });
 }
 
+void SeaReturns::release() {
+  if (rows_.empty()) return;
+  if (row_count_ > 0) {
+    const float* const last = rows_.data() + (row_count_ - 1) * pitch_;
+    last_row_.assign(last, last + pitch_);
+  }
+  row_shelf().put_back(std::exchange(rows_, {}));
+}
+
 void SeaReturns::look_for_water(std::span<const std::uint8_t> wet) {
   wanted_.reset();
-  const std::size_t cells_per_block = kSamplesPerLaw * profile_.cells_per_sample();
-  for (std::size_t c = 0; c < profile_.reach(); c += std::min(kWetCells, cells_per_block)) {
+  const std::size_t cells_per_block = kSamplesPerLaw * profile_->cells_per_sample();
+  for (std::size_t c = 0; c < profile_->reach(); c += std::min(kWetCells, cells_per_block)) {
     if (c / kWetCells >= wet.size() || wet[c / kWetCells] != 0) wanted_.set(c / cells_per_block);
   }
 }
 
 template <typename Use>
 void SeaReturns::for_missing(const Blocks& wanted, Blocks& made, Use&& use) const {
-  const std::size_t blocks = (profile_.samples() + kSamplesPerLaw - 1) / kSamplesPerLaw;
+  const std::size_t blocks = (profile_->samples() + kSamplesPerLaw - 1) / kSamplesPerLaw;
   for (std::size_t b = 0; b < blocks;) {
     std::size_t end = b;
     while (end < blocks && wanted[end] && !made[end]) made.set(end++);
     if (end > b)
-      use(b * kSamplesPerLaw, std::min<std::size_t>(end * kSamplesPerLaw, profile_.samples()));
+      use(b * kSamplesPerLaw, std::min<std::size_t>(end * kSamplesPerLaw, profile_->samples()));
     b = end + 1;
   }
 }
@@ -141,7 +160,7 @@ SeaReturns::Node& SeaReturns::node(const Scene& scene, std::uint32_t index, cons
   auto found = std::find_if(nodes_.begin(), nodes_.end(),
                             [&](const Node& n) { return n.index == index && n.spoke == spoke; });
   if (found == nodes_.end()) {
-    nodes_.push_back({index, spoke, near.spoke, {}, AlignedFloats(profile_.samples())});
+    nodes_.push_back({index, spoke, near.spoke, {}, AlignedFloats(profile_->samples())});
     found = nodes_.end() - 1;
   }
   found->used_for = near.spoke;
@@ -155,8 +174,8 @@ void SeaReturns::sample_node(const Scene& scene, Node& node) {
   if ((wanted & ~node.sampled).none()) return;
   const SpokeAim aim = aim_of(scene, model_.clock, node.spoke);
   const SinCos look = sin_cos_units(node_units(node.index));
-  const std::uint32_t taps = profile_.samples_per_pulse();
-  const double step_m = profile_.cells_per_sample() * model_.cell_m;
+  const std::uint32_t taps = profile_->samples_per_pulse();
+  const double step_m = profile_->cells_per_sample() * model_.cell_m;
   const double first_m = 0.5 * model_.cell_m - 0.5 * (taps - 1) * step_m;
   // The mean over the pulse, back to unit variance.
   const double decay = field_->inverse_length2(look.sin, look.cos) * step_m * step_m;
@@ -183,7 +202,7 @@ const SeaProfile::Look& SeaReturns::look_towards(std::uint32_t plane_units) {
     if (k.direction == direction) return k.look;
   }
   if (looks_.size() >= 4) looks_.erase(looks_.begin());
-  looks_.push_back({direction, profile_.look((direction + 0.5) * (360.0 / 128.0))});
+  looks_.push_back({direction, profile_->look((direction + 0.5) * (360.0 / 128.0))});
   return looks_.back().look;
 }
 
@@ -204,10 +223,10 @@ SeaReturns::RowParts SeaReturns::parts_of_row(const Scene& scene, const SpokeAim
   parts.mix.first = first.values;
   parts.mix.second = second.values;
   parts.mix.share = static_cast<float>(std::clamp(share, 0.0, 1.0));
-  parts.mix.apart2 = profile_.apart2();
+  parts.mix.apart2 = profile_->apart2();
   parts.mix.decay =
       static_cast<float>(std::numbers::log2e * field_->inverse_length2(look.cos, -look.sin));
-  parts.mix.spread = profile_.spread();
+  parts.mix.spread = profile_->spread();
   parts.mix.spread_share = static_cast<float>(look.sin * wind.sin + look.cos * wind.cos);
   parts.look = &look_towards(aim.plane_units);
   if (!parts.look->waves.empty()) {
@@ -215,7 +234,7 @@ SeaReturns::RowParts SeaReturns::parts_of_row(const Scene& scene, const SpokeAim
     const double turns = swell.turns_per_metre(swell.towards(look.sin, look.cos));
     const double seconds = in_seconds(scene.time.time_since_epoch()) + aim.dt;
     parts.wave_phase = swell.phase_at(aim.own_ship, seconds) + 0.5 * model_.cell_m * turns;
-    parts.wave_step = turns * profile_.cells_per_sample() * model_.cell_m;
+    parts.wave_step = turns * profile_->cells_per_sample() * model_.cell_m;
   }
   return parts;
 }
@@ -224,10 +243,10 @@ void SeaReturns::lay_row(const Scene& scene, std::uint64_t spoke, Blocks& laid,
                          std::span<float> row) {
   if ((wanted_ & ~laid).none()) return;
   const RowParts parts = parts_of_row(scene, aim_of(scene, model_.clock, spoke));
-  const std::size_t cells = profile_.cells_per_sample();
+  const std::size_t cells = profile_->cells_per_sample();
   for_missing(wanted_, laid, [&](std::size_t begin, std::size_t end) {
     const std::size_t cell = begin * cells, count = std::min(row.size(), end * cells) - cell;
-    const std::size_t samples = std::min<std::size_t>(end + 2, profile_.samples()) - begin;
+    const std::size_t samples = std::min<std::size_t>(end + 2, profile_->samples()) - begin;
     const auto octaves = std::span(octaves_).first(samples);
     const std::size_t law = begin / kSamplesPerLaw;
     TextureMix mix = parts.mix;
@@ -238,7 +257,7 @@ void SeaReturns::lay_row(const Scene& scene, std::uint64_t spoke, Blocks& laid,
       add_wave(std::span(parts.look->waves).subspan(law), static_cast<float>(parts.wave_phase),
                static_cast<float>(parts.wave_step), static_cast<std::uint32_t>(begin), octaves);
     }
-    lay_texture(octaves, profile_.cells_per_sample(), std::span(profile_.mean()).subspan(cell),
+    lay_texture(octaves, profile_->cells_per_sample(), std::span(profile_->mean()).subspan(cell),
                 row.subspan(cell, count));
   });
 }
@@ -246,14 +265,14 @@ void SeaReturns::lay_row(const Scene& scene, std::uint64_t spoke, Blocks& laid,
 void SeaReturns::local_mean_reference(const Scene& scene, const SpokeAim& aim,
                                       std::span<double> row) {
   const RowParts parts = parts_of_row(scene, aim);
-  std::vector<double> octaves(profile_.samples());
+  std::vector<double> octaves(profile_->samples());
   texture_octaves_reference(parts.mix, parts.look->laws, octaves);
   if (!parts.look->waves.empty()) {
     add_wave_reference(parts.look->waves, parts.wave_phase, parts.wave_step, octaves);
   }
   std::copy(octaves.begin(), octaves.end(), octaves_.begin());
-  lay_texture_reference(octaves_, profile_.cells_per_sample(), profile_.mean(),
-                        row.first(profile_.reach()));
+  lay_texture_reference(octaves_, profile_->cells_per_sample(), profile_->mean(),
+                        row.first(profile_->reach()));
 }
 
 void SeaReturns::local_mean(const SpokeAim& aim, std::span<float> row) const {
@@ -269,14 +288,15 @@ SeaReturns::RowPair SeaReturns::rows_about(const SpokeAim& aim) const {
   RowPair pair;
   pair.share =
       static_cast<float>(aim.spoke % texture_spokes_) / static_cast<float>(texture_spokes_);
-  pair.first = rows.subspan(k * pitch_, profile_.reach());
-  pair.second = texture_spokes_ > 1 ? rows.subspan((k + 1) * pitch_, profile_.reach()) : pair.first;
+  pair.first = rows.subspan(k * pitch_, profile_->reach());
+  pair.second =
+      texture_spokes_ > 1 ? rows.subspan((k + 1) * pitch_, profile_->reach()) : pair.first;
   return pair;
 }
 
 void SeaReturns::add(const SpokeAim& aim, std::span<float> power, std::uint32_t first_cell,
                      std::uint32_t end_cell) const {
-  const std::uint32_t reach = profile_.reach();
+  const std::uint32_t reach = profile_->reach();
   const std::uint32_t end = std::min(end_cell, reach);
   if (first_cell >= end) return;
   const RowPair rows = rows_about(aim);

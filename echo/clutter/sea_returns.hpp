@@ -39,9 +39,13 @@ class SeaReturns {
   void prepare(const Scene& scene, const SpokeAim& first, const SpokeAim& last,
                std::span<const std::uint8_t> wet = {});
 
-  bool any() const { return profile_.reach() > 0; }
+  // What prepare() laid is not added any more: its memory goes to whichever radar is next.  Not
+  // needed.  Thread: the radar's.
+  void release();
+
+  bool any() const { return profile_->reach() > 0; }
   // Cells from here on have no sea clutter.
-  std::uint32_t reach_cells() const { return profile_.reach(); }
+  std::uint32_t reach_cells() const { return profile_->reach(); }
 
   // Adds the clutter of a prepared spoke to power, which holds the radar's cells: to all of them,
   // or to those that are open water, first_cell .. end_cell - 1.  Thread: any, after prepare().
@@ -56,7 +60,7 @@ class SeaReturns {
   void local_mean_reference(const Scene& scene, const SpokeAim& aim, std::span<double> row);
 
   std::uint32_t texture_spokes() const { return texture_spokes_; }
-  const SeaProfile& profile() const { return profile_; }
+  const SeaProfile& profile() const { return *profile_; }
 
  private:
   // Samples in use, of kSamplesPerLaw.
@@ -106,7 +110,7 @@ class SeaReturns {
   std::uint64_t speckle_key_ = 0;
 
   std::optional<Weather> weather_;
-  SeaProfile profile_;
+  std::shared_ptr<const SeaProfile> profile_ = std::make_shared<const SeaProfile>();
   std::optional<SeaField> field_;
   std::vector<Node> nodes_;  // of this sector and, at its end, of the next
   struct Kept {
@@ -120,7 +124,8 @@ class SeaReturns {
   std::uint64_t first_row_ = 0;  // its spoke over texture_spokes_
   std::size_t row_count_ = 0;
   std::size_t pitch_ = 0;
-  AlignedFloats rows_;
+  AlignedFloats rows_;        // empty after release()
+  AlignedFloats last_row_;    // of them, then
   std::vector<Blocks> laid_;  // of each row
 };
 

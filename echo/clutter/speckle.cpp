@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "echo/clutter/lattice_field.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/radar/range_response.hpp"
 
 namespace skerry::echo {
@@ -113,25 +114,10 @@ std::span<const float> Speckle::row(const Spoke& at, std::uint32_t count,
 }
 
 std::shared_ptr<const Speckle> speckle_for(double spokes, double cells) {
-  struct Kept {
-    int spokes, cells;
-    std::shared_ptr<const Speckle> speckle;
-  };
-  constexpr std::size_t kMostKept = 16;
-  static std::mutex mutex;
-  static std::vector<Kept> kept;  // last used first
+  static KeptTables<std::pair<int, int>, Speckle, 16> tables;
   const int s = step_of(spokes), c = step_of(cells);
-  const std::lock_guard lock(mutex);
-  auto found = std::find_if(kept.begin(), kept.end(),
-                            [&](const Kept& k) { return k.spokes == s && k.cells == c; });
-  if (found == kept.end()) {
-    if (kept.size() == kMostKept) kept.pop_back();
-    kept.push_back(
-        {s, c, std::make_shared<const Speckle>(length_of_step(s), length_of_step(c), 0x5EEDull)});
-    found = kept.end() - 1;
-  }
-  std::rotate(kept.begin(), found, found + 1);
-  return kept.front().speckle;
+  return tables.get({s, c},
+                    [&] { return Speckle(length_of_step(s), length_of_step(c), 0x5EEDull); });
 }
 
 SpeckleLengths speckle_lengths(const RadarModel& model, double lifetime_s) {

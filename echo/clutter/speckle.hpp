@@ -59,7 +59,8 @@ class Speckle {
 };
 
 // The speckle of those lengths, rounded to steps of an eighth of an octave (below 1/4: none); kept
-// for all radars, the sixteen used last.  Thread: any; one makes, the others wait (20 to 60 ms).
+// for all radars, the sixteen used last.  Thread: any; one makes it, others who ask for the same
+// wait (20 to 60 ms).
 std::shared_ptr<const Speckle> speckle_for(double spokes, double cells);
 
 // Correlation of the speckle that a radar sees, as lengths above.  In azimuth two spokes share

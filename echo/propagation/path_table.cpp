@@ -4,11 +4,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/fast_math.hpp"
+#include "echo/kernel/shared_tables.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -260,30 +261,8 @@ float PathTable::body(float range_m, float height_m) const {
 }
 
 std::shared_ptr<const PathTable> path_table_for(const PathConditions& conditions, double reach_m) {
-  struct Kept {
-    PathConditions conditions;
-    double reach_m = 0.0;
-    std::weak_ptr<const PathTable> table;
-  };
-  static std::mutex mutex;
-  static std::vector<Kept> kept;
-  const auto find = [&]() -> std::shared_ptr<const PathTable> {
-    for (const Kept& k : kept)
-      if (k.conditions == conditions && k.reach_m == reach_m)
-        if (auto table = k.table.lock()) return table;
-    return nullptr;
-  };
-  {
-    const std::scoped_lock lock(mutex);
-    if (auto table = find()) return table;
-  }
-  // Made outside the lock: a radar never waits for another's table.
-  auto made = std::make_shared<const PathTable>(conditions, reach_m);
-  const std::scoped_lock lock(mutex);
-  if (auto table = find()) return table;
-  std::erase_if(kept, [](const Kept& k) { return k.table.expired(); });
-  kept.push_back({conditions, reach_m, made});
-  return made;
+  static KeptTables<std::pair<PathConditions, double>, PathTable, 4> tables;
+  return tables.get({conditions, reach_m}, [&] { return PathTable(conditions, reach_m); });
 }
 
 }  // namespace skerry::echo

@@ -68,7 +68,8 @@ class PathTable {
   std::vector<Node> nodes_;  // [row][column]
 };
 
-// The table of these conditions, shared between radars that ask for the same.  Thread: any.
+// The table of these conditions, shared between radars that ask for the same; the four asked for
+// last are kept.  Thread: any.
 std::shared_ptr<const PathTable> path_table_for(const PathConditions& conditions, double reach_m);
 
 }  // namespace skerry::echo

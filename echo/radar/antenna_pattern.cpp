@@ -1,12 +1,13 @@
 #include "echo/radar/antenna_pattern.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/radar/beam.hpp"
 #include "protocol/quantity/bearing.hpp"
 
@@ -79,26 +80,9 @@ AntennaPattern::AntennaPattern(const RadarSet& set) {
 }
 
 std::shared_ptr<const AntennaPattern> antenna_pattern_for(const RadarSet& set) {
-  struct Kept {
-    double beam_width_deg, near_db, far_db;
-    std::shared_ptr<const AntennaPattern> pattern;
-  };
-  constexpr std::size_t kMostKept = 16;
-  static std::mutex mutex;
-  static std::vector<Kept> kept;  // last used first
-  const std::lock_guard lock(mutex);
-  auto found = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) {
-    return k.beam_width_deg == set.beam_width_deg && k.near_db == set.near_side_lobe_db &&
-           k.far_db == set.far_side_lobe_db;
-  });
-  if (found == kept.end()) {
-    if (kept.size() == kMostKept) kept.pop_back();
-    kept.push_back({set.beam_width_deg, set.near_side_lobe_db, set.far_side_lobe_db,
-                    std::make_shared<const AntennaPattern>(set)});
-    found = kept.end() - 1;
-  }
-  std::rotate(kept.begin(), found, found + 1);
-  return kept.front().pattern;
+  static KeptTables<std::array<double, 3>, AntennaPattern, 16> tables;
+  return tables.get({set.beam_width_deg, set.near_side_lobe_db, set.far_side_lobe_db},
+                    [&] { return AntennaPattern(set); });
 }
 
 float AntennaPattern::one_way(std::uint32_t off_units) const {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <numbers>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/shared_tables.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -109,16 +108,9 @@ void RangeResponse::shares_of(double into, std::span<float> shares) const {
 }
 
 std::shared_ptr<const RangeResponse> range_response_for(const RadarModel& model) {
-  static std::mutex mutex;
-  static std::map<RangeShape, std::weak_ptr<const RangeResponse>> known;
+  static SharedTables<RangeShape, RangeResponse> tables;
   const RangeShape shape = range_shape(model);
-  const std::lock_guard lock(mutex);
-  std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-  auto& kept = known[shape];
-  if (auto found = kept.lock()) return found;
-  auto made = std::make_shared<const RangeResponse>(shape);
-  kept = made;
-  return made;
+  return tables.get(shape, [&] { return RangeResponse(shape); });
 }
 
 double coherence_cells(const RangeShape& shape) {

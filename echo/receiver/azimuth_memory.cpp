@@ -6,11 +6,22 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/video_stages.hpp"
+#include "protocol/video/scan_geometry.hpp"
 
 namespace skerry::echo {
 namespace {
+
 constexpr float kUnknown = 1e30f;  // before the first spoke: nothing is far above it
+
+constexpr std::size_t kLineFloats = 16, kMostFetched = 1u << 14;  // of a cache line; worth it
+
+// Zeros for a whole row, one for all radars.
+const float* row_of_zeros() {
+  static const AlignedFloats row(ScanGeometry::kMaxCells, 0.0f);
+  return row.data();
 }
+
+}  // namespace
 
 AzimuthStages azimuth_stages(double beam_width_deg, std::uint32_t spokes_per_turn, double rejection,
                              double integration, unsigned stretch) {
@@ -39,7 +50,6 @@ void AzimuthMemory::set_up(const AzimuthStages& stages, std::uint32_t cells, dou
   const bool sums = stages.integrated > 1;
   group_.resize(sums ? stages.integrated * pitch_ : 0);
   so_far_.resize(sums ? pitch_ : 0);
-  nothing_.assign(sums ? pitch_ : 0, 0.0f);
   shown_.resize(2 * std::size_t{stages.stretch} * cells);
   rough_.resize((2 * std::size_t{stages.smoothing} - 2) * cells);
   forget();
@@ -79,7 +89,7 @@ void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t be
     const std::uint64_t place = spoke % stages_.integrated;
     if (place == 0) close_group(begin, video.size());
     float* kept = group_.data() + place * pitch_ + begin;
-    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : nothing_.data() + begin;
+    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : row_of_zeros() + begin;
     const std::uint64_t summed = std::min<std::uint64_t>(stages_.integrated, spokes_ + k + 1);
     integration = {later, so_far_.data() + begin, kept, 1.0f / static_cast<float>(summed)};
   }
@@ -131,6 +141,14 @@ void AzimuthMemory::smooth(std::span<std::uint8_t> video, std::uint32_t count, s
                [&](const auto& rows) {
                  smooth_rows({rows.data(), rows.size()}, {rows.back(), columns});
                });
+}
+
+void AzimuthMemory::fetch() const {
+  for (const AlignedFloats* rows : {&totals_, &group_, &so_far_}) {
+    if (rows->size() > kMostFetched) continue;
+    for (std::size_t i = 0; i < rows->size(); i += kLineFloats)
+      __builtin_prefetch(rows->data() + i, 1, 2);
+  }
 }
 
 void AzimuthMemory::end_spokes(std::uint32_t count) { spokes_ += count; }

@@ -55,6 +55,8 @@ class AzimuthMemory {
   void smooth(std::span<std::uint8_t> video, std::uint32_t count, std::size_t begin,
               std::size_t columns);
   void end_spokes(std::uint32_t count);
+  // Brings the memory near, for a receive() some microseconds later.
+  void fetch() const;
 
  private:
   void close_group(std::size_t begin, std::size_t columns);
@@ -68,7 +70,7 @@ class AzimuthMemory {
   float ratio_ = 1.0f, floor_ = 1.0f;
   AlignedFloats totals_;  // three spokes by number
   AlignedFloats group_;   // `integrated` spokes by number: powers, then sums of what follows
-  AlignedFloats so_far_, nothing_;
+  AlignedFloats so_far_;
   std::vector<std::uint8_t> shown_;  // 2 * stretch spokes before this call, oldest first
   std::vector<std::uint8_t> rough_;  // 2 * smoothing - 2 spokes before they are smoothed
   std::uint64_t spokes_ = 0;         // since it began

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <mutex>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -12,6 +10,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/radar/radar_set.hpp"
 
 namespace skerry::echo {
@@ -237,20 +236,12 @@ NoiseRow ReceiverNoise::row(NoiseKey key, std::uint32_t from) const {
 }
 
 std::shared_ptr<const ReceiverNoise> receiver_noise_for(double samples, Decimation decimation) {
-  static std::mutex mutex;
-  static std::map<std::pair<int, Decimation>, std::weak_ptr<const ReceiverNoise>> kept;
+  static SharedTables<std::pair<int, Decimation>, ReceiverNoise> tables;
   const double q = std::clamp(samples, ReceiverNoise::kMinSamples, ReceiverNoise::kMaxSamples);
   const int step = static_cast<int>(std::floor(exact_log2(q) * kStepsPerOctave + 0.5));
-  const std::lock_guard lock(mutex);
   // Correlated noise is not decimated.
-  std::weak_ptr<const ReceiverNoise>& slot =
-      kept[{step, step <= 0 ? Decimation::peak : decimation}];
-  std::shared_ptr<const ReceiverNoise> noise = slot.lock();
-  if (!noise) {
-    noise = std::make_shared<const ReceiverNoise>(exact_exp2(step / kStepsPerOctave), decimation);
-    slot = noise;
-  }
-  return noise;
+  return tables.get({step, step <= 0 ? Decimation::peak : decimation},
+                    [&] { return ReceiverNoise(exact_exp2(step / kStepsPerOctave), decimation); });
 }
 
 }  // namespace skerry::echo

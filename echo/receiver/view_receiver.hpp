@@ -66,6 +66,10 @@ class ViewReceiver {
                std::uint32_t count, std::uint64_t seed, const ParallelFor& parallel,
                std::span<std::uint8_t> video, std::uint32_t ahead = 0);
 
+  // Brings what it remembers near, for a call some microseconds later; a radar that takes turns
+  // with many others finds it far away.
+  void fetch() const { memory_.fetch(); }
+
   // Doppler colours of a call's video: `closing`: speeds beside the rows of that call.
   void colour(std::span<const float> rows, std::span<const float> closing, std::size_t pitch,
               std::uint32_t count, std::span<const std::uint8_t> video,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
@@ -36,6 +38,20 @@ const Phasors& phasors() {
   return table;
 }
 
+std::shared_ptr<const std::vector<float>> main_lobe_of(double beam_width_deg,
+                                                       std::uint32_t null_units) {
+  static SharedTables<double, std::vector<float>> tables;
+  return tables.get(beam_width_deg, [&] {
+    std::vector<float> lobe;
+    for (std::uint32_t k = 0; k <= kMainPlaces + 1; ++k) {
+      const double off = null_units / kUnitsPerDegree * k / kMainPlaces;
+      const double v = std::max(0.0, cosine_taper_voltage(off, beam_width_deg));
+      lobe.push_back(static_cast<float>(v * v));
+    }
+    return lobe;
+  });
+}
+
 // A share so small that its square, with the slightest of levels, might be denormal counts as none.
 float root_of_share(float share) { return share < kLeastCellShare ? 0.0f : std::sqrt(share); }
 
@@ -43,20 +59,16 @@ float root_of_share(float share) { return share < kLeastCellShare ? 0.0f : std::
 
 EchoSplat::EchoSplat(const RadarModel& model)
     : model_(model),
-      pattern_(*antenna_pattern_for(model.set)),
+      pattern_(antenna_pattern_for(model.set)),
       null_units_(static_cast<std::uint32_t>(1.25 * model.set.beam_width_deg * kUnitsPerDegree)),
       lobes_units_(
           std::max(null_units_, static_cast<std::uint32_t>(kNearLobesDeg * kUnitsPerDegree))),
       to_place_(static_cast<float>(kMainPlaces) / static_cast<float>(null_units_)),
       response_(range_response_for(model)),
+      main_lobe_(main_lobe_of(model.set.beam_width_deg, null_units_)),
       far_(model) {
   const double highest = std::max(model.set.near_side_lobe_db, model.set.far_side_lobe_db);
   stands_out_ = static_cast<float>(kLeastLobePower / ratio_from_decibels(2.0 * highest));
-  for (std::uint32_t k = 0; k <= kMainPlaces + 1; ++k) {
-    const double off = null_units_ / kUnitsPerDegree * k / kMainPlaces;
-    const double v = std::max(0.0, cosine_taper_voltage(off, model.set.beam_width_deg));
-    main_lobe_.push_back(static_cast<float>(v * v));
-  }
 }
 
 // Two-way voltage is one-way power.
@@ -65,9 +77,10 @@ float EchoSplat::voltage(std::uint32_t off_units) const {
     const float place = static_cast<float>(off_units) * to_place_;
     const auto k = static_cast<std::uint32_t>(place);
     const float t = place - static_cast<float>(k);
-    return main_lobe_[k] + t * (main_lobe_[k + 1] - main_lobe_[k]);
+    const float* const lobe = main_lobe_->data() + k;
+    return lobe[0] + t * (lobe[1] - lobe[0]);
   }
-  return side_lobes_ ? pattern_.one_way(off_units) : 0.0f;
+  return side_lobes_ ? pattern_->one_way(off_units) : 0.0f;
 }
 
 bool EchoSplat::lay(const PointEcho& echo, Point& point) {
@@ -80,9 +93,9 @@ bool EchoSplat::lay(const PointEcho& echo, Point& point) {
   point.units = echo.bearing_units;
   point.cell = cell + before - lead;
   point.cells = std::min(response_->cells() - before, model_.geometry.cells - point.cell);
-  point.shares = static_cast<std::uint32_t>(shares_.size()) + before;
-  shares_.resize(shares_.size() + before + point.cells);
-  const std::span<float> shares = std::span(shares_).last(before + point.cells);
+  point.shares = static_cast<std::uint32_t>(laid_.shares.size()) + before;
+  laid_.shares.resize(laid_.shares.size() + before + point.cells);
+  const std::span<float> shares = std::span(laid_.shares).last(before + point.cells);
   response_->shares_of(start - cell, shares);
   for (float& share : shares) share = root_of_share(share);
   const float amplitude = std::sqrt(std::min(echo.power, kMaxPointPower));
@@ -96,7 +109,10 @@ bool EchoSplat::lay(const PointEcho& echo, Point& point) {
 void EchoSplat::prepare(const std::vector<PointEcho>& points, const SpokeAim& first,
                         const SpokeAim& last, const StrongEchoes* strong) {
   side_lobes_ = strong != nullptr;
-  near_.clear(), met_.clear(), points_.clear(), shares_.clear(), bodies_.clear(), far_.clear();
+  if (released_) laid_ = shelf().take();
+  released_ = false;
+  laid_.near.clear(), laid_.met.clear(), laid_.points.clear(), laid_.shares.clear(),
+      laid_.bodies.clear(), far_.clear();
   const auto turned = static_cast<std::int32_t>(last.plane_units - first.plane_units);
   const std::uint32_t middle = first.plane_units + static_cast<std::uint32_t>(turned / 2);
   const std::uint32_t half = static_cast<std::uint32_t>(std::abs(turned / 2)) + 1;
@@ -106,53 +122,65 @@ void EchoSplat::prepare(const std::vector<PointEcho>& points, const SpokeAim& fi
     const std::uint32_t reach =
         side_lobes_ && echo.power > stands_out_ ? lobes_units_ : null_units_;
     if (off > half + reach) continue;
-    near_.push_back(echo);
-    if (met_.empty() || met_.back() != echo.body) met_.push_back(echo.body);
+    laid_.near.push_back(echo);
+    if (laid_.met.empty() || laid_.met.back() != echo.body) laid_.met.push_back(echo.body);
   }
   if (strong && !strong->points.empty()) {
     take_near_of(*strong, middle, half + lobes_units_);
-    far_.prepare(pattern_, *strong, met_, half + lobes_units_, first, last);
+    far_.prepare(*pattern_, *strong, laid_.met, half + lobes_units_, first, last);
   }
   const auto by_body = [](const PointEcho& a, const PointEcho& b) { return a.body < b.body; };
-  if (!std::is_sorted(near_.begin(), near_.end(), by_body))
-    std::stable_sort(near_.begin(), near_.end(), by_body);
+  if (!std::is_sorted(laid_.near.begin(), laid_.near.end(), by_body))
+    std::stable_sort(laid_.near.begin(), laid_.near.end(), by_body);
   lay_bodies();
+}
+
+Shelf<EchoSplat::Laid>& EchoSplat::shelf() {
+  static Shelf<Laid> shelf;
+  return shelf;
+}
+
+void EchoSplat::release() {
+  if (released_) return;
+  shelf().put_back(std::move(laid_));
+  released_ = true;
 }
 
 void EchoSplat::take_near_of(const StrongEchoes& strong, std::uint32_t middle,
                              std::uint32_t reach) {
   for (const PointEcho& echo : strong.points) {
     if (units_apart(echo.bearing_units, middle) > reach || !(echo.power > stands_out_)) continue;
-    if (std::find(met_.begin(), met_.end(), echo.body) == met_.end()) near_.push_back(echo);
+    if (std::find(laid_.met.begin(), laid_.met.end(), echo.body) == laid_.met.end())
+      laid_.near.push_back(echo);
   }
 }
 
 void EchoSplat::lay_bodies() {
-  for (std::size_t i = 0; i < near_.size();) {
-    const auto begin = static_cast<std::uint32_t>(points_.size());
-    const std::uint32_t about = near_[i].bearing_units, number = near_[i].body;
+  for (std::size_t i = 0; i < laid_.near.size();) {
+    const auto begin = static_cast<std::uint32_t>(laid_.points.size());
+    const std::uint32_t about = laid_.near[i].bearing_units, number = laid_.near[i].body;
     std::int64_t left = 0, right = 0;
     std::uint32_t cell = ~0u, cell_end = 0;
     bool stands_out = false;
     float power = 0.0f;
-    for (; i < near_.size() && near_[i].body == number; ++i) {
+    for (; i < laid_.near.size() && laid_.near[i].body == number; ++i) {
       Point point;
-      if (!lay(near_[i], point)) continue;
-      points_.push_back(point);
+      if (!lay(laid_.near[i], point)) continue;
+      laid_.points.push_back(point);
       const std::int64_t off = static_cast<std::int32_t>(point.units - about);
       left = std::min(left, off), right = std::max(right, off);
       cell = std::min(cell, point.cell);
       cell_end = std::max(cell_end, point.cell + point.cells);
-      stands_out = stands_out || near_[i].power > stands_out_;
-      power += std::min(near_[i].power, kMaxPointPower);
+      stands_out = stands_out || laid_.near[i].power > stands_out_;
+      power += std::min(laid_.near[i].power, kMaxPointPower);
     }
-    const auto end = static_cast<std::uint32_t>(points_.size());
+    const auto end = static_cast<std::uint32_t>(laid_.points.size());
     if (end == begin) continue;
     const auto half = static_cast<std::uint32_t>((right - left) / 2 + 1);
     const std::uint32_t lobes = side_lobes_ && stands_out ? lobes_units_ : null_units_;
-    bodies_.push_back({begin, end, about + static_cast<std::uint32_t>((left + right) / 2),
-                       std::min(half + lobes, kUnitsPerHalfTurn), half + null_units_, power, cell,
-                       std::min(cell_end, model_.geometry.cells), number});
+    laid_.bodies.push_back({begin, end, about + static_cast<std::uint32_t>((left + right) / 2),
+                            std::min(half + lobes, kUnitsPerHalfTurn), half + null_units_, power,
+                            cell, std::min(cell_end, model_.geometry.cells), number});
   }
 }
 
@@ -160,7 +188,7 @@ void EchoSplat::add_power(const Point& point, float factor, std::span<float> pow
   const float level =
       factor * (point.in_phase * point.in_phase + point.quadrature * point.quadrature);
   if (!(level > kSlightestPower)) return;
-  const float* const shares = shares_.data() + point.shares;
+  const float* const shares = laid_.shares.data() + point.shares;
   float* const cells = power.data() + point.cell;
   for (std::size_t c = 0; c < point.cells; ++c) cells[c] += level * shares[c] * shares[c];
 }
@@ -174,12 +202,12 @@ void EchoSplat::add_body(const Body& body, std::uint32_t axis_units, std::span<f
   std::fill(in_phase, in_phase + 2 * width, 0.0f);
   bool any = false;
   for (std::uint32_t i = body.begin; i < body.end; ++i) {
-    const Point& point = points_[i];
+    const Point& point = laid_.points[i];
     const float g = voltage(units_apart(point.units, axis_units));
     if (g < kNull) continue;
     any = true;
     const float re = g * point.in_phase, im = g * point.quadrature;
-    const float* const shares = shares_.data() + point.shares;
+    const float* const shares = laid_.shares.data() + point.shares;
     float* __restrict const is = in_phase + (point.cell - body.cell);
     float* __restrict const qs = quadrature + (point.cell - body.cell);
     for (std::size_t c = 0; c < point.cells; ++c) is[c] += shares[c] * re, qs[c] += shares[c] * im;
@@ -199,12 +227,12 @@ bool EchoSplat::add_one(const Body& body, const SpokeAim& aim, std::span<float> 
   }
   const float g = voltage(off);
   if (off >= body.main_reach && !(g * g * body.power > kLeastLobe)) return false;
-  for (std::uint32_t i = body.begin; i < body.end; ++i) add_power(points_[i], g * g, power);
+  for (std::uint32_t i = body.begin; i < body.end; ++i) add_power(laid_.points[i], g * g, power);
   return true;
 }
 
 void EchoSplat::add(const SpokeAim& aim, std::span<float> power) const {
-  for (const Body& body : bodies_) add_one(body, aim, power);
+  for (const Body& body : laid_.bodies) add_one(body, aim, power);
   far_.add(aim, power);
 }
 
@@ -212,7 +240,7 @@ void EchoSplat::each_body(const SpokeAim& aim, std::size_t cells, const VisitBod
   thread_local std::vector<float> alone;
   if (alone.size() < cells) alone.resize(cells);
   const std::span row(alone.data(), cells);
-  for (const Body& body : bodies_) {
+  for (const Body& body : laid_.bodies) {
     const auto filled = row.subspan(body.cell, body.cell_end - body.cell);
     std::fill(filled.begin(), filled.end(), 0.0f);
     if (add_one(body, aim, row)) visit(body.number, body.cell, filled);

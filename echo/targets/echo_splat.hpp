@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/kernel/shelf.hpp"
 #include "echo/radar/antenna_pattern.hpp"
 #include "echo/radar/radar_model.hpp"
 #include "echo/radar/range_response.hpp"
@@ -43,6 +44,10 @@ class EchoSplat {
     prepare(points, first, last, &strong);
   }
 
+  // What was prepared is not added any more: its memory goes to whichever radar is next.  Not
+  // needed.  Thread: the radar's.
+  void release();
+
   // Adds to power[i] what cell i of that spoke gets.  Requires as many cells as the model's.
   // Thread: any, after prepare().
   void add(const SpokeAim& aim, std::span<float> power) const;
@@ -56,17 +61,27 @@ class EchoSplat {
   struct Point {
     std::uint32_t units;
     std::uint32_t cell, cells;  // the first, and how many
-    std::uint32_t shares;       // square roots of their shares, from here on in shares_
+    std::uint32_t shares;       // square roots of their shares, from here on in Laid::shares
     float in_phase, quadrature;
   };
   struct Body {
-    std::uint32_t begin, end;      // of points_
+    std::uint32_t begin, end;      // of Laid::points
     std::uint32_t middle, reach;   // bearings that see any of it
     std::uint32_t main_reach;      // and those that see any in the main lobe
     float power;                   // of all its points
     std::uint32_t cell, cell_end;  // cells it may fill
     std::uint32_t number;          // PointEcho::body
   };
+
+  // The points of a sector.
+  struct Laid {
+    std::vector<PointEcho> near;
+    std::vector<std::uint32_t> met;  // bodies of near that are in the sector's points
+    std::vector<Point> points;
+    std::vector<float> shares;
+    std::vector<Body> bodies;
+  };
+  static Shelf<Laid>& shelf();
 
   void prepare(const std::vector<PointEcho>& points, const SpokeAim& first, const SpokeAim& last,
                const StrongEchoes* strong);
@@ -80,21 +95,18 @@ class EchoSplat {
   void add_power(const Point& point, float factor, std::span<float> power) const;
 
   RadarModel model_;
-  AntennaPattern pattern_;
+  std::shared_ptr<const AntennaPattern> pattern_;
   std::uint32_t null_units_;   // where the main lobe ends
   std::uint32_t lobes_units_;  // and the lobes that are laid spoke by spoke
   float to_place_;             // units off the axis -> place in main_lobe_
   float stands_out_;           // power that does in the highest side lobe
   std::shared_ptr<const RangeResponse> response_;
-  std::vector<float> main_lobe_;  // two-way voltage
+  std::shared_ptr<const std::vector<float>> main_lobe_;  // two-way voltage
   FarLobes far_;
 
   bool side_lobes_ = false;
-  std::vector<PointEcho> near_;
-  std::vector<std::uint32_t> met_;  // bodies of near_ that are in the sector's points
-  std::vector<Point> points_;
-  std::vector<float> shares_;
-  std::vector<Body> bodies_;
+  bool released_ = false;
+  Laid laid_;
 };
 
 }  // namespace skerry::echo

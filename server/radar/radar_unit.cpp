@@ -110,16 +110,27 @@ bool RadarUnit::gather(std::uint64_t first) {
   coast_keeper_.look_after(maker_.wish(state.own_ships[config_.own_ship], given_.views, first + 1),
                            state.time);
   given_.coast = coast_keeper_.latest();
-  given_.on_air = given_.views.front().controls.range_scale;
-  // A longer range is shown when its coast is there, a moment after it was asked for.
-  if (given_.coast->picture->range_m < given_.on_air.length().in_metres() &&
-      coast_keeper_.is_waiting(state.time)) {
-    given_.on_air = shown;
-  }
+  given_.on_air = range_to_show(shown);
   coast_edges_.store(given_.coast->picture->edge_count(), std::memory_order_relaxed);
   scan_.store(static_cast<std::uint32_t>(first / config_.geometry.spokes_per_turn),
               std::memory_order_relaxed);
   return true;
+}
+
+RangeScale RadarUnit::range_to_show(RangeScale shown) {
+  const RangeScale wished = given_.views.front().controls.range_scale;
+  if (wished == shown || !given_.radar.transmit || !given_.emissions) {
+    tables_ahead_.let_go();
+    return wished;
+  }
+  const bool ready = tables_ahead_.ready({wished, given_.radar}, [&] {
+    SectorInputs inputs = given_;
+    inputs.on_air = wished;
+    return maker_.ahead(inputs);
+  });
+  const bool coast_comes = given_.coast->picture->range_m < wished.length().in_metres() &&
+                           coast_keeper_.is_waiting(given_.state->time);
+  return ready && !coast_comes ? wished : shown;
 }
 
 bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {

@@ -14,6 +14,7 @@
 #include "server/radar/input_sink.hpp"
 #include "server/radar/radar_view.hpp"
 #include "server/radar/sector_maker.hpp"
+#include "server/radar/tables_ahead.hpp"
 #include "server/world/timeline.hpp"
 
 namespace skerry::server {
@@ -86,6 +87,9 @@ class RadarUnit {
   bool gather(std::uint64_t first);
   // The views and their controls.
   void look_at_views();
+  // What goes on the air in this sector: the range scale asked for as soon as its coast is there
+  // and its tables are made, until then `shown`.
+  RangeScale range_to_show(RangeScale shown);
   // True if there is something to be published.
   bool make_sector(std::uint64_t first, const Epoch& epoch);
   void publish(std::uint64_t first, const Epoch& epoch,
@@ -98,6 +102,7 @@ class RadarUnit {
   Airwaves& airwaves_;
   InputSink* inputs_;
   SectorMaker maker_;
+  TablesAhead tables_ahead_;
   RadarViewList views_;
   Latest<echo::RadarControls> radar_controls_;
   // The present sector's.  Thread: the unit's.

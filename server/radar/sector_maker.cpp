@@ -112,6 +112,20 @@ void SectorMaker::warm_up(const SectorInputs& inputs) {
   renderer_.render(*scenes.build(inputs.state, inputs.coast, inputs.emissions), 0, kSectorSpokes);
 }
 
+// A radar like this one makes a sector in the present scene.
+std::function<std::shared_ptr<const void>()> SectorMaker::ahead(const SectorInputs& inputs) const {
+  return [config = config_, clock = clock_, scenes = scenes_, inputs]() mutable {
+    auto renderer =
+        std::make_shared<ViewRenderers>(config.set, config.geometry, clock, config.radar,
+                                        inputs.on_air, inputs.radar, echo::serial_for);
+    for (const ViewInForce& view : inputs.views)
+      renderer->set_view(view.number, shown_by(view, inputs.on_air));
+    scenes.set_rig(inputs.radar.blanked, inputs.radar.bearing_alignment_deg);
+    renderer->render(*scenes.build(inputs.state, inputs.coast, inputs.emissions), 0, kSectorSpokes);
+    return renderer;
+  };
+}
+
 void SectorMaker::make(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
                        std::vector<ViewSector>& out) {
   out.clear();

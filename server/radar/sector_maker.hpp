@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -82,6 +84,10 @@ class SectorMaker {
   // Before the first sector: makes what that needs and would make late, some 60 ms for the first
   // radar of a set, less for others like it.
   void warm_up(const SectorInputs& inputs);
+
+  // The same for inputs to come, for another thread: what it returns makes the tables and returns
+  // what holds them.  Changes nothing of what make() makes.
+  std::function<std::shared_ptr<const void>()> ahead(const SectorInputs& inputs) const;
 
   // One sector of every view; none in standby.  `epoch`: when scenario time 0 was.
   void make(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,

@@ -13,4 +13,7 @@ inline void go_before_others() {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kRadarNiceness);
 }
 
+// A thread that a radar's thread has started, and that may wait.
+inline void go_with_others() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 0); }
+
 }  // namespace skerry::server

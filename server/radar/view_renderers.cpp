@@ -73,7 +73,10 @@ void ViewRenderers::render(const echo::Scene& scene, std::uint64_t first, std::u
   if (views_.empty()) return;
   fit_returns();
   std::uint32_t ahead = 0;
-  for (const auto& [number, view] : views_) ahead = std::max(ahead, view.receiver.rows_ahead());
+  for (const auto& [number, view] : views_) {
+    view.receiver.fetch();
+    ahead = std::max(ahead, view.receiver.rows_ahead());
+  }
   ahead = std::min(ahead, echo::SpokeReturns::kMaxSector - count);
   const auto coloured = [](const View& view) {
     return view.receiver.controls().doppler != echo::DopplerMode::off;
@@ -90,6 +93,7 @@ void ViewRenderers::render(const echo::Scene& scene, std::uint64_t first, std::u
       view.receiver.colour(rows.cells, rows.closing, rows.pitch, count, view.video, view.doppler);
     }
   }
+  returns_.release(first + count);
 }
 
 RangeScale ViewRenderers::range_of(std::uint32_t view) const {

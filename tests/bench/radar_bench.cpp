@@ -3,6 +3,10 @@
 //   radar_bench                 scenes, contributors, views and how cost grows
 //   radar_bench --turns 8       longer
 //   radar_bench --full          the full scene alone, to be profiled
+//   radar_bench --fleet [N]     N radars by turns against one after the other
+//   radar_bench --memory        whose memory a radar is made of
+//   radar_bench --stages        what each stage costs, and its share of memory's speed
+//   radar_bench --changes       first sectors after changes of the range scale
 //
 // Columns: ns/cell of the scene, of the floor beside it, their ratio, and how many such radars of
 // 4096 x 1024 cells at 24 rpm one core carries in real time.  Medians over turns of CPU time of the
@@ -19,24 +23,19 @@
 #include <vector>
 
 #include "tests/bench/bench_support.hpp"
+#include "tests/bench/radar_bench_parts.hpp"
 #include "tests/scenes/full_scene.hpp"
 #include "tests/scenes/moving_scene.hpp"
+#include "tests/scenes/without.hpp"
 
 namespace skerry::bench {
 namespace {
-
-constexpr std::uint32_t kSector = 16;
 
 struct Cost {
   double scene_ns = 0.0, floor_ns = 0.0;  // per cell
   double worst_sector_ms = 0.0;
   double ratio() const { return scene_ns / floor_ns; }
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 // One turn to fill what is kept, then `turns` measured ones, the own ship and all else under way.
 class Sail {
@@ -47,7 +46,7 @@ class Sail {
         renderer_(named.set, named.geometry, clock_, 0),
         scenes_(named.scene),
         floor_(named.geometry.cells),
-        video_(std::size_t{kSector} * named.geometry.cells) {
+        video_(std::size_t{kSectorSpokes} * named.geometry.cells) {
     renderer_.set_controls(named.controls);
   }
 
@@ -61,20 +60,21 @@ class Sail {
       floor_ns.push_back(one.floor_ns);
       cost.worst_sector_ms = std::max(cost.worst_sector_ms, one.worst_sector_ms);
     }
-    cost.scene_ns = median(scene_ns);
-    cost.floor_ns = median(floor_ns);
+    cost.scene_ns = median_of(scene_ns);
+    cost.floor_ns = median_of(floor_ns);
     return cost;
   }
 
  private:
   Cost turn() {
     Cost cost;
-    for (std::uint32_t k = 0; k < geometry_.spokes_per_turn; k += kSector, spoke_ += kSector) {
+    for (std::uint32_t k = 0; k < geometry_.spokes_per_turn;
+         k += kSectorSpokes, spoke_ += kSectorSpokes) {
       const echo::ScenePtr scene = scenes_.at(clock_.time_of(spoke_));
       const double begun = thread_seconds();
-      renderer_.render(*scene, spoke_, kSector, video_);
+      renderer_.render(*scene, spoke_, kSectorSpokes, video_);
       const double made = thread_seconds();
-      for (std::uint32_t i = 0; i < kSector; ++i) floor_.run();
+      for (std::uint32_t i = 0; i < kSectorSpokes; ++i) floor_.run();
       cost.scene_ns += made - begun;
       cost.floor_ns += thread_seconds() - made;
       cost.worst_sector_ms = std::max(cost.worst_sector_ms, 1e3 * (made - begun));
@@ -106,29 +106,6 @@ Cost report(const std::string& name, const scenes::NamedScene& named, int turns)
              cost.floor_ns, cost.ratio(), 1e9 / (cost.scene_ns * cells_per_second),
              cost.worst_sector_ms);
   return cost;
-}
-
-scenes::NamedScene with(const scenes::NamedScene& named,
-                        const std::function<void(echo::Scene&)>& change) {
-  scenes::NamedScene other = named;
-  auto scene = std::make_shared<echo::Scene>(*named.scene);
-  change(*scene);
-  other.scene = std::move(scene);
-  return other;
-}
-
-void no_sea(echo::Scene& s) {
-  s.sea.state = 0.0;
-  s.wave_height_m = 0.0;
-}
-void no_land(echo::Scene& s) {
-  auto bare = std::make_shared<echo::CoastPicture>(*s.coast);
-  bare->vertices.clear();
-  bare->run_starts.clear();
-  bare->edge_shores.clear();
-  s.index = std::make_shared<const echo::PolarIndex>(*bare, s.own_ship, 50.0);
-  s.coast = std::move(bare);
-  s.structure_index = nullptr;
 }
 
 // Least squares line through (x, y).
@@ -221,15 +198,16 @@ void a_further_view(const scenes::NamedScene& full) {
         echo::row_cells_for(full.geometry, full.controls.range_scale, controls);
     returns = echo::SpokeReturns(echo::with_rows_of(model, row_cells), echo::serial_for);
     view.set_row_cells(row_cells);
-    std::vector<std::uint8_t> video(std::size_t{kSector} * full.geometry.cells);
+    std::vector<std::uint8_t> video(std::size_t{kSectorSpokes} * full.geometry.cells);
     double view_s = 0.0, floor_s = 0.0;
-    for (std::uint32_t first = 0; first < full.geometry.spokes_per_turn; first += kSector) {
-      const echo::PowerRows rows = returns.make(*full.scene, first, kSector + view.rows_ahead());
+    for (std::uint32_t first = 0; first < full.geometry.spokes_per_turn; first += kSectorSpokes) {
+      const echo::PowerRows rows =
+          returns.make(*full.scene, first, kSectorSpokes + view.rows_ahead());
       const double begun = thread_seconds();
-      view.receive(rows.cells, rows.pitch, first, kSector, full.scene->seed, echo::serial_for,
+      view.receive(rows.cells, rows.pitch, first, kSectorSpokes, full.scene->seed, echo::serial_for,
                    video, view.rows_ahead());
       const double made = thread_seconds();
-      for (std::uint32_t i = 0; i < kSector; ++i) floor.run();
+      for (std::uint32_t i = 0; i < kSectorSpokes; ++i) floor.run();
       view_s += made - begun;
       floor_s += thread_seconds() - made;
     }
@@ -279,11 +257,12 @@ void more_of_the_rows(const scenes::NamedScene& full) {
     returns.set_doppler(doppler);
     Floor floor(full.geometry.cells);
     double rows_s = 0.0, floor_s = 0.0;
-    for (std::uint32_t first = 0; first < 2 * full.geometry.spokes_per_turn; first += kSector) {
+    for (std::uint32_t first = 0; first < 2 * full.geometry.spokes_per_turn;
+         first += kSectorSpokes) {
       const double begun = thread_seconds();
-      returns.make(*full.scene, first, kSector);
+      returns.make(*full.scene, first, kSectorSpokes);
       const double made = thread_seconds();
-      for (std::uint32_t i = 0; i < kSector; ++i) floor.run();
+      for (std::uint32_t i = 0; i < kSectorSpokes; ++i) floor.run();
       if (first < full.geometry.spokes_per_turn) continue;  // a turn to fill what is kept
       rows_s += made - begun;
       floor_s += thread_seconds() - made;
@@ -299,68 +278,58 @@ void more_of_the_rows(const scenes::NamedScene& full) {
   measure("to twice the range scale", cells * 2, false);
 }
 
-// Many radars of the full scene by turns, a sector each, so that none finds its state in a cache:
-// what one core carries in real time, with no room left.
-void fleet(const scenes::NamedScene& full, std::size_t radars) {
-  const echo::SpokeClock clock(full.rpm, full.geometry.spokes_per_turn);
-  std::vector<std::unique_ptr<echo::SpokeRenderer>> fleet;
-  for (std::size_t i = 0; i < radars; ++i) {
-    fleet.push_back(std::make_unique<echo::SpokeRenderer>(full.set, full.geometry, clock,
-                                                          static_cast<std::uint32_t>(i)));
-    fleet.back()->set_controls(full.controls);
+void fleets(const scenes::NamedScene& full, const std::vector<std::size_t>& sizes, int turns) {
+  fmt::print("\nMany radars of the full scene on one core, ns/cell and radars in real time\n");
+  fmt::print("{:<10}{:>8}{:>14}{:>14}{:>10}{:>22}\n", "", "radars", "one by one", "by sectors",
+             "ratio", "carried: one by one, by sectors");
+  for (const echo::Isa isa : {echo::Isa::avx2, echo::Isa::avx512}) {
+    if (isa > echo::best_isa()) continue;
+    echo::force_isa(isa);
+    for (const std::size_t radars : sizes) by_turns(full, radars, turns);
   }
-  scenes::MovingScene scenes(full.scene);
-  std::vector<std::uint8_t> video(std::size_t{kSector} * full.geometry.cells);
-  const std::uint32_t turn = full.geometry.spokes_per_turn;
-  double seconds = 0.0;
-  for (std::uint64_t spoke = 0; spoke < 3 * turn; spoke += kSector) {
-    const echo::ScenePtr scene = scenes.at(clock.time_of(spoke));
-    const double begun = thread_seconds();
-    for (auto& radar : fleet) radar->render(*scene, spoke, kSector, video);
-    if (spoke >= turn) seconds += thread_seconds() - begun;  // after a turn to fill what is kept
-  }
-  const double on_air = 2.0 * 60.0 / full.rpm;
-  fmt::print(
-      "{:<10}{} full-scene radars take {:.2f} s of one core for {:.2f} s on the air: one core "
-      "carries {:.0f}\n",
-      echo::name_of(echo::active_isa()), radars, seconds, on_air,
-      static_cast<double>(radars) * on_air / seconds);
+  echo::force_isa(echo::best_isa());
 }
 
 void contributors(const scenes::NamedScene& full, int turns) {
   fmt::print("\nThe full scene without each of its parts\n");
   heading();
-  report("without rain", with(full, [](echo::Scene& s) { s.rain.clear(); }), turns);
-  report("without sea", with(full, no_sea), turns);
-  report("without sea and rain",
-         with(full,
-              [](echo::Scene& s) {
-                no_sea(s);
-                s.rain.clear();
-              }),
-         turns);
-  report("without ships and buoys",
-         with(full,
-              [](echo::Scene& s) {
-                s.hulls.clear();
-                s.points.clear();
-              }),
-         turns);
-  report("without land", with(full, no_land), turns);
+  using scenes::with;
+  report("without rain", with(full, scenes::no_rain), turns);
+  report("without sea", with(full, scenes::no_sea), turns);
+  report("without sea and rain", with(with(full, scenes::no_sea), scenes::no_rain), turns);
+  report("without ships and buoys", with(full, scenes::no_targets), turns);
+  report("without land", with(full, scenes::no_land), turns);
   scenes::NamedScene plain = full;
   plain.controls = {};
   plain.controls.range_scale = full.controls.range_scale;
   report("gain and STC alone", plain, turns);
 }
 
-int run(int turns, bool full_alone) {
+int run(int turns, const std::string& part, std::size_t radars) {
   const auto full = scenes::full_scene();
   const auto bergen = scenes::bergen();
   if (!full || !bergen) {
     fmt::print("no chart installed: apt install gmt-gshhg-full\n");
     return 0;
   }
-  if (full_alone) {
+  if (part == "--fleet") {
+    fleets(*full, radars > 0 ? std::vector<std::size_t>{radars} : std::vector<std::size_t>{1, 150},
+           turns);
+    return 0;
+  }
+  if (part == "--memory") {
+    working_set(*full);
+    return 0;
+  }
+  if (part == "--stages") {
+    stage_table(*full);
+    return 0;
+  }
+  if (part == "--changes") {
+    range_changes(*full);
+    return 0;
+  }
+  if (part == "--full") {
     heading();
     report("full", *full, turns);
     return 0;
@@ -376,13 +345,11 @@ int run(int turns, bool full_alone) {
     report("default: Bergen, a dozen ships", *bergen, turns);
     report("full", *full, turns);
   }
-  fmt::print("\nA fleet, a sector of each radar by turns\n");
-  for (const echo::Isa isa : {echo::Isa::avx2, echo::Isa::avx512}) {
-    if (isa > echo::best_isa()) continue;
-    echo::force_isa(isa);
-    fleet(*full, turns > 1 ? 150 : 10);
-  }
-  echo::force_isa(echo::best_isa());
+  fleets(*full, turns > 1 ? std::vector<std::size_t>{1, 150, 400} : std::vector<std::size_t>{10},
+         turns);
+  working_set(*full);
+  stage_table(*full);
+  if (turns > 1) range_changes(*full);
   contributors(*full, turns);
   a_further_view(*full);
   more_of_the_rows(*full);
@@ -393,25 +360,39 @@ int run(int turns, bool full_alone) {
 }
 
 }  // namespace
+
+double percentile_of(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+double median_of(std::vector<double> values) { return percentile_of(std::move(values), 0.5); }
+
 }  // namespace skerry::bench
 
 int main(int argc, char** argv) {
   int turns = 3;
-  bool full_alone = false;
+  std::string part;
+  std::size_t radars = 0;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--turns" && i + 1 < argc) {
       turns = std::max(1, std::atoi(argv[++i]));
-    } else if (word == "--full") {
-      full_alone = true;
+    } else if (word == "--full" || word == "--memory" || word == "--stages" ||
+               word == "--changes") {
+      part = word;
+    } else if (word == "--fleet") {
+      part = word;
+      if (i + 1 < argc && std::atoi(argv[i + 1]) > 0)
+        radars = static_cast<std::size_t>(std::atoi(argv[++i]));
     } else if (word.starts_with("--benchmark")) {
       turns = 1;  // run with the others, shortly
     } else {
       fmt::print(stderr,
-                 "radar_bench: unknown argument '{}'; usage: radar_bench [--turns N] [--full]\n",
+                 "radar_bench: unknown argument '{}'; usage: radar_bench [--turns N]\n"
+                 "  [--full | --stages | --memory | --changes | --fleet [RADARS]]\n",
                  word);
       return 2;
     }
   }
-  return skerry::bench::run(turns, full_alone);
+  return skerry::bench::run(turns, part, radars);
 }
