@@ -8,6 +8,8 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/fast_math.hpp"
+#include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/time.hpp"
 
 namespace skerry::echo {
 
@@ -68,7 +70,9 @@ double rain_db_per_km(const RainLaw& law, double rate_mm_h) {
 
 namespace {
 
-constexpr double kKnotsPerRadius = 20.0;
+constexpr double kKnotsPerRadius = 20.0;  // of an even area
+constexpr double kValuesPerKnot = 1.25;   // of a map
+constexpr std::size_t kMostMaps = 64;
 constexpr double kOctavesPerKnot = 0.23;  // two-way, 0.7 dB
 constexpr int kMostDoublings = 4;         // of a cell from knot to knot
 constexpr float kMostOctaves = 66.0f;     // 199 dB two-way: all is lost
@@ -81,14 +85,40 @@ double rain_profile(double distance_squared, double radius_m) {
   return s * s * (3.0 - 2.0 * s);
 }
 
-// Clouds whose circle the spoke cuts, and the stretch of the spoke that they cover.
-void RainPath::find_clouds(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
+// An area's map at a time.  What was used last is kept here: no lock in the rule.
+const RainMap& RainPath::map_of(const RainCell& cell, double seconds) {
+  const RainMapKey key = rain_map_key(cell, seconds);
+  const auto of_the_area = [&](const RainMapPtr& map) {
+    const RainMapKey& k = map->key();
+    return k.identity == key.identity && k.kind == key.kind && k.radius_m == key.radius_m;
+  };
+  auto found = std::find_if(maps_.begin(), maps_.end(), of_the_area);
+  if (found == maps_.end()) {
+    // None of the chords found so far may lose its map.
+    if (maps_.size() >= kMostMaps && chords_.empty()) maps_.clear();
+    found = maps_.insert(maps_.end(), rain_map_for(key));
+  } else if ((*found)->key() != key) {
+    *found = rain_map_for(key);
+  }
+  return **found;
+}
+
+// Areas whose circle the spoke cuts, and the stretch of the spoke that they cover.
+void RainPath::find_rain(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
   clouds_.clear();
+  chords_.clear();
   from_m_ = std::numeric_limits<double>::infinity();
-  to_m_ = 0.0;
-  least_radius_m_ = from_m_;
+  spacing_m_ = from_m_;
+  to_m_ = greatest_rate_ = 0.0;
   const double reach = model.cell_m * model.geometry.cells;
   const SinCos ray = sin_cos_units(aim.plane_units);
+  const double seconds = in_seconds(scene.time.time_since_epoch()) + aim.dt;
+  const auto covers = [this](double from, double to, double spacing, double rate) {
+    from_m_ = std::min(from_m_, from);
+    to_m_ = std::max(to_m_, to);
+    spacing_m_ = std::min(spacing_m_, spacing);
+    greatest_rate_ += rate;
+  };
   for (const RainCell& cell : scene.rain) {
     const PlanePoint off = cell.centre + cell.velocity * aim.dt - aim.own_ship;
     const double along = ahead_of(ray, off);
@@ -98,12 +128,19 @@ void RainPath::find_clouds(const Scene& scene, const RadarModel& model, const Sp
     const double half = std::sqrt(squared);
     const double from = std::max(along - half, 0.0), to = std::min(along + half, reach);
     if (from >= to) continue;
-    clouds_.push_back({static_cast<float>(along), static_cast<float>(across * across),
-                       static_cast<float>(cell.radius_m * cell.radius_m),
-                       static_cast<float>(cell.rate_mm_h)});
-    from_m_ = std::min(from_m_, from);
-    to_m_ = std::max(to_m_, to);
-    least_radius_m_ = std::min(least_radius_m_, cell.radius_m);
+    if (cell.kind == RainKind::even) {
+      clouds_.push_back({static_cast<float>(along), static_cast<float>(across * across),
+                         static_cast<float>(cell.radius_m * cell.radius_m),
+                         static_cast<float>(cell.rate_mm_h)});
+      covers(from, to, cell.radius_m / kKnotsPerRadius, cell.rate_mm_h);
+      continue;
+    }
+    const RainMap& map = map_of(cell, seconds);
+    if (const auto chord = find_rain_chord(cell, map, off, ray, reach)) {
+      chords_.push_back(*chord);
+      covers(chord->from_m, chord->to_m, kValuesPerKnot * std::sqrt(map.column_m() * map.row_m()),
+             cell.rate_mm_h * map.greatest());
+    }
   }
 }
 
@@ -119,23 +156,41 @@ void RainPath::take_law(const RadarModel& model) {
   log2_octaves_ = static_cast<float>(exact_log2(2e-3 * law.k * cell_m_ * kOctavesPerDb));
 }
 
+// Keeps one dry knot at each end; whether any is wet.
+bool RainPath::leave_out_dry_ends() {
+  const auto wet = [](float rate) { return rate > 0.0f; };
+  const auto begin = knot_rates_.begin();
+  const auto first = std::find_if(begin, knot_rates_.end(), wet);
+  any_ = first != knot_rates_.end();
+  if (!any_) return false;
+  const auto behind = std::find_if(knot_rates_.rbegin(), knot_rates_.rend(), wet).base();
+  const auto lead = static_cast<std::size_t>(std::max(first - begin - 1, std::ptrdiff_t{0}));
+  const auto last = static_cast<std::size_t>(behind - begin);
+  end_ = std::min(end_, first_ + last * step_);
+  first_ += lead * step_;
+  knot_rates_.resize(std::min(knot_rates_.size(), last + 1));
+  knot_rates_.erase(knot_rates_.begin(), knot_rates_.begin() + static_cast<std::ptrdiff_t>(lead));
+  return true;
+}
+
 // Rate at the middle of every step_-th wet cell, and what is left of the power up to there.
-void RainPath::lay_knots() {
-  float greatest = 0.0f;
-  for (const CloudChord& cloud : clouds_) greatest += cloud.rate_mm_h;
+void RainPath::lay_knots(double beam_width) {
+  const auto greatest = static_cast<float>(greatest_rate_);
   const float octaves = fast_exp2(log2_octaves_ + alpha_ * fast_log2(greatest));
-  const double spacing = std::min(least_radius_m_ / kKnotsPerRadius,
-                                  cell_m_ * kOctavesPerKnot / static_cast<double>(octaves));
+  const double spacing =
+      std::min(spacing_m_, cell_m_ * kOctavesPerKnot / static_cast<double>(octaves));
   int doublings = kMostDoublings;
   while (doublings > 0 && static_cast<double>(1 << doublings) * cell_m_ > spacing) --doublings;
   step_ = std::size_t{1} << doublings;
-  const std::size_t knots = (end_ - first_ + step_ - 1) / step_ + 1;
-  knot_rates_.assign(knots, 0.0f);
-  knots_.resize(knots);
+  knot_rates_.assign((end_ - first_ + step_ - 1) / step_ + 1, 0.0f);
   const double first_m = (static_cast<double>(first_) + 0.5) * cell_m_;
   const double step_m = static_cast<double>(step_) * cell_m_;
   for (const CloudChord& cloud : clouds_)
     add_cloud(cloud, static_cast<float>(first_m), static_cast<float>(step_m), knot_rates_);
+  for (const RainChord& chord : chords_) add_rain(chord, beam_width, first_m, step_m, knot_rates_);
+  if (!leave_out_dry_ends()) return;
+  const std::size_t knots = knot_rates_.size();
+  knots_.resize(knots);
   rain_losses(knot_rates_, log2_octaves_ + static_cast<float>(doublings), alpha_, knots_);
   // The first knot stands half a cell into the rain; from knot to knot, the mean of the two.
   float before = knots_.front();
@@ -153,14 +208,14 @@ void RainPath::lay_knots() {
 void RainPath::trace(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
   any_ = false;
   if (scene.rain.empty()) return;
-  find_clouds(scene, model, aim);
-  if (clouds_.empty()) return;
+  find_rain(scene, model, aim);
+  if (clouds_.empty() && chords_.empty()) return;
   any_ = true;
   take_law(model);
   const std::size_t cells = model.geometry.cells;
   first_ = std::min(static_cast<std::size_t>(from_m_ / cell_m_), cells - 1);
   end_ = std::clamp(static_cast<std::size_t>(to_m_ / cell_m_) + 1, first_ + 1, cells);
-  lay_knots();
+  lay_knots(model.set.beam_width_deg * kRadiansPerDegree);
 }
 
 void RainPath::lay(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {

@@ -8,6 +8,8 @@
 #include "echo/kernel/rain_row.hpp"
 #include "echo/radar/radar_model.hpp"
 #include "echo/radar/radar_set.hpp"
+#include "echo/rain/rain_map.hpp"
+#include "echo/rain/rain_profile.hpp"
 #include "echo/scene/spoke_aim.hpp"
 
 namespace skerry::echo {
@@ -23,17 +25,19 @@ RainLaw rain_law(double frequency_hz, Polarisation polarisation);
 // dB/km one way; 0 without rain.
 double rain_db_per_km(const RainLaw& law, double rate_mm_h);
 
-// Rate of one cloud at a distance from its middle (as its square, m2), as a share of its rate: 1
+// Rate of an even area at a distance from its middle (as its square, m2), as a share of its rate: 1
 // within half its radius, 0 from the radius on, a smoothstep of the squared distance between.
 double rain_profile(double distance_squared, double radius_m);
 
 // Rate along a spoke and the two-way attenuation up to each cell (P.838-3; SOURCES.md
 // "Propagation"). Nothing is done, and any() is false, where no cell of rain lies under the spoke.
 //
-// Rate and attenuation are worked out at knots, a twentieth of the smallest cloud's radius
-// and 0.7 dB apart at most (or one cell), and go straight between.  Error, for clouds of a radius
-// of at least 4 cells and 200 mm/h: rate 0.02 of the greatest; transmission 0.02 of the attenuation
-// in dB and 0.02 dB.  Held by RainPath.StaysWithinItsBoundOfTheIntegral. Thread: one at a time.
+// Rate and attenuation are worked out at knots, a twentieth of the smallest even area's
+// radius, 1.25 values of the finest map (echo/rain/rain_map.hpp) and 0.7 dB apart at most (or one
+// cell), and go straight between.  Error, for areas of a radius of at least 4 cells and 200 mm/h:
+// even ones, rate 0.02 of the greatest, transmission 0.02 of the attenuation in dB and 0.02 dB,
+// held by RainPath.StaysWithinItsBoundOfTheIntegral; others, rate 0.04 of the greatest,
+// transmission 0.03 and 0.05 dB, held by RainPath.TakesAndEchoesOneField.  Thread: one at a time.
 class RainPath {
  public:
   // Works out the knots; lay() lays rows of cells, too.
@@ -55,13 +59,18 @@ class RainPath {
   std::span<const float> transmission() const { return transmission_; }
 
  private:
-  void find_clouds(const Scene& scene, const RadarModel& model, const SpokeAim& aim);
+  void find_rain(const Scene& scene, const RadarModel& model, const SpokeAim& aim);
+  const RainMap& map_of(const RainCell& cell, double seconds);
   void take_law(const RadarModel& model);
-  void lay_knots();
+  void lay_knots(double beam_width);
+  bool leave_out_dry_ends();
 
-  std::vector<CloudChord> clouds_;                           // under the spoke
-  double from_m_ = 0.0, to_m_ = 0.0, least_radius_m_ = 0.0;  // of them all
-  std::vector<float> knot_rates_, knots_;                    // knots_: losses, then transmission
+  std::vector<CloudChord> clouds_;                // even areas under the spoke
+  std::vector<RainChord> chords_;                 // and others
+  std::vector<RainMapPtr> maps_;                  // those used last
+  double from_m_ = 0.0, to_m_ = 0.0;              // of all areas
+  double spacing_m_ = 0.0, greatest_rate_ = 0.0;  // the least that they ask for; of all together
+  std::vector<float> knot_rates_, knots_;         // knots_: losses, then transmission
   std::vector<float> rate_, transmission_;
   std::size_t first_ = 0, end_ = 0;  // wet cells
   std::size_t step_ = 1;             // cells from knot to knot

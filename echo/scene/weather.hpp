@@ -28,13 +28,22 @@ struct SeaSurface {
   Swell swell;
 };
 
-// A cloud of rain: uniform within half its radius, fading to nothing at the radius.
+// The shape of a rain area (echo/rain/rain_form.hpp).
+enum class RainKind : std::uint8_t {
+  cell,         // one body of rain with a ragged edge
+  even,         // a disc: uniform within half its radius, fading to nothing at the radius
+  shower,       // scattered showers with dry air between them
+  squall_line,  // a band across its way, sharp ahead, long behind
+};
+
+// An area of rain.  Nothing falls beyond the radius.
 struct RainCell {
   PlanePoint centre;
   PlanePoint velocity;  // m/s
   double radius_m = 2000.0;
-  double rate_mm_h = 4.0;  // in the middle
-  std::uint64_t identity = 0;
+  double rate_mm_h = 4.0;      // mean over where it rains; of an even one, in the middle
+  std::uint64_t identity = 0;  // seed of its field
+  RainKind kind = RainKind::cell;
 };
 
 }  // namespace skerry::echo

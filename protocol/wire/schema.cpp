@@ -123,6 +123,11 @@ std::string word_of(const EnumValueDescriptor& value) {
   return word;
 }
 
+std::string word_of(const google::protobuf::EnumDescriptor& type, int number) {
+  const EnumValueDescriptor* const value = type.FindValueByNumber(number);
+  return value != nullptr ? word_of(*value) : "?";
+}
+
 std::string label_of(const EnumValueDescriptor& value) {
   const config::Choice& choice = value.options().GetExtension(config::choice);
   if (!choice.label().empty()) return choice.label();

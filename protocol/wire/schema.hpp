@@ -31,6 +31,8 @@ std::string spoken_name(const FieldDescriptor& field);
 std::string option_name(const FieldDescriptor& field);
 // A value of an enumeration, as people write it: "short" of PULSE_SHORT.
 std::string word_of(const EnumValueDescriptor& value);
+// Of a number; "?" if the enumeration has none such.
+std::string word_of(const google::protobuf::EnumDescriptor& type, int number);
 std::string label_of(const EnumValueDescriptor& value);        // "Short"
 std::string short_label_of(const EnumValueDescriptor& value);  // as the console's panel has it
 // nullptr if the enumeration has no such word.

@@ -32,6 +32,7 @@ void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double 
     cell.velocity =
         echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, rain.cloud->speed_mps);
     cell.rate_mm_h = rain.cloud->rate_mm_h;
+    cell.kind = rain.cloud->kind;
     cell.identity = identity_of(seed, Fixture::rain, rain.cloud->id);
     scene.rain.push_back(cell);
   }

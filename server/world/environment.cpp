@@ -25,10 +25,19 @@ Environment environment_of(const scenario::Scenario& scenario) {
     cloud.speed_mps = knots_in_mps(cell.drift_kn());
     cloud.radius_m = nautical_miles(cell.radius_nm()).in_metres();
     cloud.rate_mm_h = cell.rate_mm_h();
+    cloud.kind = rain_kind(cell.kind());
     environment.rain.push_back(cloud);
   }
   change_artefacts(scenario.artefacts(), environment.artefacts);
   return environment;
+}
+
+echo::RainKind rain_kind(wire::RainKind kind) {
+  static_assert(static_cast<int>(echo::RainKind::cell) == wire::RAIN_CELL);
+  static_assert(static_cast<int>(echo::RainKind::even) == wire::RAIN_EVEN);
+  static_assert(static_cast<int>(echo::RainKind::shower) == wire::RAIN_SHOWER);
+  static_assert(static_cast<int>(echo::RainKind::squall_line) == wire::RAIN_SQUALL_LINE);
+  return static_cast<echo::RainKind>(kind);
 }
 
 GeoPoint place_of(const RainCloud& cloud, ScenarioTime time) {

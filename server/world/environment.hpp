@@ -9,6 +9,7 @@
 #include "echo/scene/weather.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
+#include "protocol/wire/controls.pb.h"
 #include "server/world/scenario.pb.h"
 
 namespace skerry::server {
@@ -22,6 +23,7 @@ struct RainCloud {
   double speed_mps = 0.0;
   double radius_m = 0.0;
   double rate_mm_h = 0.0;
+  echo::RainKind kind = echo::RainKind::cell;
 };
 
 // Immutable once in force.  Directions of sea and swell are from true north here.
@@ -38,6 +40,9 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 // The environment at the scenario's begin.  Its rain cells have the numbers 1, 2, ... in their
 // order.
 Environment environment_of(const scenario::Scenario& scenario);
+
+// The kinds of the schema and of the echo are the same, in the same order.
+echo::RainKind rain_kind(wire::RainKind kind);
 
 // Where the middle of a cell is at a time.
 GeoPoint place_of(const RainCloud& cloud, ScenarioTime time);

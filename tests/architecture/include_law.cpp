@@ -75,9 +75,12 @@ const std::vector<Room>& table() {
       {"echo/scene",
        {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/chart/", "echo/fractal/",
         "echo/measure/", "echo/radar/spoke_clock.hpp"}},
+      // Where how much rain falls: what it echoes and what it takes are made of one field.
+      {"echo/rain", {"protocol/quantity/", "echo/kernel/", "echo/scene/"}},
       // How waves travel: between equipment and whatever echoes.
       {"echo/propagation",
-       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/", "echo/scene/"}},
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/", "echo/radar/", "echo/scene/",
+        "echo/rain/"}},
       // Everything that echoes: land and what stands on it, sea and rain, ships, beacons, and what
       // is not
       // there.

@@ -77,6 +77,24 @@ NamedScene kinds_of_coast() {
   return {"kinds", std::move(scene), {}, geometry, 24.0, {scale, 50.0, 20.0, 0.0}};
 }
 
+// Rain of every kind, that of cells and showers in two sizes.
+NamedScene rain_of_all_kinds() {
+  const ScanGeometry geometry{1024, 512, 8};
+  const RangeScale scale = *RangeScale::find(6.0);
+  auto scene = std::make_shared<echo::Scene>(
+      *scene_at(made_up_chart(kBergen, scale.length() * 1.3, 20, 7), kBergen, scale, geometry,
+                a_dozen_ships(8000.0), 31.0));
+  const PlanePoint ship = scene->own_ship, drift = {7.0, 4.0};
+  scene->rain = {
+      {ship + PlanePoint{-5000.0, 4000.0}, drift, 4000.0, 8.0, 1, echo::RainKind::cell},
+      {ship + PlanePoint{5000.0, -5000.0}, drift, 6000.0, 12.0, 2, echo::RainKind::shower},
+      {ship + PlanePoint{4000.0, 4000.0}, drift, 9000.0, 20.0, 3, echo::RainKind::squall_line},
+      {ship + PlanePoint{-6000.0, -5000.0}, drift, 1500.0, 16.0, 4, echo::RainKind::even},
+      {ship + PlanePoint{-1000.0, -1500.0}, {}, 600.0, 16.0, 5, echo::RainKind::cell},
+      {ship + PlanePoint{0.0, -9000.0}, drift, 1200.0, 16.0, 6, echo::RainKind::shower}};
+  return {"rain", std::move(scene), {}, geometry, 24.0, {scale, 50.0, 20.0, 0.0}};
+}
+
 // Islands by one method.
 NamedScene islands_by(std::string name, const echo::CoastStyle& style) {
   const ScanGeometry geometry{1024, 512, 8};
@@ -117,6 +135,7 @@ std::vector<NamedScene> made_up_scenes() {
           make("four bits", 40, true, 3.0, {1024, 1024, 4}, {}),
           make("rain control", 40, true, 3.0, {1024, 512, 8}, {RangeScale{}, 70.0, 40.0, 60.0}),
           kinds_of_coast(),
+          rain_of_all_kinds(),
           islands_by("koch", {.method = echo::CoastMethod::regular_koch, .dimension = 1.25}),
           islands_by("midpoint", {.method = echo::CoastMethod::midpoint, .dimension = 1.4}),
           islands_by("weierstrass", {.method = echo::CoastMethod::weierstrass, .dimension = 1.3})};

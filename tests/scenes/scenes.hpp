@@ -29,7 +29,8 @@ echo::ScenePtr scene_at(echo::CoastChart chart, GeoPoint own_ship, RangeScale sc
 std::vector<echo::Hull> a_dozen_ships(double reach_m);
 
 // Made up, so that they are the same everywhere: "open sea", "islands", "traffic", "coarse" (256
-// spokes), "fine" (8192 spokes of 4096 cells), "four bits", "rain control".
+// spokes), "fine" (8192 spokes of 4096 cells), "four bits", "rain control", "rain" (of
+// every kind).
 std::vector<NamedScene> made_up_scenes();
 
 // Bergen as the server's default shows it; empty where no chart is installed.

@@ -118,13 +118,14 @@ TEST_F(Views, AnInstructorsSeaAndRainReachEveryConsole) {
   client::SpokeClient console = subscribed(server_, 2);
   client::SpokeClient other = subscribed(server_, 0);
   set({"--sea-state", "4.5", "--wind-from", "225", "--add-rain", "60.40", "4.81", "--rain-rate",
-       "16", "--artefact", "interference=off"});
+       "16", "--rain-kind", "squall_line", "--artefact", "interference=off"});
   const auto at_sea = [](const wire::World& w) { return w.sea_state() == 4.5; };
   for (client::SpokeClient* client : {&console, &other}) {
     const auto world = await<wire::World>(*client, at_sea);
     EXPECT_EQ(world.wind_from_deg(), 225.0);
     ASSERT_EQ(world.rain_size(), 1);
     EXPECT_EQ(world.rain(0).rate_mm_h(), 16.0);
+    EXPECT_EQ(world.rain(0).kind(), wire::RAIN_SQUALL_LINE);
     EXPECT_FALSE(world.interference());
     EXPECT_TRUE(world.side_lobes());
   }

@@ -57,8 +57,12 @@ class Watch {
     sea_.sea.wind_from_deg = kBearing - 90.0;  // across: neither the best nor the worst
     sea_.wave_height_m = waves_of(weather.sea_state);
     if (weather.rain_mm_h > 0.0) {
-      sea_.rain.push_back(
-          {sea_.own_ship, {}, 4.0 * scale.length().in_metres() + 20e3, weather.rain_mm_h, 1});
+      sea_.rain.push_back({sea_.own_ship,
+                           {},
+                           4.0 * scale.length().in_metres() + 20e3,
+                           weather.rain_mm_h,
+                           1,
+                           echo::RainKind::even});
     }
   }
 

@@ -39,7 +39,8 @@ const std::vector<Site>& sites() {
     add("noise", open, [](echo::Scene&) {});
     add("sea", open, [](echo::Scene& s) { s.sea.state = 4.0; });
     add("rain", open, [](echo::Scene& s) {
-      s.rain = {{s.own_ship + PlanePoint{2500.0, 500.0}, {}, 3000.0, 16.0, 1}};
+      s.rain = {
+          {s.own_ship + PlanePoint{2500.0, 500.0}, {}, 3000.0, 16.0, 1, echo::RainKind::even}};
     });
     add("islands", scene_named(made_up, "islands"), [](echo::Scene&) {});
     if (const auto full = scenes::full_scene())

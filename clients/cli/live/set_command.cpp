@@ -85,9 +85,12 @@ void add_rain_options(CLI::App& command, RainOptions& rain, const CLI::Validator
     command.add_option(name, value, text)->check(number)->group(group);
   };
   add("--rain-radius", rain.radius_nm, "Radius, NM, 0.1 to 50; a new one: 2");
-  add("--rain-rate", rain.rate_mm_h, "Rate in its middle, mm/h, 0.1 to 100; a new one: 4");
+  add("--rain-rate", rain.rate_mm_h, "Mean rate where it rains, mm/h, 0.1 to 100; a new one: 4");
   add("--rain-drift", rain.drift_deg, "Drifts to, degrees true, 0 to 360");
   add("--rain-speed", rain.drift_kn, "Drifts at, knots, 0 to 60");
+  command.add_option("--rain-kind", rain.kind, "Its shape; a new one: cell")
+      ->check(CLI::IsMember(rain_kinds()))
+      ->group(group);
   command.add_option("--remove-rain", rain.remove, "Removes the rain cells of these numbers")
       ->group(group);
   command.add_flag("--remove-all-rain", rain.remove_all, "Removes all of them")->group(group);

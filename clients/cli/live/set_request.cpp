@@ -101,11 +101,15 @@ std::optional<std::string> add_blanked(const std::vector<std::string>& texts, wi
   return std::nullopt;
 }
 
+std::vector<std::string> rain_kinds() {
+  return words_of(*wire::RainChange::descriptor()->FindFieldByName("kind"));
+}
+
 std::optional<std::string> add_rain(const RainOptions& options, wire::WorldChange& change) {
   for (const std::uint32_t id : options.remove) change.add_remove_rain(id);
   if (options.remove_all) change.set_remove_all_rain(true);
-  const bool described =
-      options.radius_nm || options.rate_mm_h || options.drift_deg || options.drift_kn;
+  const bool described = options.radius_nm || options.rate_mm_h || options.drift_deg ||
+                         options.drift_kn || !options.kind.empty();
   if (options.add.empty() && !options.change) {
     if (!described) return std::nullopt;
     return "which rain cell? Give --add-rain LATITUDE LONGITUDE or --change-rain NUMBER; skerry "
@@ -123,6 +127,10 @@ std::optional<std::string> add_rain(const RainOptions& options, wire::WorldChang
   if (options.rate_mm_h) rain.set_rate_mm_h(*options.rate_mm_h);
   if (options.drift_deg) rain.set_drift_deg(*options.drift_deg);
   if (options.drift_kn) rain.set_drift_kn(*options.drift_kn);
+  if (!options.kind.empty()) {
+    const FieldDescriptor& kind = *wire::RainChange::descriptor()->FindFieldByName("kind");
+    wire::put_value(rain, kind, number_of(kind, options.kind));
+  }
   return std::nullopt;
 }
 

@@ -34,14 +34,16 @@ struct RainOptions {
   std::vector<double> add, at;  // latitude, longitude
   std::optional<std::uint32_t> change;
   std::optional<double> radius_nm, rate_mm_h, drift_deg, drift_kn;
+  std::string kind;  // a word of rain_kinds(); empty: as it is
   std::vector<std::uint32_t> remove;
   bool remove_all = false;
 
   bool any() const {
     return !add.empty() || change || radius_nm || rate_mm_h || drift_deg || drift_kn ||
-           !remove.empty() || remove_all;
+           !kind.empty() || !remove.empty() || remove_all;
   }
 };
+std::vector<std::string> rain_kinds();  // "cell", "even", ...
 // Returns the fault of the options, if there is one.
 std::optional<std::string> add_rain(const RainOptions& options, wire::WorldChange& change);
 

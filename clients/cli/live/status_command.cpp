@@ -193,8 +193,9 @@ std::string world(const wire::Status& status) {
       world.k_factor(), world.ducting(), switched_off(world)));
   for (const auto& rain : world.rain()) {
     out += with_degree_signs(fmt::format(
-        "RAIN {:<3} {:<27} radius {:g} NM, {:g} mm/h, drifting to {} at {:.1f} kn\n", rain.id(),
-        position_text({rain.latitude_deg(), rain.longitude_deg()}), rain.radius_nm(),
+        "RAIN {:<3} {:<27} {}, radius {:g} NM, {:g} mm/h, drifting to {} at {:.1f} kn\n", rain.id(),
+        position_text({rain.latitude_deg(), rain.longitude_deg()}),
+        wire::word_of(*wire::RainKind_descriptor(), rain.kind()), rain.radius_nm(),
         rain.rate_mm_h(), bearing_text(rain.drift_deg()), rain.drift_kn()));
   }
   return out;

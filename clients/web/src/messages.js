@@ -39,7 +39,7 @@ const SETTINGS_FIELDS = {
 };
 const RainCell = message({
   1: ['id', 'uint32'], 2: ['latitudeDeg', 'double'], 3: ['longitudeDeg', 'double'], 4: ['radiusNm', 'double'],
-  5: ['rateMmH', 'double'], 6: ['driftDeg', 'double'], 7: ['driftKn', 'double'],
+  5: ['rateMmH', 'double'], 6: ['driftDeg', 'double'], 7: ['driftKn', 'double'], 8: ['kind', 'uint32'],
 });
 const WORLD_FIELDS = {
   1: ['scenarioS', 'double'], 2: ['seaState', 'double'], 3: ['windFromDeg', 'double'],
@@ -175,7 +175,7 @@ const CHANGE_FIELDS = {
 };
 const RAIN_FIELDS = {
   id: [1, 'uint32'], latitudeDeg: [2, 'double'], longitudeDeg: [3, 'double'], radiusNm: [4, 'double'],
-  rateMmH: [5, 'double'], driftDeg: [6, 'double'], driftKn: [7, 'double'],
+  rateMmH: [5, 'double'], driftDeg: [6, 'double'], driftKn: [7, 'double'], kind: [8, 'uint32'],
 };
 
 function write(writer, fields, values) {

@@ -22,7 +22,8 @@ std::string text_of(const wire::BlankedSectors& blanked) {
 }
 
 std::string text_of(const wire::RainCell& cell) {
-  return fmt::format("{}: {:.4f} {:.4f}, {:.3g} NM, {:.3g} mm/h, to {:.0f} at {:.3g} kn", cell.id(),
+  return fmt::format("{}: {} at {:.4f} {:.4f}, {:.3g} NM, {:.3g} mm/h, to {:.0f} at {:.3g} kn",
+                     cell.id(), wire::word_of(*wire::RainKind_descriptor(), cell.kind()),
                      cell.latitude_deg(), cell.longitude_deg(), cell.radius_nm(), cell.rate_mm_h(),
                      cell.drift_deg(), cell.drift_kn());
 }

@@ -59,6 +59,7 @@ std::optional<wire::Reply> change_rain(const wire::RainChange& change, ScenarioT
   cloud->since = now;
   if (change.has_radius_nm()) cloud->radius_m = nautical_miles(change.radius_nm()).in_metres();
   if (change.has_rate_mm_h()) cloud->rate_mm_h = change.rate_mm_h();
+  if (change.has_kind()) cloud->kind = rain_kind(change.kind());
   if (change.has_drift_deg()) cloud->course_deg = wrapped_degrees(change.drift_deg());
   if (change.has_drift_kn()) cloud->speed_mps = knots_in_mps(change.drift_kn());
   return std::nullopt;
@@ -104,6 +105,7 @@ wire::World world_message(const Environment& environment, ScenarioTime now) {
     cell.set_longitude_deg(centre.longitude_deg);
     cell.set_radius_nm(metres(cloud.radius_m).in_nautical_miles());
     cell.set_rate_mm_h(cloud.rate_mm_h);
+    cell.set_kind(static_cast<wire::RainKind>(cloud.kind));
     cell.set_drift_deg(cloud.course_deg);
     cell.set_drift_kn(cloud.speed_mps / knots_in_mps(1.0));
   }

@@ -59,7 +59,8 @@ TEST_F(Scenes, HoldEveryKindOfThingWithinReachAndNoneBeyond) {
       "  - {name: raft, position: {lat: 60.04, lon: 5}, sart: true, wake: true, "
       "cross_section_m2: 50}\n"
       "sarts: [{position: {lat: 60.05, lon: 5}}]\n"
-      "rain: [{position: {lat: 60.1, lon: 5}, radius_nm: 1}, {position: {lat: 62, lon: 5}}]\n"
+      "rain: [{position: {lat: 60.1, lon: 5}, radius_nm: 1, kind: shower}, "
+      "{position: {lat: 62, lon: 5}}]\n"
       "wind_turbines: [{position: {lat: 60.02, lon: 5}}]\n"
       "cables: [{from: {lat: 60.01, lon: 4.95}, to: {lat: 60.01, lon: 5.05}}]\n"
       "racons: [{position: {lat: 60.01, lon: 5}, code: BK, sector_from_deg: 90, sector_to_deg: "
@@ -75,6 +76,7 @@ TEST_F(Scenes, HoldEveryKindOfThingWithinReachAndNoneBeyond) {
   EXPECT_EQ(made->sarts.size(), 2u);
   ASSERT_EQ(made->rain.size(), 1u);
   EXPECT_EQ(made->rain[0].radius_m, 1852.0);
+  EXPECT_EQ(made->rain[0].kind, echo::RainKind::shower);
   EXPECT_EQ(made->turbines.size(), 1u);
   EXPECT_EQ(made->cables.size(), 1u);
   ASSERT_EQ(made->racons.size(), 1u);

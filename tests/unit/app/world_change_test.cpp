@@ -66,6 +66,13 @@ TEST(WorldChange, CellsAreAddedAndRemovedByNumbersThatNeverComeAgain) {
   EXPECT_EQ(environment.rain[0].id, 2u);
   EXPECT_EQ(environment.rain[0].from.longitude_deg, -180.0);
   EXPECT_EQ(environment.rain[0].radius_m, 2.0 * 1852.0);
+  EXPECT_EQ(environment.rain[0].kind, echo::RainKind::cell);
+  wire::WorldChange other;
+  other.add_rain()->set_id(2);
+  other.mutable_rain(0)->set_kind(wire::RAIN_SHOWER);
+  EXPECT_FALSE(change_environment(other, kNow, environment));
+  EXPECT_EQ(environment.rain[0].kind, echo::RainKind::shower);
+  EXPECT_EQ(world_message(environment, kNow).rain(0).kind(), wire::RAIN_SHOWER);
   wire::WorldChange clear;
   clear.set_remove_all_rain(true);
   EXPECT_FALSE(change_environment(clear, kNow, environment));

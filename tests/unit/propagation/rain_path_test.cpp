@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "echo/kernel/isa.hpp"
+#include "tests/unit/rain/rain_reference.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -30,6 +31,7 @@ RainCell cloud(double east, double north, double radius, double rate) {
   cell.centre = {east, north};
   cell.radius_m = radius;
   cell.rate_mm_h = rate;
+  cell.kind = RainKind::even;
   return cell;
 }
 
@@ -216,9 +218,113 @@ TEST(RainPath, ADelugeEndsInNoDenormals) {
   }
 }
 
+RainCell field(RainKind kind, double east, double north, double radius, double rate) {
+  RainCell cell = cloud(east, north, radius, rate);
+  cell.kind = kind;
+  cell.velocity = {8.0, -4.0};
+  cell.identity = static_cast<std::uint64_t>(radius);
+  return cell;
+}
+
+// What dims the spoke is the integral of what echoes, and both are the reference's field: its rates
+// summed in steps of a metre with libm.
+TEST(RainPath, TakesAndEchoesOneField) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  double rate_error = 0.0, worst_db = 0.0, own_db = 0.0, greatest_loss = 0.0;
+  RainPath path;
+  for (double nm : {3.0, 6.0, 24.0}) {
+    const RadarModel model = model_of(nm);
+    const RainLaw law = rain_law(model.set.frequency_hz, model.set.polarisation);
+    const double reach = nm * 1852.0, beam = model.set.beam_width_deg * std::numbers::pi / 180.0;
+    for (int trial = 0; trial < 12; ++trial) {
+      Scene scene;
+      scene.time += std::chrono::seconds(1000 * trial);
+      for (int i = 0; i < 3; ++i) {
+        scene.rain.push_back(field(kFractalRain[(trial + i) % 3], (unit(random) - 0.5) * reach,
+                                   (unit(random) - 0.5) * reach,
+                                   std::max(500.0, reach * (0.05 + 0.4 * unit(random))),
+                                   std::pow(40.0, unit(random))));
+      }
+      SpokeAim aim = aim_at(360.0 * unit(random));
+      aim.dt = 0.7;
+      path.lay(scene, model, aim);
+      if (!path.any()) continue;
+      const double bearing = aim.plane_units * (2.0 * std::numbers::pi / 4294967296.0);
+      double greatest = 0.0;
+      std::vector<RainMapPtr> maps;
+      for (RainCell& cell : scene.rain) {
+        maps.push_back(
+            rain_map_for(rain_map_key(cell, in_seconds(scene.time.time_since_epoch()) + aim.dt)));
+        greatest += cell.rate_mm_h * maps.back()->greatest();
+        cell.centre = cell.centre + cell.velocity * aim.dt;
+      }
+      const auto rate_at = [&](double range) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < maps.size(); ++i)
+          sum += rain_rate_at(scene.rain[i], *maps[i], {}, bearing, beam, range);
+        return sum;
+      };
+      double at = 0.0, truth = 0.0, own = 0.0;
+      for (std::size_t i = 0; i < 1024; ++i) {
+        const double range = (static_cast<double>(i) + 0.5) * model.cell_m;
+        const auto echoes = static_cast<double>(path.rate_mm_h()[i]);
+        rate_error = std::max(rate_error, std::fabs(echoes - rate_at(range)) / greatest);
+        for (; at + 1.0 <= range; at += 1.0)
+          truth += 2e-3 * law.k * std::pow(rate_at(at + 0.5), law.alpha);
+        const double cell_db = 2e-3 * law.k * std::pow(echoes, law.alpha) * model.cell_m;
+        const double made = -10.0 * std::log10(static_cast<double>(path.transmission()[i]));
+        if (truth > 180.0) break;
+        worst_db = std::max(worst_db, std::fabs(made - truth) - 0.03 * truth);
+        own_db = std::max(own_db, std::fabs(made - own - 0.5 * cell_db) - 0.02 * made);
+        own += cell_db;
+        greatest_loss = std::max(greatest_loss, truth);
+      }
+    }
+  }
+  std::printf(
+      "rain path, fractal: rate %.4f of the greatest, loss 3 %% and %.4f dB of the integral "
+      "by metres, 2 %% and %.4f dB of that of the rates that echo; up to %.1f dB\n",
+      rate_error, worst_db, own_db, greatest_loss);
+  EXPECT_LT(rate_error, 0.04);
+  EXPECT_LT(worst_db, 0.05);
+  EXPECT_LT(own_db, 0.05);
+  EXPECT_GT(greatest_loss, 10.0);
+}
+
+// Two seconds of drift are two seconds of the area's way: the same bits.  Within a step of the
+// field a ship that drifts with the rain sees the same row.
+TEST(RainPath, TheFieldDriftsWithItsArea) {
+  const RadarModel model = model_of(6.0);
+  for (const RainKind kind : kFractalRain) {
+    Scene scene;
+    scene.rain = {field(kind, 500.0, 5000.0, 4000.0, 16.0)};
+    const auto row = [&](const SpokeAim& aim) {
+      RainPath path;
+      path.lay(scene, model, aim);
+      return std::vector<float>(path.rate_mm_h().begin(), path.rate_mm_h().end());
+    };
+    while (rain_map_key(scene.rain[0], in_seconds(scene.time.time_since_epoch())) !=
+           rain_map_key(scene.rain[0], in_seconds(scene.time.time_since_epoch()) + 2.0))
+      scene.time += std::chrono::seconds(1);
+    SpokeAim aim = aim_at(5.0);
+    const std::vector<float> before = row(aim);
+    aim.dt = 2.0;
+    const std::vector<float> drifted = row(aim);
+    EXPECT_NE(drifted, before);
+    aim.own_ship = scene.rain[0].velocity * 2.0;
+    EXPECT_EQ(row(aim), before);
+    aim = aim_at(5.0);
+    scene.rain[0].centre = scene.rain[0].centre + scene.rain[0].velocity * 2.0;
+    scene.time += std::chrono::seconds(2);
+    EXPECT_EQ(row(aim), drifted);
+  }
+}
+
 TEST(RainPath, HasTheSameBitsOnEveryInstructionSet) {
   Scene scene;
-  scene.rain = {cloud(900.0, 3000.0, 2000.0, 16.0), cloud(-500.0, 7000.0, 1500.0, 50.0)};
+  scene.rain = {cloud(900.0, 3000.0, 2000.0, 16.0), cloud(-500.0, 7000.0, 1500.0, 50.0),
+                field(RainKind::cell, 0.0, 5000.0, 3000.0, 8.0)};
   const RadarModel model = model_of(6.0);
   std::vector<float> rates, ways;
   for (Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {

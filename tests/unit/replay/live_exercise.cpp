@@ -76,6 +76,7 @@ class Changer {
         rain.set_latitude_deg(60.43);
         rain.set_longitude_deg(5.03);
         rain.set_rate_mm_h(1.0 + random(20));
+        rain.set_kind(static_cast<wire::RainKind>(random(4)));
         rain.set_drift_kn(random(40));
       }
     }

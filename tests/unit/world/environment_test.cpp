@@ -21,7 +21,8 @@ TEST(Environment, IsThatOfTheScenario) {
   const World world = world_with(
       "sea: {state: 3.5, wind_from_deg: 360, swell: {height_m: 2, period_s: 9, from_deg: 270}}\n"
       "atmosphere: {k_factor: 1.1, ducting: 0.25}\n"
-      "rain: [{position: {lat: 60, lon: 5}, radius_nm: 1, rate_mm_h: 16}]\n"
+      "rain: [{position: {lat: 60, lon: 5}, radius_nm: 1, rate_mm_h: 16}, {position: {lat: 60, "
+      "lon: 5}, kind: squall_line}, {position: {lat: 60, lon: 5}, kind: even}]\n"
       "artefacts: {side_lobes: false}");
   const Environment& environment = *world.environment();
   EXPECT_EQ(environment.sea.state, 3.5);
@@ -30,8 +31,11 @@ TEST(Environment, IsThatOfTheScenario) {
   EXPECT_EQ(environment.sea.swell.from_deg, 270.0);
   EXPECT_EQ(environment.atmosphere.k_factor, 1.1);
   EXPECT_EQ(environment.atmosphere.ducting, 0.25);
-  ASSERT_EQ(environment.rain.size(), 1u);
+  ASSERT_EQ(environment.rain.size(), 3u);
   EXPECT_EQ(environment.rain[0].id, 1u);
+  EXPECT_EQ(environment.rain[0].kind, echo::RainKind::cell);
+  EXPECT_EQ(environment.rain[1].kind, echo::RainKind::squall_line);
+  EXPECT_EQ(environment.rain[2].kind, echo::RainKind::even);
   EXPECT_EQ(environment.rain[0].radius_m, 1852.0);
   EXPECT_FALSE(environment.artefacts.side_lobes);
   EXPECT_TRUE(environment.artefacts.antenna_motion);

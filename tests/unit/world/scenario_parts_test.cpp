@@ -168,6 +168,13 @@ TEST(ScenarioWeather, IsRefusedByNameWithTheRange) {
             "6:24: atmosphere.k_factor: .nan is not a finite number; allowed: 0.8 to 4"},
            {"rain: [{position: {lat: 60, lon: 5}, rate_mm_h: 1000}]",
             "6:49: rain[0].rate_mm_h: 1000 is out of range; allowed: 0.1 to 100 mm/h"},
+           {"rain: [{position: {lat: 60, lon: 5}, kind: drizzle}]",
+            "6:44: rain[0].kind: expected one of cell, even, shower, "
+            "squall_line, given drizzle"},
+           {"rain: [{position: {lat: 60, lon: 5}, radius_nm: -2}]",
+            "6:49: rain[0].radius_nm: -2 is out of range; allowed: 0.1 to 50 NM"},
+           {"rain: [{position: {lat: 60, lon: 5}, drift_kn: .nan}]",
+            "6:48: rain[0].drift_kn: .nan is not a finite number; allowed: 0 to 60 kn"},
            {"rain: [{radius_nm: 1}]", "6:8: rain[0].position: missing; expected keys and values"},
            {"artefacts: {sidelobes: false}",
             "6:13: artefacts.sidelobes: unknown key; did you mean \"side_lobes\"?"},

@@ -139,7 +139,7 @@ test('controls, views and the world are written as the schema reads them', () =>
   const { set } = ClientMessage.decodeDelimited(encodeSet(8, 0, 2, {
     seaAuto: true, transmit: false, pulse: 0, decimation: 1, tune: 0,
     world: { seaState: 0, ducting: 0.5, sideLobes: false, removeRain: [3, 300],
-      rain: [{ id: 0, latitudeDeg: 60.4, longitudeDeg: -5.1, rateMmH: 16 }, { id: 2, driftKn: 0 }] },
+      rain: [{ id: 0, latitudeDeg: 60.4, longitudeDeg: -5.1, rateMmH: 16, kind: 3 }, { id: 2, driftKn: 0 }] },
   }));
   assert.deepEqual([set.view, set.seaAuto, set.transmit, set.pulse, set.decimation, set.tune], [2, true, false, 0, 1, 0]);
   for (const name of ['_transmit', '_pulse', '_tune']) assert.ok(set[name], `${name} is present though zero`);
@@ -147,7 +147,7 @@ test('controls, views and the world are written as the schema reads them', () =>
   const { world } = set;
   assert.deepEqual([world.seaState, world.ducting, world.sideLobes, [...world.removeRain]], [0, 0.5, false, [3, 300]]);
   assert.ok(world._seaState && world._sideLobes && !world._windFromDeg && !world._interference);
-  assert.deepEqual([world.rain[0].id, world.rain[0].latitudeDeg, world.rain[0].longitudeDeg, world.rain[0].rateMmH], [0, 60.4, -5.1, 16]);
+  assert.deepEqual([world.rain[0].id, world.rain[0].latitudeDeg, world.rain[0].longitudeDeg, world.rain[0].rateMmH, world.rain[0].kind], [0, 60.4, -5.1, 16, 3]);
   assert.ok(world.rain[1]._driftKn && !world.rain[1]._rateMmH);
 });
 
@@ -189,8 +189,9 @@ test('settings of a server that knows fewer controls are no standby', () => {
 });
 
 test('a world is read whole, and refused with a number that is none', () => {
-  const [{ world }] = decode(frame({ world: { seaState: 3.5, sideLobes: true, rain: [{ id: 4, rateMmH: 8 }] } }));
-  assert.deepEqual([world.seaState, world.sideLobes, world.interference, world.rain[0].id, world.rain[0].rateMmH], [3.5, true, false, 4, 8]);
+  const [{ world }] = decode(frame({ world: { seaState: 3.5, sideLobes: true, rain: [{ id: 4, rateMmH: 8, kind: 2 }] } }));
+  assert.deepEqual([world.seaState, world.sideLobes, world.interference, world.rain[0].id, world.rain[0].rateMmH, world.rain[0].kind],
+    [3.5, true, false, 4, 8, 2]);
   refused(frame({ world: { rain: [{ id: 1, radiusNm: NaN }] } }), 'out_of_range');
 });
 
