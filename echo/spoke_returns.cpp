@@ -72,7 +72,7 @@ struct SpokeReturns::Contributors {
   void make_rows(const Scene& scene, std::uint64_t first, std::uint32_t count, std::uint32_t into);
   void look_at_weather(const Scene& scene);
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
-  // Land on empty rows, and where it leaves no water.
+  // Land alone, and where it leaves no water.
   void lay_land(const Scene& scene, const SpokeAim& aim, std::span<float> row,
                 std::vector<CellRun>& no_water) const;
   void look_for_water(std::uint32_t count);
@@ -163,13 +163,15 @@ void SpokeReturns::Contributors::prepare(const Scene& scene, std::uint64_t first
 void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& aim,
                                           std::span<float> row,
                                           std::vector<CellRun>& no_water) const {
-  std::fill(row.begin(), row.end(), 0.0f);
-  no_water.clear();
-  if (statics.empty()) return;
+  if (statics.empty()) {
+    std::fill(row.begin(), row.end(), 0.0f);
+    no_water.clear();
+    return;
+  }
   const auto speckle = land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
                                           aim.index, model.geometry.spokes_per_turn},
                                          model.geometry.cells);
-  statics.add(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
+  statics.lay(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
 }
 
 // Looks for all spokes together.

@@ -48,18 +48,12 @@ inline __attribute__((always_inline)) float moved(const PackedPower* row, const 
 }
 
 constexpr std::int32_t kRunLanes = 16;
+static_assert(kRunLanes <= static_cast<std::int32_t>(kRowPadding));
 
 // Parts of rows are short: whole blocks, of which what does not count adds nothing, save the
 // last cells of all, one by one.
-template <bool kSpeckled>
-inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict runs,
-                                                    std::size_t run_count,
-                                                    const float* __restrict speckle, float share,
-                                                    float* __restrict all, std::int32_t room) {
-  const float steady = 1.0f - share;
-  const auto factor = [&](std::int32_t i) {
-    return kSpeckled ? steady + share * speckle[i] : 1.0f;
-  };
+SKERRY_KERNEL_BODY add_mean_body(const MovedRun* __restrict runs, std::size_t run_count,
+                                 float* __restrict all, std::int32_t room) {
   for (std::size_t r = 0; r < run_count; ++r) {
     const RowShift s = runs[r].shift;
     const PackedPower* __restrict row = runs[r].row;
@@ -69,7 +63,7 @@ inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict r
     for (; i < count && first + i + kRunLanes <= room; i += kRunLanes) {
       float sum[kRunLanes];
       for (std::int32_t k = 0; k < kRunLanes; ++k) {
-        const float value = moved(row, s, i + k) * factor(first + i + k);
+        const float value = moved(row, s, i + k);
         // All ones where it counts: a branch here would keep the loop from the vector units.
         const auto counts = static_cast<std::uint32_t>((i + k - count) >> 31);
         sum[k] =
@@ -77,29 +71,39 @@ inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict r
       }
       std::memcpy(all + first + i, sum, sizeof(sum));
     }
-    for (; i < count; ++i) all[first + i] += moved(row, s, i) * factor(first + i);
+    for (; i < count; ++i) all[first + i] += moved(row, s, i);
   }
 }
+SKERRY_NARROW_KERNEL(add_mean,
+                     (const MovedRun* __restrict runs, std::size_t run_count,
+                      float* __restrict power, std::int32_t room),
+                     (runs, run_count, power, room))
 
-SKERRY_KERNEL_BODY add_mean_body(const MovedRun* runs, std::size_t run_count, float* power,
-                                 std::int32_t room) {
-  add_runs<false>(runs, run_count, nullptr, 0.0f, power, room);
+// Whole blocks, of which what does not count is overwritten by what comes behind.
+SKERRY_KERNEL_BODY lay_runs_body(const MovedRun* __restrict runs, std::size_t run_count,
+                                 const float* __restrict speckle, float share,
+                                 float* __restrict power, std::size_t cells) {
+  const float steady = 1.0f - share;
+  std::size_t laid = 0;
+  for (std::size_t r = 0; r < run_count; ++r) {
+    const RowShift s = runs[r].shift;
+    const PackedPower* __restrict row = runs[r].row;
+    const std::size_t first = runs[r].first, count = runs[r].count;
+    if (laid < first) std::memset(power + laid, 0, (first - laid) * sizeof(float));
+    const float* __restrict from = speckle + first;
+    float* __restrict to = power + first;
+    const std::int32_t blocks = (static_cast<std::int32_t>(count) + kRunLanes - 1) / kRunLanes;
+    for (std::int32_t i = 0; i < blocks * kRunLanes; ++i)
+      to[i] = moved(row, s, i) * (steady + share * from[i]);
+    laid = first + count;
+  }
+  std::memset(power + laid, 0, (cells - laid) * sizeof(float));
 }
-SKERRY_KERNEL(add_mean,
-              (const MovedRun* __restrict runs, std::size_t run_count, float* __restrict power,
-               std::int32_t room),
-              (runs, run_count, power, room))
-
-SKERRY_KERNEL_BODY add_speckled_body(const MovedRun* runs, std::size_t run_count,
-                                     const float* speckle, float share, float* power,
-                                     std::int32_t room) {
-  add_runs<true>(runs, run_count, speckle, share, power, room);
-}
-SKERRY_KERNEL(add_speckled,
-              (const MovedRun* __restrict runs, std::size_t run_count,
-               const float* __restrict speckle, float share, float* __restrict power,
-               std::int32_t room),
-              (runs, run_count, speckle, share, power, room))
+SKERRY_NARROW_KERNEL(lay_runs,
+                     (const MovedRun* __restrict runs, std::size_t run_count,
+                      const float* __restrict speckle, float share, float* __restrict power,
+                      std::size_t cells),
+                     (runs, run_count, speckle, share, power, cells))
 
 }  // namespace
 
@@ -112,10 +116,9 @@ void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept 
   add_mean(runs.data(), runs.size(), power.data(), static_cast<std::int32_t>(power.size()));
 }
 
-void add_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
+void lay_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
                std::span<float> power) noexcept {
-  add_speckled(runs.data(), runs.size(), speckle.data(), share, power.data(),
-               static_cast<std::int32_t>(power.size()));
+  lay_runs(runs.data(), runs.size(), speckle.data(), share, power.data(), power.size());
 }
 
 double unpacked_reference(PackedPower packed) {

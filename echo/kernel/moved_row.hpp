@@ -1,5 +1,4 @@
-// Rows of mean power, packed in half the space and added back at another range, with or without
-// speckle.
+// Rows of mean power, packed in half the space and laid at another range, with or without speckle.
 #pragma once
 
 #include <cstddef>
@@ -40,16 +39,19 @@ struct MovedRun {
 inline constexpr std::size_t kRowPadding = 16;
 
 // power[first + i] += (near_weight row[i] + far_weight row[i + 1]) (gain + gain_step i) of each
-// run, for i < its count; the second form times (1 - share + share speckle[first + i]) as well.
-// Reads count + kRowPadding cells of each row.  Requires first + count <= power.size() <=
-// speckle.size(); the cells behind a run stay as they are, but they are written: no two threads on
-// one row.  Error: four float roundings, six of the second form.  Held by
-// MovedRow.IsAddedAsItsReferenceHasIt.
+// run, for i < its count.  Reads count + kRowPadding cells of each row.  Requires first + count <=
+// power.size(); the cells behind a run stay as they are, but they are written: no two threads on
+// one row.  Error: four float roundings.  Held by MovedRow.IsAddedAsItsReferenceHasIt.
 void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept;
-void add_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
+
+// Sets power[c] of all cells: to the same times 1 - share + share speckle[c] where a run lies, and
+// to 0 elsewhere.  Requires runs that lie apart, nearest first, and speckle.size() >= power.size();
+// both rows have kRowPadding floats behind their last cell, which those of `power` do not keep.
+// Error: six float roundings.  Held by MovedRow.IsLaidAsItsReferenceHasIt.
+void lay_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
                std::span<float> power) noexcept;
 
-// Twins in double; of the first, without speckle.
+// Twins in double; without speckle where there is none.
 double unpacked_reference(PackedPower packed);
 void add_moved_reference(std::span<const MovedRun> runs, std::span<const float> speckle,
                          float share, std::span<double> power);

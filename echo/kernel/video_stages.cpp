@@ -21,10 +21,10 @@ SKERRY_KERNEL_BODY mean_of_two_body(const std::uint8_t* a, std::size_t shift,
   const std::uint8_t* b = a - shift;
   for (std::size_t i = 0; i < n; ++i) out[i] = mean_up(a[i], b[i]);
 }
-SKERRY_KERNEL(mean_of_two,
-              (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
-               std::size_t n),
-              (a, shift, out, n))
+SKERRY_NARROW_KERNEL(mean_of_two,
+                     (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
+                      std::size_t n),
+                     (a, shift, out, n))
 
 // Two steps of doubling at once.
 SKERRY_KERNEL_BODY mean_of_four_body(const std::uint8_t* a, std::size_t shift,
@@ -32,10 +32,10 @@ SKERRY_KERNEL_BODY mean_of_four_body(const std::uint8_t* a, std::size_t shift,
   const std::uint8_t *b = a - shift, *c = b - shift, *d = c - shift;
   for (std::size_t i = 0; i < n; ++i) out[i] = mean_down(mean_up(a[i], b[i]), mean_up(c[i], d[i]));
 }
-SKERRY_KERNEL(mean_of_four,
-              (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
-               std::size_t n),
-              (a, shift, out, n))
+SKERRY_NARROW_KERNEL(mean_of_four,
+                     (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
+                      std::size_t n),
+                     (a, shift, out, n))
 
 SKERRY_KERNEL_BODY take_share_body(std::uint8_t* __restrict video, const std::uint8_t* mean,
                                    std::uint16_t weight, std::size_t n) {
@@ -45,10 +45,10 @@ SKERRY_KERNEL_BODY take_share_body(std::uint8_t* __restrict video, const std::ui
     video[i] = static_cast<std::uint8_t>(video[i] > share ? video[i] - share : 0);
   }
 }
-SKERRY_KERNEL(take_share,
-              (std::uint8_t* __restrict video, const std::uint8_t* mean, std::uint16_t weight,
-               std::size_t n),
-              (video, mean, weight, n))
+SKERRY_NARROW_KERNEL(take_share,
+                     (std::uint8_t* __restrict video, const std::uint8_t* mean,
+                      std::uint16_t weight, std::size_t n),
+                     (video, mean, weight, n))
 
 template <int kReach>
 inline __attribute__((always_inline)) void largest_within(const std::uint8_t* row,
@@ -64,13 +64,13 @@ inline __attribute__((always_inline)) void largest_within(const std::uint8_t* ro
     out[i] = largest;
   }
 }
-#define SKERRY_LARGEST_KERNEL(name, reach)                                                    \
-  SKERRY_KERNEL_BODY name##_body(const std::uint8_t* row, std::uint8_t* __restrict out,       \
-                                 std::size_t n) {                                             \
-    largest_within<reach>(row, out, n);                                                       \
-  }                                                                                           \
-  SKERRY_KERNEL(name, (const std::uint8_t* row, std::uint8_t* __restrict out, std::size_t n), \
-                (row, out, n))
+#define SKERRY_LARGEST_KERNEL(name, reach)                                              \
+  SKERRY_KERNEL_BODY name##_body(const std::uint8_t* row, std::uint8_t* __restrict out, \
+                                 std::size_t n) {                                       \
+    largest_within<reach>(row, out, n);                                                 \
+  }                                                                                     \
+  SKERRY_NARROW_KERNEL(                                                                 \
+      name, (const std::uint8_t* row, std::uint8_t* __restrict out, std::size_t n), (row, out, n))
 SKERRY_LARGEST_KERNEL(largest_within_1, 1)
 SKERRY_LARGEST_KERNEL(largest_within_2, 2)
 SKERRY_LARGEST_KERNEL(largest_within_3, 3)

@@ -360,14 +360,13 @@ void StaticReturns::prepare(const Scene& scene, std::uint64_t first, std::uint32
   frames_->prepare(scene, first, count);
 }
 bool StaticReturns::empty() const { return frames_->empty(); }
-bool StaticReturns::add(const SpokeAim& aim, std::span<const float> speckle, float share,
+void StaticReturns::lay(const SpokeAim& aim, std::span<const float> speckle, float share,
                         std::span<float> power, std::vector<CellRun>& dry) const {
-  dry.clear();
-  if (frames_->empty()) return false;
   thread_local std::vector<MovedRun> runs;
-  frames_->find(aim, runs, dry);
-  add_moved(runs, speckle, share, power);
-  return !runs.empty();
+  runs.clear();
+  dry.clear();
+  if (!frames_->empty()) frames_->find(aim, runs, dry);
+  lay_moved(runs, speckle, share, power);
 }
 bool StaticReturns::add(const SpokeAim& aim, std::span<float> power,
                         std::vector<CellRun>& dry) const {

@@ -50,15 +50,16 @@ class StaticReturns {
   // Whether nothing of all this is in the last prepared scene; then the rest does nothing.
   bool empty() const;
 
-  // Adds the echoes of that spoke to power[i], signal-to-noise ratios: the mean times
-  // 1 - share + share * speckle[i], and sets `dry` to the runs of cells that show no sea: land, and
-  // water hidden behind it; nearest first, apart; none over open water.  dry is that of the middle
-  // of the beam.  Returns false, nothing added, where nothing echoes.  Requires power.size() to be
-  // the radar's cells, speckle.size() at least that.  Thread: any, after prepare().
-  bool add(const SpokeAim& aim, std::span<const float> speckle, float share, std::span<float> power,
-           std::vector<CellRun>& dry) const;
-  // The mean alone.
+  // Adds the echoes of that spoke to power[i], signal-to-noise ratios, and sets `dry` to the runs
+  // of cells that show no sea: land, and water hidden behind it; nearest first, apart; none over
+  // open water.  dry is that of the middle of the beam.  Returns false, nothing added, where
+  // nothing echoes.  Requires power.size() to be the radar's cells.  Thread: any, after prepare().
   bool add(const SpokeAim& aim, std::span<float> power, std::vector<CellRun>& dry) const;
+  // Sets power[i] to the same times 1 - share + share * speckle[i], or to 0 where nothing echoes.
+  // Requires speckle.size() >= power.size(), and kRowPadding floats more behind either, which are
+  // not kept behind power.
+  void lay(const SpokeAim& aim, std::span<const float> speckle, float share, std::span<float> power,
+           std::vector<CellRun>& dry) const;
 
   // Height over the water below which land hides what is at that place, metres; 0 over open water
   // and within sight.  From where the antenna was in the middle of the last sector.  The Earth's
