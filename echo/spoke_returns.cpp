@@ -17,6 +17,7 @@
 #include "echo/kernel/aligned_floats.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/moved_row.hpp"
 #include "echo/kernel/power_stages.hpp"
 #include "echo/propagation/propagation.hpp"
 #include "echo/propagation/rain_path.hpp"
@@ -63,6 +64,7 @@ struct SpokeReturns::Contributors {
         saturation(radar),
         pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u),
         looks(kMaxSector),
+        land(kMaxSector),
         dry(kMaxSector) {
     const SpeckleLengths lengths = speckle_lengths(radar, kLandLifetime);
     land_speckle = speckle_for(lengths.spokes, lengths.cells);
@@ -72,16 +74,14 @@ struct SpokeReturns::Contributors {
   void make_rows(const Scene& scene, std::uint64_t first, std::uint32_t count, std::uint32_t into);
   void look_at_weather(const Scene& scene);
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
-  // Land alone, and where it leaves no water.
-  void lay_land(const Scene& scene, const SpokeAim& aim, std::span<float> row,
-                std::vector<CellRun>& no_water) const;
+  void lay_land(const Scene& scene, const SpokeAim& aim, std::span<const MovedRun> runs,
+                std::span<float> row) const;
   void look_for_water(std::uint32_t count);
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
-  // And all else.
   void add_beacons(const SpokeAim& aim, std::span<float> row) const;
-  // `closing`: empty where speeds are not wanted.
-  void make_row(const Scene& scene, const Look& look, std::span<const CellRun> no_water,
-                std::span<float> row, std::span<float> closing) const;
+  // Of the k-th spoke.  `closing`: empty where speeds are not wanted.
+  void make_row(const Scene& scene, std::size_t k, std::span<float> row,
+                std::span<float> closing) const;
 
   RadarModel model;
   ParallelFor parallel;
@@ -112,8 +112,10 @@ struct SpokeReturns::Contributors {
   std::size_t pitch;
   AlignedFloats rows, closing_rows;
   std::vector<Look> looks;
-  std::vector<std::vector<CellRun>> dry;  // of each spoke
-  std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
+  // Of each spoke: echoes of land, and where no water is seen.
+  std::vector<std::vector<MovedRun>> land;
+  std::vector<std::vector<CellRun>> dry;
+  std::vector<std::uint8_t> wet;  // for SeaReturns::prepare
   std::vector<PointEcho> points, false_points;
 
   std::uint64_t made_first = 0, made_end = 0;  // spokes of `rows`
@@ -161,17 +163,16 @@ void SpokeReturns::Contributors::prepare(const Scene& scene, std::uint64_t first
 }
 
 void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& aim,
-                                          std::span<float> row,
-                                          std::vector<CellRun>& no_water) const {
-  if (statics.empty()) {
+                                          std::span<const MovedRun> runs,
+                                          std::span<float> row) const {
+  if (runs.empty()) {
     std::fill(row.begin(), row.end(), 0.0f);
-    no_water.clear();
     return;
   }
   const auto speckle = land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
                                           aim.index, model.geometry.spokes_per_turn},
-                                         model.geometry.cells);
-  statics.lay(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
+                                         runs.back().first + runs.back().count, runs.front().first);
+  lay_moved(runs, speckle, static_cast<float>(1.0 - kSteadyLand), row);
 }
 
 // Looks for all spokes together.
@@ -215,11 +216,12 @@ void SpokeReturns::Contributors::add_beacons(const SpokeAim& aim, std::span<floa
   for (std::size_t i = 0; i < row.size(); ++i) row[i] += gain * heard[i];
 }
 
-void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
-                                          std::span<const CellRun> no_water, std::span<float> row,
+void SpokeReturns::Contributors::make_row(const Scene& scene, std::size_t k, std::span<float> row,
                                           std::span<float> closing) const {
+  const Look& look = looks[k];
   const SpokeAim& aim = look.aim;
-  if (sea.any()) add_sea(aim, no_water, row);
+  lay_land(scene, aim, land[k], row);
+  if (sea.any()) add_sea(aim, dry[k], row);
   if (targets.shadows().any()) targets.shadows().apply(aim, row);
   splat.add(aim, row);
   if (!closing.empty()) speeds->find(aim, row, closing);
@@ -302,11 +304,12 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
     return speeds ? std::span(closing_rows).subspan((into + k) * pitch, model.geometry.cells)
                   : std::span<float>{};
   };
-  // The sea's waves are made only where some spoke sees water.
-  parallel(count, [&](std::size_t k) { lay_land(scene, looks[k].aim, row(k), dry[k]); });
+  // The sea's waves are made only where some spoke sees water.  Then each row is made in one go, in
+  // the nearest cache.
+  parallel(count, [&](std::size_t k) { statics.find(looks[k].aim, land[k], dry[k]); });
   look_for_water(count);
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
-  parallel(count, [&](std::size_t k) { make_row(scene, looks[k], dry[k], row(k), closing(k)); });
+  parallel(count, [&](std::size_t k) { make_row(scene, k, row(k), closing(k)); });
 }
 
 }  // namespace skerry::echo

@@ -45,8 +45,8 @@ inline constexpr std::size_t kRowPadding = 16;
 void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept;
 
 // Sets power[c] of all cells: to the same times 1 - share + share speckle[c] where a run lies, and
-// to 0 elsewhere.  Requires runs that lie apart, nearest first, and speckle.size() >= power.size();
-// both rows have kRowPadding floats behind their last cell, which those of `power` do not keep.
+// to 0 elsewhere.  Requires runs that lie apart, nearest first; speckle holds what the last one
+// needs, and both rows have kRowPadding floats more, which those of `power` do not keep.
 // Error: six float roundings.  Held by MovedRow.IsLaidAsItsReferenceHasIt.
 void lay_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
                std::span<float> power) noexcept;

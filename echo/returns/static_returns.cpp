@@ -82,8 +82,6 @@ class StaticReturns::Frames {
 
   // Finds the echoes of a spoke, and the cells that show no sea.
   void find(const SpokeAim& aim, std::vector<MovedRun>& runs, std::vector<CellRun>& dry) const {
-    runs.clear();
-    dry.clear();
     for_each(aim, [&](const RowPart& part) {
       now_->find(part, runs);
       add_dry(part, dry);
@@ -360,20 +358,16 @@ void StaticReturns::prepare(const Scene& scene, std::uint64_t first, std::uint32
   frames_->prepare(scene, first, count);
 }
 bool StaticReturns::empty() const { return frames_->empty(); }
-void StaticReturns::lay(const SpokeAim& aim, std::span<const float> speckle, float share,
-                        std::span<float> power, std::vector<CellRun>& dry) const {
-  thread_local std::vector<MovedRun> runs;
+void StaticReturns::find(const SpokeAim& aim, std::vector<MovedRun>& runs,
+                         std::vector<CellRun>& dry) const {
   runs.clear();
   dry.clear();
   if (!frames_->empty()) frames_->find(aim, runs, dry);
-  lay_moved(runs, speckle, share, power);
 }
 bool StaticReturns::add(const SpokeAim& aim, std::span<float> power,
                         std::vector<CellRun>& dry) const {
-  dry.clear();
-  if (frames_->empty()) return false;
   thread_local std::vector<MovedRun> runs;
-  frames_->find(aim, runs, dry);
+  find(aim, runs, dry);
   add_moved(runs, power);
   return !runs.empty();
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/kernel/moved_row.hpp"
 #include "echo/kernel/parallel_for.hpp"
 #include "echo/radar/radar_model.hpp"
 #include "echo/returns/hidden_water.hpp"
@@ -55,11 +56,9 @@ class StaticReturns {
   // open water.  dry is that of the middle of the beam.  Returns false, nothing added, where
   // nothing echoes.  Requires power.size() to be the radar's cells.  Thread: any, after prepare().
   bool add(const SpokeAim& aim, std::span<float> power, std::vector<CellRun>& dry) const;
-  // Sets power[i] to the same times 1 - share + share * speckle[i], or to 0 where nothing echoes.
-  // Requires speckle.size() >= power.size(), and kRowPadding floats more behind either, which are
-  // not kept behind power.
-  void lay(const SpokeAim& aim, std::span<const float> speckle, float share, std::span<float> power,
-           std::vector<CellRun>& dry) const;
+  // The same in two steps: sets `runs` to the echoes, for lay_moved(), and `dry`; both are empty
+  // where empty().  The runs are valid until the next prepare().
+  void find(const SpokeAim& aim, std::vector<MovedRun>& runs, std::vector<CellRun>& dry) const;
 
   // Height over the water below which land hides what is at that place, metres; 0 over open water
   // and within sight.  From where the antenna was in the middle of the last sector.  The Earth's
