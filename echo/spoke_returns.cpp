@@ -1,6 +1,7 @@
 #include "echo/spoke_returns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -45,6 +46,13 @@ struct SpokeReturns::Contributors {
     SpokeAim aim;  // as the antenna, swayed with the ship, sees it
     Motion motion;
   };
+  // Land of one or two spokes, `first` the first of them: its echoes, and where no water is seen.
+  struct LandShare {
+    std::uint32_t first = 0, count = 0;
+    SpokeAim aim;  // their middle
+    std::vector<MovedRun> runs;
+    std::vector<CellRun> dry;
+  };
 
   Contributors(const RadarModel& radar, ParallelFor in_parallel)
       : model(radar),
@@ -64,8 +72,7 @@ struct SpokeReturns::Contributors {
         saturation(radar),
         pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u),
         looks(kMaxSector),
-        land(kMaxSector),
-        dry(kMaxSector) {
+        land(kMaxSector) {
     const SpeckleLengths lengths = speckle_lengths(radar, kLandLifetime);
     land_speckle = speckle_for(lengths.spokes, lengths.cells);
   }
@@ -74,14 +81,17 @@ struct SpokeReturns::Contributors {
   void make_rows(const Scene& scene, std::uint64_t first, std::uint32_t count, std::uint32_t into);
   void look_at_weather(const Scene& scene);
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
-  void lay_land(const Scene& scene, const SpokeAim& aim, std::span<const MovedRun> runs,
-                std::span<float> row) const;
-  void look_for_water(std::uint32_t count);
+  void share_land(std::uint32_t count);
+  SpeckledRow speckled_row(const Scene& scene, std::size_t k, std::span<const MovedRun> runs,
+                           std::span<float> row) const;
+  void lay_land(const Scene& scene, const LandShare& share,
+                std::span<const std::span<float>> row) const;
+  void look_for_water();
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
   void add_beacons(const SpokeAim& aim, std::span<float> row) const;
-  // Of the k-th spoke.  `closing`: empty where speeds are not wanted.
-  void make_row(const Scene& scene, std::size_t k, std::span<float> row,
-                std::span<float> closing) const;
+  // What comes to the land.  `closing`: empty where speeds are not wanted.
+  void make_row(const Scene& scene, const Look& look, std::span<const CellRun> no_water,
+                std::span<float> row, std::span<float> closing) const;
 
   RadarModel model;
   ParallelFor parallel;
@@ -112,9 +122,8 @@ struct SpokeReturns::Contributors {
   std::size_t pitch;
   AlignedFloats rows, closing_rows;
   std::vector<Look> looks;
-  // Of each spoke: echoes of land, and where no water is seen.
-  std::vector<std::vector<MovedRun>> land;
-  std::vector<std::vector<CellRun>> dry;
+  std::vector<LandShare> land;  // the first `shares` of them
+  std::size_t shares = 0;
   std::vector<std::uint8_t> wet;  // for SeaReturns::prepare
   std::vector<PointEcho> points, false_points;
 
@@ -162,30 +171,61 @@ void SpokeReturns::Contributors::prepare(const Scene& scene, std::uint64_t first
   beacons.prepare(scene, *propagation, from, to, hidden);
 }
 
-void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& aim,
-                                          std::span<const MovedRun> runs,
-                                          std::span<float> row) const {
+// Joins spokes to those that share their land.  An antenna that sways looks where it will.
+void SpokeReturns::Contributors::share_land(std::uint32_t count) {
+  const std::uint32_t most = statics.spokes_to_a_row();
+  const auto half_spoke = static_cast<std::uint32_t>(0x80000000u / model.geometry.spokes_per_turn);
+  shares = 0;
+  for (std::uint32_t k = 0; k < count; ++shares) {
+    LandShare& share = land[shares];
+    share.first = k;
+    share.aim = looks[k].aim;
+    share.count = 1;
+    const bool shared = most > 1 && !looks[k].motion.moves;
+    if (shared && share.aim.spoke % 2 == 0 && k + 1 < count && !looks[k + 1].motion.moves)
+      share.count = 2;
+    if (shared) share.aim.plane_units += share.aim.spoke % 2 == 0 ? half_spoke : 0 - half_spoke;
+    k += share.count;
+  }
+}
+
+SpeckledRow SpokeReturns::Contributors::speckled_row(const Scene& scene, std::size_t k,
+                                                     std::span<const MovedRun> runs,
+                                                     std::span<float> row) const {
+  const SpokeAim& aim = looks[k].aim;
+  return {land_speckle->packed_row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
+                                    aim.index, model.geometry.spokes_per_turn},
+                                   runs.back().first + runs.back().count, runs.front().first),
+          row};
+}
+
+void SpokeReturns::Contributors::lay_land(const Scene& scene, const LandShare& share,
+                                          std::span<const std::span<float>> row) const {
+  constexpr auto kFluctuates = static_cast<float>(1.0 - kSteadyLand);
+  const std::vector<MovedRun>& runs = share.runs;
   if (runs.empty()) {
-    std::fill(row.begin(), row.end(), 0.0f);
+    for (std::uint32_t j = 0; j < share.count; ++j) std::fill(row[j].begin(), row[j].end(), 0.0f);
     return;
   }
-  const auto speckle = land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
-                                          aim.index, model.geometry.spokes_per_turn},
-                                         runs.back().first + runs.back().count, runs.front().first);
-  lay_moved(runs, speckle, static_cast<float>(1.0 - kSteadyLand), row);
+  const SpeckledRow first = speckled_row(scene, share.first, runs, row[0]);
+  if (share.count == 1) {
+    lay_moved(runs, kFluctuates, first);
+  } else {
+    lay_moved(runs, kFluctuates, first, speckled_row(scene, share.first + 1, runs, row[1]));
+  }
 }
 
 // Looks for all spokes together.
-void SpokeReturns::Contributors::look_for_water(std::uint32_t count) {
+void SpokeReturns::Contributors::look_for_water() {
   wet.assign((model.geometry.cells + SeaReturns::kWetCells - 1) / SeaReturns::kWetCells, 0);
-  for (std::uint32_t k = 0; k < count; ++k) {
+  for (const LandShare& share : std::span(land).first(shares)) {
     std::size_t from = 0;
     const auto mark = [&](std::size_t end) {
       if (from >= end) return;
       for (std::size_t b = from / SeaReturns::kWetCells; b * SeaReturns::kWetCells < end; ++b)
         wet[b] = 1;
     };
-    for (const CellRun& run : dry[k]) {
+    for (const CellRun& run : share.dry) {
       mark(run.first);
       from = std::max<std::size_t>(from, run.last);
     }
@@ -216,12 +256,11 @@ void SpokeReturns::Contributors::add_beacons(const SpokeAim& aim, std::span<floa
   for (std::size_t i = 0; i < row.size(); ++i) row[i] += gain * heard[i];
 }
 
-void SpokeReturns::Contributors::make_row(const Scene& scene, std::size_t k, std::span<float> row,
+void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
+                                          std::span<const CellRun> no_water, std::span<float> row,
                                           std::span<float> closing) const {
-  const Look& look = looks[k];
   const SpokeAim& aim = look.aim;
-  lay_land(scene, aim, land[k], row);
-  if (sea.any()) add_sea(aim, dry[k], row);
+  if (sea.any()) add_sea(aim, no_water, row);
   if (targets.shadows().any()) targets.shadows().apply(aim, row);
   splat.add(aim, row);
   if (!closing.empty()) speeds->find(aim, row, closing);
@@ -306,10 +345,20 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
   };
   // The sea's waves are made only where some spoke sees water.  Then each row is made in one go, in
   // the nearest cache.
-  parallel(count, [&](std::size_t k) { statics.find(looks[k].aim, land[k], dry[k]); });
-  look_for_water(count);
+  share_land(count);
+  parallel(shares, [&](std::size_t s) { statics.find(land[s].aim, land[s].runs, land[s].dry); });
+  look_for_water();
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
-  parallel(count, [&](std::size_t k) { make_row(scene, k, row(k), closing(k)); });
+  parallel(shares, [&](std::size_t s) {
+    const LandShare& share = land[s];
+    const std::array<std::span<float>, 2> own = {row(share.first),
+                                                 row(share.first + share.count - 1)};
+    lay_land(scene, share, own);
+    for (std::uint32_t j = 0; j < share.count; ++j) {
+      const std::size_t k = share.first + j;
+      make_row(scene, looks[k], share.dry, own[j], closing(k));
+    }
+  });
 }
 
 }  // namespace skerry::echo

@@ -1,6 +1,7 @@
 #include "echo/clutter/speckle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -43,6 +44,8 @@ Speckle::Speckle(double spokes, double cells, std::uint64_t seed)
     ring->reserve(ring->size() + kLongestRow);
     ring->insert(ring->end(), ring->begin(), ring->begin() + kLongestRow);
   }
+  packed_.resize(tile_.size() + kRowPadding);
+  std::transform(tile_.begin(), tile_.end(), packed_.begin(), packed_value);
 }
 
 // Means of the tile by steps of the power's root; a knot that no value came near has its
@@ -90,7 +93,8 @@ std::span<const float> Speckle::faded(const Spoke& at, std::uint32_t count,
   const auto here = static_cast<float>(turn.cos), next = static_cast<float>(turn.sin);
   const std::uint32_t a = place_of(at);
   const std::uint32_t b = place_of({at.key, at.scan + 1, 0u - left, at.spokes_per_turn});
-  thread_local AlignedFloats row;
+  thread_local std::array<AlignedFloats, 2> rows;
+  AlignedFloats& row = rows[at.spoke % 2];
   row.resize(kLongestRow);
   const std::uint32_t end = std::min(count, kLongestRow);
   for (std::uint32_t i = from; i < end; ++i) {
@@ -110,6 +114,22 @@ std::span<const float> Speckle::row(const Spoke& at, std::uint32_t count,
   const float* const next = tile_.data() + ((first + kLatticeStep) & kLatticeMask);
   for (std::uint32_t i = from; i < count; i += 16) __builtin_prefetch(next + i, 0, 2);
   return std::span(tile_).subspan(first, std::min(count, kLongestRow));
+}
+
+std::span<const PackedPower> Speckle::packed_row(const Spoke& at, std::uint32_t count,
+                                                 std::uint32_t from) const {
+  if (at.spoke + fading_spokes(at.spokes_per_turn) >= at.spokes_per_turn) {
+    const std::span<const float> row = faded(at, count, from);
+    thread_local std::array<std::vector<PackedPower>, 2> kept;
+    std::vector<PackedPower>& packed = kept[at.spoke % 2];
+    packed.resize(kLongestRow + kRowPadding);
+    std::transform(row.begin() + from, row.end(), packed.begin() + from, packed_value);
+    return packed;
+  }
+  const std::uint32_t first = place_of(at);
+  const PackedPower* const next = packed_.data() + ((first + kLatticeStep) & kLatticeMask);
+  for (std::uint32_t i = from; i < count; i += 32) __builtin_prefetch(next + i, 0, 2);
+  return std::span(packed_).subspan(first, std::min(count, kLongestRow) + kRowPadding);
 }
 
 std::shared_ptr<const Speckle> speckle_for(double spokes, double cells) {

@@ -1,6 +1,7 @@
 // Rows of mean power, packed in half the space and laid at another range, with or without speckle.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,6 +36,14 @@ struct MovedRun {
   std::uint32_t first = 0, count = 0;  // cells of the other
 };
 
+// One value packed, as pack_power() does where it is not too little.
+inline PackedPower packed_value(float x) {
+  return static_cast<PackedPower>((std::bit_cast<std::uint32_t>(x) + 0x8000u) >> 16);
+}
+inline __attribute__((always_inline)) float unpacked_value(PackedPower x) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(x) << 16);
+}
+
 // Rows are read up to so many cells beyond the last that counts.
 inline constexpr std::size_t kRowPadding = 16;
 
@@ -44,12 +53,20 @@ inline constexpr std::size_t kRowPadding = 16;
 // one row.  Error: four float roundings.  Held by MovedRow.IsAddedAsItsReferenceHasIt.
 void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept;
 
+// Where runs are laid, and by what they fluctuate.
+struct SpeckledRow {
+  std::span<const PackedPower> speckle;
+  std::span<float> power;
+};
+
 // Sets power[c] of all cells: to the same times 1 - share + share speckle[c] where a run lies, and
-// to 0 elsewhere.  Requires runs that lie apart, nearest first; speckle holds what the last one
-// needs, and both rows have kRowPadding floats more, which those of `power` do not keep.
+// to 0 elsewhere; the second form that of two rows, of the same length, at once.  Requires runs
+// that lie apart, nearest first; speckle holds what the last one needs, and both it and `power`
+// have kRowPadding cells more, which those of `power` do not keep.
 // Error: six float roundings.  Held by MovedRow.IsLaidAsItsReferenceHasIt.
-void lay_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
-               std::span<float> power) noexcept;
+void lay_moved(std::span<const MovedRun> runs, float share, const SpeckledRow& row) noexcept;
+void lay_moved(std::span<const MovedRun> runs, float share, const SpeckledRow& a,
+               const SpeckledRow& b) noexcept;
 
 // Twins in double; without speckle where there is none.
 double unpacked_reference(PackedPower packed);

@@ -37,18 +37,33 @@ SKERRY_NARROW_KERNEL(mean_of_four,
                       std::size_t n),
                      (a, shift, out, n))
 
+inline __attribute__((always_inline)) std::uint8_t less_share(std::uint8_t video, std::uint8_t mean,
+                                                              std::uint16_t weight) {
+  const auto product = static_cast<std::uint16_t>(mean * weight + 128);
+  const auto share = static_cast<std::uint8_t>(product >> 8);
+  const std::uint8_t most = video > share ? video : share;
+  return static_cast<std::uint8_t>(most - share);
+}
+
 SKERRY_KERNEL_BODY take_share_body(std::uint8_t* __restrict video, const std::uint8_t* mean,
                                    std::uint16_t weight, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto product = static_cast<std::uint16_t>(mean[i] * weight + 128);
-    const auto share = static_cast<std::uint8_t>(product >> 8);
-    video[i] = static_cast<std::uint8_t>(video[i] > share ? video[i] - share : 0);
-  }
+  for (std::size_t i = 0; i < n; ++i) video[i] = less_share(video[i], mean[i], weight);
 }
 SKERRY_NARROW_KERNEL(take_share,
                      (std::uint8_t* __restrict video, const std::uint8_t* mean,
                       std::uint16_t weight, std::size_t n),
                      (video, mean, weight, n))
+
+// The last doubling and the share of it.
+SKERRY_KERNEL_BODY take_share_of_two_body(std::uint8_t* __restrict video, const std::uint8_t* a,
+                                          std::size_t shift, std::uint16_t weight, std::size_t n) {
+  const std::uint8_t* b = a - shift;
+  for (std::size_t i = 0; i < n; ++i) video[i] = less_share(video[i], mean_up(a[i], b[i]), weight);
+}
+SKERRY_NARROW_KERNEL(take_share_of_two,
+                     (std::uint8_t* __restrict video, const std::uint8_t* a, std::size_t shift,
+                      std::uint16_t weight, std::size_t n),
+                     (video, a, shift, weight, n))
 
 template <int kReach>
 inline __attribute__((always_inline)) void largest_within(const std::uint8_t* row,
@@ -136,13 +151,15 @@ void differentiate_video(std::span<std::uint8_t> video, std::size_t cells, unsig
     mean_of_four(mean, std::size_t{1} << done, next, n);
     std::swap(mean, next);
   }
-  if (done < octaves) {
-    mean_of_two(mean, std::size_t{1} << done, next, n);
-    std::swap(mean, next);
-  }
   for (std::size_t s = 0; s < spokes; ++s) {
-    take_share(video.data() + s * cells, mean + s * pitch + length - 1,
-               static_cast<std::uint16_t>(weight), cells);
+    std::uint8_t* const row = video.data() + s * cells;
+    const std::uint8_t* const before = mean + s * pitch + length - 1;
+    if (done < octaves) {
+      take_share_of_two(row, before, std::size_t{1} << done, static_cast<std::uint16_t>(weight),
+                        cells);
+    } else {
+      take_share(row, before, static_cast<std::uint16_t>(weight), cells);
+    }
   }
 }
 

@@ -114,6 +114,10 @@ class StaticReturns::Frames {
     return static_cast<float>(std::max(0.0, height));
   }
 
+  std::uint32_t spokes_to_a_row() const {
+    return detail_.rows <= model_.geometry.spokes_per_turn ? 2 : 1;
+  }
+
   Effort effort() const {
     return {rows_made_, frames_used_, in_use_ ? length_of(own_ship_ - at_) : 0.0};
   }
@@ -169,6 +173,7 @@ class StaticReturns::Frames {
     if (kept.empty()) return;
     const auto shift = static_cast<std::int32_t>(std::floor(part.shift + 0.5));
     for (const CellRun& run : kept) {
+      if (run.first - shift >= static_cast<std::int32_t>(part.last)) break;
       const std::int32_t begin = std::max(run.first - shift, static_cast<std::int32_t>(part.first));
       const std::int32_t end = std::min(run.last - shift, static_cast<std::int32_t>(part.last));
       if (begin >= end) continue;
@@ -358,6 +363,7 @@ void StaticReturns::prepare(const Scene& scene, std::uint64_t first, std::uint32
   frames_->prepare(scene, first, count);
 }
 bool StaticReturns::empty() const { return frames_->empty(); }
+std::uint32_t StaticReturns::spokes_to_a_row() const { return frames_->spokes_to_a_row(); }
 void StaticReturns::find(const SpokeAim& aim, std::vector<MovedRun>& runs,
                          std::vector<CellRun>& dry) const {
   runs.clear();

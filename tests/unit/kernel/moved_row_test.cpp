@@ -116,20 +116,35 @@ TEST(MovedRow, IsLaidAsItsReferenceHasIt) {
   same_on_every_isa([&](std::uint32_t count, std::uint32_t gap, std::uint32_t behind) {
     const ThreeRuns three(count, gap);
     const std::size_t cells = three.end + behind;
-    std::vector<float> power(cells + kRowPadding, 2.0f);
-    std::vector<double> exact(cells, 0.0);
-    const std::vector<float> speckle = powers(power.size(), 99 + count);
-    lay_moved(three.runs, speckle, 0.4f, std::span(power).first(cells));
-    add_moved_reference(three.runs, speckle, 0.4f, exact);
-    power.resize(cells);
-    for (std::size_t i = 0; i < cells; ++i) {
-      if (exact[i] == 0.0) {
-        EXPECT_EQ(power[i], 0.0f);
-      } else {
-        worst = std::max(worst, std::fabs(static_cast<double>(power[i]) / exact[i] - 1.0));
+    // Alone, and two at once.
+    std::vector<std::vector<float>> power(3, std::vector<float>(cells + kRowPadding, 2.0f));
+    std::vector<std::vector<PackedPower>> speckle;
+    for (const std::uint32_t seed : {99u, 98u}) {
+      speckle.emplace_back();
+      for (const float s : powers(cells + kRowPadding, seed + count))
+        speckle.back().push_back(packed_value(s));
+    }
+    const auto row = [&](std::size_t s, std::size_t k) {
+      return SpeckledRow{speckle[s], std::span(power[k]).first(cells)};
+    };
+    lay_moved(three.runs, 0.4f, row(0, 0));
+    lay_moved(three.runs, 0.4f, row(1, 1), row(0, 2));
+    for (auto& p : power) p.resize(cells);
+    EXPECT_EQ(power[0], power[2]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<double> exact(cells, 0.0);
+      std::vector<float> unpacked;
+      for (const PackedPower s : speckle[k]) unpacked.push_back(unpacked_value(s));
+      add_moved_reference(three.runs, unpacked, 0.4f, exact);
+      for (std::size_t i = 0; i < cells; ++i) {
+        if (exact[i] == 0.0) {
+          EXPECT_EQ(power[k][i], 0.0f);
+        } else {
+          worst = std::max(worst, std::fabs(static_cast<double>(power[k][i]) / exact[i] - 1.0));
+        }
       }
     }
-    return power;
+    return power[1];
   });
   std::printf("worst error of laying: %.3g\n", worst);
   EXPECT_LE(worst, 6e-7);
