@@ -10,6 +10,7 @@
 #include "echo/clutter/lattice_field.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/speckle_fade.hpp"
 #include "echo/radar/range_response.hpp"
 
 namespace skerry::echo {
@@ -66,13 +67,6 @@ void Speckle::learn_law(std::span<const float> powers) {
   }
 }
 
-float Speckle::by_law(float power) const {
-  const float at = std::min(std::sqrt(power) * to_knot_, static_cast<float>(kLawKnots - 2));
-  const auto knot = static_cast<std::size_t>(at);
-  const float value = law_[knot] + (at - static_cast<float>(knot)) * (law_[knot + 1] - law_[knot]);
-  return std::clamp(value, 2e-6f, 13.0f);
-}
-
 std::uint32_t Speckle::fading_spokes(std::uint32_t spokes_per_turn) const {
   return std::min(static_cast<std::uint32_t>(3.0 * spokes_ + 0.5), spokes_per_turn / 4);
 }
@@ -97,10 +91,15 @@ std::span<const float> Speckle::faded(const Spoke& at, std::uint32_t count,
   AlignedFloats& row = rows[at.spoke % 2];
   row.resize(kLongestRow);
   const std::uint32_t end = std::min(count, kLongestRow);
-  for (std::uint32_t i = from; i < end; ++i) {
-    const float re = here * in_phase_[a + i] + next * in_phase_[b + i];
-    const float im = here * quadrature_[a + i] + next * quadrature_[b + i];
-    row[i] = by_law(re * re + im * im);
+  if (from < end) {
+    const FadingRows rows_here{in_phase_.data() + a + from,
+                               quadrature_.data() + a + from,
+                               in_phase_.data() + b + from,
+                               quadrature_.data() + b + from,
+                               here,
+                               next};
+    fade_speckle(rows_here, {law_, to_knot_, 2e-6f, 13.0f},
+                 std::span(row).subspan(from, end - from));
   }
   return std::span(row).first(end);
 }

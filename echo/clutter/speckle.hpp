@@ -52,7 +52,6 @@ class Speckle {
 
   std::uint32_t place_of(const Spoke& at) const;
   void learn_law(std::span<const float> powers);
-  float by_law(float power) const;
   std::span<const float> faded(const Spoke& at, std::uint32_t count, std::uint32_t from) const;
 
   double spokes_;
