@@ -108,6 +108,11 @@ SKERRY_KERNEL_BODY upper_half_body(std::uint8_t* video, std::size_t n) {
 }
 SKERRY_KERNEL(upper_half, (std::uint8_t * video, std::size_t n), (video, n))
 
+// Never smaller again: what is grown is cleared, and stages of different needs take turns.
+void make_room(std::vector<std::uint8_t>& scratch, std::size_t size) {
+  if (scratch.size() < size) scratch.resize(size);
+}
+
 }  // namespace
 
 // The first doubling, or the first two, of one spoke: nothing lies before its first cell.
@@ -137,7 +142,7 @@ void differentiate_video(std::span<std::uint8_t> video, std::size_t cells, unsig
   if (weight == 0 || video.empty()) return;
   const std::size_t length = std::size_t{1} << octaves, pitch = length + cells;
   const std::size_t spokes = video.size() / cells, n = spokes * pitch;
-  scratch.resize(2 * (length + n));
+  make_room(scratch, 2 * (length + n));
   std::uint8_t* mean = scratch.data() + length;
   std::uint8_t* next = mean + n + length;
   std::fill(mean - length, mean, std::uint8_t{0});
@@ -167,7 +172,7 @@ void stretch_video(std::span<std::uint8_t> video, std::size_t cells, unsigned re
                    std::vector<std::uint8_t>& scratch) {
   if (reach == 0) return;
   constexpr std::size_t kPad = kMaxStretch;  // zeros at both ends
-  scratch.resize(cells + 2 * kPad);
+  make_room(scratch, cells + 2 * kPad);
   std::uint8_t* row = scratch.data() + kPad;
   std::fill_n(scratch.data(), kPad, std::uint8_t{0});
   std::fill_n(row + cells, kPad, std::uint8_t{0});
