@@ -171,12 +171,15 @@ class StaticReturns::Frames {
   void add_dry(const RowPart& part, std::vector<CellRun>& runs) const {
     const std::span<const CellRun> kept = now_->dry(part.row);
     if (kept.empty()) return;
-    const auto shift = static_cast<std::int32_t>(std::floor(part.shift + 0.5));
-    for (const CellRun& run : kept) {
-      if (run.first - shift >= static_cast<std::int32_t>(part.last)) break;
-      const std::int32_t begin = std::max(run.first - shift, static_cast<std::int32_t>(part.first));
-      const std::int32_t end = std::min(run.last - shift, static_cast<std::int32_t>(part.last));
-      if (begin >= end) continue;
+    const std::int32_t shift = whole_cells(part.shift + 0.5);
+    // The part in the row's own cells.
+    const std::int32_t from = static_cast<std::int32_t>(part.first) + shift;
+    const std::int32_t to = static_cast<std::int32_t>(part.last) + shift;
+    std::size_t r = 0;
+    while (r < kept.size() && kept[r].last <= from) ++r;
+    for (; r < kept.size() && kept[r].first < to; ++r) {
+      const std::int32_t begin = std::max<std::int32_t>(kept[r].first, from) - shift;
+      const std::int32_t end = std::min<std::int32_t>(kept[r].last, to) - shift;
       const CellRun moved{static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end)};
       if (!runs.empty() && runs.back().last >= moved.first) {
         runs.back().last = std::max(runs.back().last, moved.last);
