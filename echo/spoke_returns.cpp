@@ -1,6 +1,7 @@
 #include "echo/spoke_returns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "echo/kernel/aligned_floats.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/moved_row.hpp"
 #include "echo/kernel/power_stages.hpp"
 #include "echo/kernel/shelf.hpp"
 #include "echo/propagation/propagation.hpp"
@@ -46,11 +48,18 @@ struct SpokeReturns::Sector {
     SpokeAim aim;  // as the antenna, swayed with the ship, sees it
     Motion motion;
   };
+  // Land of one or two spokes, `first` the first of them: its echoes, and where no water is seen.
+  struct LandShare {
+    std::uint32_t first = 0, count = 0;
+    SpokeAim aim;  // their middle
+    std::vector<MovedRun> runs;
+    std::vector<CellRun> dry;
+  };
 
   AlignedFloats rows, closing_rows;
   std::vector<Look> looks;
-  std::vector<std::vector<CellRun>> dry;  // of each spoke
-  std::vector<std::uint8_t> wet;          // for SeaReturns::prepare
+  std::vector<LandShare> land;    // the first `shares` of them
+  std::vector<std::uint8_t> wet;  // for SeaReturns::prepare
   std::vector<PointEcho> points, false_points;
 
   static Shelf<Sector>& shelf() {
@@ -93,14 +102,15 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   void make_rows(const Scene& scene, std::uint64_t first, std::uint32_t count, std::uint32_t into);
   void look_at_weather(const Scene& scene);
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
-  // Land on empty rows, and where it leaves no water.
-  void lay_land(const Scene& scene, const SpokeAim& aim, std::span<float> row,
-                std::vector<CellRun>& no_water) const;
-  void look_for_water(std::uint32_t count);
+  void share_land(std::uint32_t count);
+  SpeckledRow speckled_row(const Scene& scene, std::size_t k, std::span<const MovedRun> runs,
+                           std::span<float> row) const;
+  void lay_land(const Scene& scene, const LandShare& share,
+                std::span<const std::span<float>> row) const;
+  void look_for_water();
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
-  // And all else.
   void add_beacons(const SpokeAim& aim, std::span<float> row) const;
-  // `closing`: empty where speeds are not wanted.
+  // What comes to the land.  `closing`: empty where speeds are not wanted.
   void make_row(const Scene& scene, const Look& look, std::span<const CellRun> no_water,
                 std::span<float> row, std::span<float> closing) const;
 
@@ -131,6 +141,7 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   std::optional<RadialSpeeds> speeds;  // nothing: nobody wants them
 
   std::size_t pitch;
+  std::size_t shares = 0;                      // of `land`, that are in use
   std::uint64_t made_first = 0, made_end = 0;  // spokes of `rows`
   // Between sectors those rows may lie here instead, and the sector's memory on the shelf.
   bool has_sector = false;
@@ -141,7 +152,7 @@ void SpokeReturns::Contributors::take_sector() {
   sector() = Sector::shelf().take();
   has_sector = true;
   if (looks.size() < kMaxSector) looks.resize(kMaxSector);
-  if (dry.size() < kMaxSector) dry.resize(kMaxSector);
+  if (land.size() < kMaxSector) land.resize(kMaxSector);
   if (rows.size() < kept_rows.size()) rows.resize(kept_rows.size());
   if (closing_rows.size() < kept_closing.size()) closing_rows.resize(kept_closing.size());
   std::copy(kept_rows.begin(), kept_rows.end(), rows.begin());
@@ -189,29 +200,61 @@ void SpokeReturns::Contributors::prepare(const Scene& scene, std::uint64_t first
   beacons.prepare(scene, *propagation, from, to, hidden);
 }
 
-void SpokeReturns::Contributors::lay_land(const Scene& scene, const SpokeAim& aim,
-                                          std::span<float> row,
-                                          std::vector<CellRun>& no_water) const {
-  std::fill(row.begin(), row.end(), 0.0f);
-  no_water.clear();
-  if (statics.empty()) return;
-  const auto speckle = land_speckle->row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
-                                          aim.index, model.geometry.spokes_per_turn},
-                                         model.geometry.cells);
-  statics.add(aim, speckle, static_cast<float>(1.0 - kSteadyLand), row, no_water);
+// Joins spokes to those that share their land.  An antenna that sways looks where it will.
+void SpokeReturns::Contributors::share_land(std::uint32_t count) {
+  const std::uint32_t most = statics.spokes_to_a_row();
+  const auto half_spoke = static_cast<std::uint32_t>(0x80000000u / model.geometry.spokes_per_turn);
+  shares = 0;
+  for (std::uint32_t k = 0; k < count; ++shares) {
+    LandShare& share = land[shares];
+    share.first = k;
+    share.aim = looks[k].aim;
+    share.count = 1;
+    const bool shared = most > 1 && !looks[k].motion.moves;
+    if (shared && share.aim.spoke % 2 == 0 && k + 1 < count && !looks[k + 1].motion.moves)
+      share.count = 2;
+    if (shared) share.aim.plane_units += share.aim.spoke % 2 == 0 ? half_spoke : 0 - half_spoke;
+    k += share.count;
+  }
+}
+
+SpeckledRow SpokeReturns::Contributors::speckled_row(const Scene& scene, std::size_t k,
+                                                     std::span<const MovedRun> runs,
+                                                     std::span<float> row) const {
+  const SpokeAim& aim = looks[k].aim;
+  return {land_speckle->packed_row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
+                                    aim.index, model.geometry.spokes_per_turn},
+                                   runs.back().first + runs.back().count, runs.front().first),
+          row};
+}
+
+void SpokeReturns::Contributors::lay_land(const Scene& scene, const LandShare& share,
+                                          std::span<const std::span<float>> row) const {
+  constexpr auto kFluctuates = static_cast<float>(1.0 - kSteadyLand);
+  const std::vector<MovedRun>& runs = share.runs;
+  if (runs.empty()) {
+    for (std::uint32_t j = 0; j < share.count; ++j) std::fill(row[j].begin(), row[j].end(), 0.0f);
+    return;
+  }
+  const SpeckledRow first = speckled_row(scene, share.first, runs, row[0]);
+  if (share.count == 1) {
+    lay_moved(runs, kFluctuates, first);
+  } else {
+    lay_moved(runs, kFluctuates, first, speckled_row(scene, share.first + 1, runs, row[1]));
+  }
 }
 
 // Looks for all spokes together.
-void SpokeReturns::Contributors::look_for_water(std::uint32_t count) {
+void SpokeReturns::Contributors::look_for_water() {
   wet.assign((model.geometry.cells + SeaReturns::kWetCells - 1) / SeaReturns::kWetCells, 0);
-  for (std::uint32_t k = 0; k < count; ++k) {
+  for (const LandShare& share : std::span(land).first(shares)) {
     std::size_t from = 0;
     const auto mark = [&](std::size_t end) {
       if (from >= end) return;
       for (std::size_t b = from / SeaReturns::kWetCells; b * SeaReturns::kWetCells < end; ++b)
         wet[b] = 1;
     };
-    for (const CellRun& run : dry[k]) {
+    for (const CellRun& run : share.dry) {
       mark(run.first);
       from = std::max<std::size_t>(from, run.last);
     }
@@ -353,11 +396,22 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
     return speeds ? std::span(closing_rows).subspan((into + k) * pitch, model.geometry.cells)
                   : std::span<float>{};
   };
-  // The sea's waves are made only where some spoke sees water.
-  parallel(count, [&](std::size_t k) { lay_land(scene, looks[k].aim, row(k), dry[k]); });
-  look_for_water(count);
+  // The sea's waves are made only where some spoke sees water.  Then each row is made in one go, in
+  // the nearest cache.
+  share_land(count);
+  parallel(shares, [&](std::size_t s) { statics.find(land[s].aim, land[s].runs, land[s].dry); });
+  look_for_water();
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
-  parallel(count, [&](std::size_t k) { make_row(scene, looks[k], dry[k], row(k), closing(k)); });
+  parallel(shares, [&](std::size_t s) {
+    const LandShare& share = land[s];
+    const std::array<std::span<float>, 2> own = {row(share.first),
+                                                 row(share.first + share.count - 1)};
+    lay_land(scene, share, own);
+    for (std::uint32_t j = 0; j < share.count; ++j) {
+      const std::size_t k = share.first + j;
+      make_row(scene, looks[k], share.dry, own[j], closing(k));
+    }
+  });
   sea.release();
   splat.release();
   false_splat.release();

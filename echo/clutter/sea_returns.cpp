@@ -300,10 +300,11 @@ void SeaReturns::add(const SpokeAim& aim, std::span<float> power, std::uint32_t 
   const std::uint32_t end = std::min(end_cell, reach);
   if (first_cell >= end) return;
   const RowPair rows = rows_about(aim);
-  add_speckled(rows.first, rows.second, rows.share,
-               speckle_->row({speckle_key_, aim.scan, aim.index, model_.geometry.spokes_per_turn},
-                             end, first_cell),
-               power.first(reach), first_cell, end);
+  add_speckled(
+      rows.first, rows.second, rows.share,
+      speckle_->packed_row({speckle_key_, aim.scan, aim.index, model_.geometry.spokes_per_turn},
+                           end, first_cell),
+      power.first(reach), first_cell, end);
 }
 
 void SeaReturns::add(const SpokeAim& aim, std::span<float> power) const {

@@ -1,6 +1,7 @@
 #include "echo/clutter/speckle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "echo/kernel/shared_tables.hpp"
+#include "echo/kernel/speckle_fade.hpp"
 #include "echo/radar/range_response.hpp"
 
 namespace skerry::echo {
@@ -44,6 +46,8 @@ Speckle::Speckle(double spokes, double cells, std::uint64_t seed)
     ring->reserve(ring->size() + kLongestRow);
     ring->insert(ring->end(), ring->begin(), ring->begin() + kLongestRow);
   }
+  packed_.resize(tile_.size() + kRowPadding);
+  std::transform(tile_.begin(), tile_.end(), packed_.begin(), packed_value);
 }
 
 // Means of the tile by steps of the power's root; a knot that no value came near has its
@@ -62,13 +66,6 @@ void Speckle::learn_law(std::span<const float> powers) {
     if (counts[k] > 0.0) last = static_cast<float>(sums[k] / counts[k]);
     law_[k] = last;
   }
-}
-
-float Speckle::by_law(float power) const {
-  const float at = std::min(std::sqrt(power) * to_knot_, static_cast<float>(kLawKnots - 2));
-  const auto knot = static_cast<std::size_t>(at);
-  const float value = law_[knot] + (at - static_cast<float>(knot)) * (law_[knot + 1] - law_[knot]);
-  return std::clamp(value, 2e-6f, 13.0f);
 }
 
 std::uint32_t Speckle::fading_spokes(std::uint32_t spokes_per_turn) const {
@@ -91,13 +88,19 @@ std::span<const float> Speckle::faded(const Spoke& at, std::uint32_t count,
   const auto here = static_cast<float>(turn.cos), next = static_cast<float>(turn.sin);
   const std::uint32_t a = place_of(at);
   const std::uint32_t b = place_of({at.key, at.scan + 1, 0u - left, at.spokes_per_turn});
-  thread_local AlignedFloats row;
+  thread_local std::array<AlignedFloats, 2> rows;
+  AlignedFloats& row = rows[at.spoke % 2];
   row.resize(kLongestRow);
   const std::uint32_t end = std::min(count, kLongestRow);
-  for (std::uint32_t i = from; i < end; ++i) {
-    const float re = here * in_phase_[a + i] + next * in_phase_[b + i];
-    const float im = here * quadrature_[a + i] + next * quadrature_[b + i];
-    row[i] = by_law(re * re + im * im);
+  if (from < end) {
+    const FadingRows rows_here{in_phase_.data() + a + from,
+                               quadrature_.data() + a + from,
+                               in_phase_.data() + b + from,
+                               quadrature_.data() + b + from,
+                               here,
+                               next};
+    fade_speckle(rows_here, {law_, to_knot_, 2e-6f, 13.0f},
+                 std::span(row).subspan(from, end - from));
   }
   return std::span(row).first(end);
 }
@@ -111,6 +114,22 @@ std::span<const float> Speckle::row(const Spoke& at, std::uint32_t count,
   const float* const next = tile_.data() + ((first + kLatticeStep) & kLatticeMask);
   for (std::uint32_t i = from; i < count; i += 16) __builtin_prefetch(next + i, 0, 2);
   return std::span(tile_).subspan(first, std::min(count, kLongestRow));
+}
+
+std::span<const PackedPower> Speckle::packed_row(const Spoke& at, std::uint32_t count,
+                                                 std::uint32_t from) const {
+  if (at.spoke + fading_spokes(at.spokes_per_turn) >= at.spokes_per_turn) {
+    const std::span<const float> row = faded(at, count, from);
+    thread_local std::array<std::vector<PackedPower>, 2> kept;
+    std::vector<PackedPower>& packed = kept[at.spoke % 2];
+    packed.resize(kLongestRow + kRowPadding);
+    std::transform(row.begin() + from, row.end(), packed.begin() + from, packed_value);
+    return packed;
+  }
+  const std::uint32_t first = place_of(at);
+  const PackedPower* const next = packed_.data() + ((first + kLatticeStep) & kLatticeMask);
+  for (std::uint32_t i = from; i < count; i += 32) __builtin_prefetch(next + i, 0, 2);
+  return std::span(packed_).subspan(first, std::min(count, kLongestRow) + kRowPadding);
 }
 
 std::shared_ptr<const Speckle> speckle_for(double spokes, double cells) {

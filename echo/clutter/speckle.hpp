@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "echo/kernel/aligned_floats.hpp"
+#include "echo/kernel/moved_row.hpp"
 #include "echo/radar/radar_model.hpp"
 
 namespace skerry::echo {
@@ -18,7 +20,7 @@ namespace skerry::echo {
 // -2.507 and their deviation 5.570 within 0.005; held by Speckle.HasTheMomentsOfTheExponential).
 // Of the spokes that fade: mean within 3 %, for the law is carried over by kLawKnots straight lines
 // (Speckle.FadesFromTurnToTurnWithoutASeam).  Values lie in [1.9e-6, 13.2].  Immutable, shared
-// between radars of the same correlation (speckle_for); any thread.  3 MB.
+// between radars of the same correlation (speckle_for); any thread.  3.5 MB.
 class Speckle {
  public:
   static constexpr std::uint32_t kLongestRow = 2 * ScanGeometry::kMaxCells;
@@ -34,8 +36,12 @@ class Speckle {
   };
   // Values of one spoke, at least `count` (<= kLongestRow) of them, nearest first, 64-byte aligned.
   // Those `from` on are what is used: the same of the next spoke are fetched ahead.  Valid until
-  // the same thread's next call, on any speckle.
+  // the same thread's next call but one, on any speckle.
   std::span<const float> row(const Spoke& at, std::uint32_t count, std::uint32_t from = 0) const;
+  // The same in half the space, 32-byte aligned, kRowPadding more of them.  Error: 2^-8 relative,
+  // 0.017 dB, the mean as exact as above.  Held by Speckle.IsPackedWithinItsBound.
+  std::span<const PackedPower> packed_row(const Spoke& at, std::uint32_t count,
+                                          std::uint32_t from = 0) const;
 
   // How many spokes at the end of a turn fade: three correlation lengths, a quarter of a turn at
   // most.
@@ -46,13 +52,13 @@ class Speckle {
 
   std::uint32_t place_of(const Spoke& at) const;
   void learn_law(std::span<const float> powers);
-  float by_law(float power) const;
   std::span<const float> faded(const Spoke& at, std::uint32_t count, std::uint32_t from) const;
 
   double spokes_;
   // The rings of lattice_field.hpp and their beginnings once more: what a row is, and the two
   // quadratures it comes from.
   AlignedFloats tile_, in_phase_, quadrature_;
+  std::vector<PackedPower, LineAllocator<PackedPower>> packed_;  // the tile
   // From the quadratures' power to that of the tile, by equal steps of its root.
   AlignedFloats law_;
   float to_knot_ = 0.0f;

@@ -167,18 +167,18 @@ SKERRY_KERNEL(lay_more,
 inline __attribute__((always_inline)) void speckled_part(const float* __restrict first,
                                                          const float* __restrict second,
                                                          float share,
-                                                         const float* __restrict speckle,
+                                                         const PackedPower* __restrict speckle,
                                                          float* __restrict power,
                                                          std::int32_t begin, std::int32_t end) {
   for (std::int32_t j = 0; j < static_cast<std::int32_t>(kCellBlock); ++j) {
-    const float more = (first[j] + share * (second[j] - first[j])) * speckle[j];
+    const float more = (first[j] + share * (second[j] - first[j])) * unpacked_value(speckle[j]);
     power[j] += j >= begin && j < end ? more : 0.0f;
   }
 }
 
 // Works in whole blocks from a line's beginning, and cell by cell in the last, partial one.
 SKERRY_KERNEL_BODY speckled_body(const float* __restrict first, const float* __restrict second,
-                                 float share, const float* __restrict speckle,
+                                 float share, const PackedPower* __restrict speckle,
                                  float* __restrict power, std::size_t begin, std::size_t end,
                                  std::size_t n) {
   const std::size_t whole = n / kCellBlock * kCellBlock;
@@ -192,7 +192,7 @@ SKERRY_KERNEL_BODY speckled_body(const float* __restrict first, const float* __r
   const std::size_t inner = end / kCellBlock * kCellBlock;
   if (i < inner) {
     for (std::size_t c = i; c < inner; ++c)
-      power[c] += (first[c] + share * (second[c] - first[c])) * speckle[c];
+      power[c] += (first[c] + share * (second[c] - first[c])) * unpacked_value(speckle[c]);
     i = inner;
   }
   if (i >= end) return;
@@ -202,13 +202,13 @@ SKERRY_KERNEL_BODY speckled_body(const float* __restrict first, const float* __r
     return;
   }
   for (std::size_t c = i > begin ? i : begin; c < end; ++c)
-    power[c] += (first[c] + share * (second[c] - first[c])) * speckle[c];
+    power[c] += (first[c] + share * (second[c] - first[c])) * unpacked_value(speckle[c]);
 }
-SKERRY_KERNEL(speckled,
-              (const float* __restrict first, const float* __restrict second, float share,
-               const float* __restrict speckle, float* __restrict power, std::size_t begin,
-               std::size_t end, std::size_t n),
-              (first, second, share, speckle, power, begin, end, n))
+SKERRY_NARROW_KERNEL(speckled,
+                     (const float* __restrict first, const float* __restrict second, float share,
+                      const PackedPower* __restrict speckle, float* __restrict power,
+                      std::size_t begin, std::size_t end, std::size_t n),
+                     (first, second, share, speckle, power, begin, end, n))
 
 }  // namespace
 
@@ -305,7 +305,7 @@ void lay_texture_reference(std::span<const float> octaves, std::uint32_t cells,
 }
 
 void add_speckled(std::span<const float> first, std::span<const float> second, float share,
-                  std::span<const float> speckle, std::span<float> power, std::size_t begin,
+                  std::span<const PackedPower> speckle, std::span<float> power, std::size_t begin,
                   std::size_t end) noexcept {
   if (begin >= end) return;
   speckled(first.data(), second.data(), share, speckle.data(), power.data(), begin, end,

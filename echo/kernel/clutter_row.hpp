@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "echo/kernel/moved_row.hpp"
+
 namespace skerry::echo {
 
 // A straight way over a ring of values (echo/clutter/lattice_field.hpp), from the value
@@ -85,7 +87,7 @@ void lay_texture_reference(std::span<const float> octaves, std::uint32_t cells,
 // power.size(); cells beside them are left as they are, but read and written: no two calls at once
 // may be closer than 16 cells.  The other rows are as long as power.  Error: float roundings.
 void add_speckled(std::span<const float> first, std::span<const float> second, float share,
-                  std::span<const float> speckle, std::span<float> power, std::size_t begin,
+                  std::span<const PackedPower> speckle, std::span<float> power, std::size_t begin,
                   std::size_t end) noexcept;
 
 }  // namespace skerry::echo

@@ -20,23 +20,51 @@ inline __attribute__((always_inline)) float total_power(float power, float gain,
   return kBeside ? total + noise.beside[i] : total;
 }
 
+// scale.per_octave * (log2(x) + raised) + offset, with fast_log2's polynomial: log2 of 2^n m is n,
+// which is the bits of x as a number of 2^-23, plus log2(m) - (m - 1) = t (1 - t) q(t), t = m - 1,
+// multiplied out in powers of m with all that is constant in the first of them.  Error: fast_log2's
+// and 2e-5 octaves of rounding.
+struct LogScale {
+  LogScale(QuantiserScale scale, float raised)
+      : top(scale.top), slope(scale.per_octave * 0x1p-23f) {
+    constexpr double a = 0.0821305896, b = -0.239058108, c = 0.438725708;
+    // t (1 - t) (a t^2 + b t + c) by powers of t, then of t + 1.
+    constexpr double t1 = c, t2 = b - c, t3 = a - b, t4 = -a;
+    constexpr double m0 = -t1 + t2 - t3 + t4, m1 = t1 - 2.0 * t2 + 3.0 * t3 - 4.0 * t4;
+    constexpr double m2 = t2 - 3.0 * t3 + 6.0 * t4, m3 = t3 - 4.0 * t4, m4 = t4;
+    const double per_octave = scale.per_octave;
+    terms[0] = static_cast<float>(per_octave * (m0 - 127.0 + raised));
+    terms[1] = static_cast<float>(per_octave * m1), terms[2] = static_cast<float>(per_octave * m2);
+    terms[3] = static_cast<float>(per_octave * m3), terms[4] = static_cast<float>(per_octave * m4);
+  }
+  float top, slope;
+  float terms[5];
+};
+
 inline __attribute__((always_inline)) std::uint8_t quantised(float total, float offset,
-                                                             QuantiserScale scale) {
-  float v = scale.per_octave * fast_log2(total) + offset;
+                                                             const LogScale& s) {
+  const auto bits = std::bit_cast<std::int32_t>(total);
+  const float m = std::bit_cast<float>((bits & 0x007FFFFF) | 0x3F800000);
+  const float rest =
+      (((s.terms[4] * m + s.terms[3]) * m + s.terms[2]) * m + s.terms[1]) * m + s.terms[0];
+  float v = (s.slope * static_cast<float>(bits) + offset) + rest;
   v = v > 0.0f ? v : 0.0f;
-  v = v < scale.top ? v : scale.top;
+  v = v < s.top ? v : s.top;
   return static_cast<std::uint8_t>(static_cast<std::int32_t>(v));
 }
 
 inline __attribute__((always_inline)) float larger(float a, float b) { return a > b ? a : b; }
 
-// `before_that` and `kept` and the like may be null where their stage is off.
-template <bool kReject, bool kIntegrate, bool kBeside>
+enum class Sum { none, groups, few };
+
+// Rows of stages that are off are null.
+template <bool kReject, Sum kSum, bool kBeside>
 inline __attribute__((always_inline)) void receive_loop(
     const float* __restrict power, float gain, const NoiseRow noise, const float* __restrict before,
     const float* __restrict before_that, float* __restrict raw, float ratio, float floor,
-    const float* __restrict later, float* __restrict so_far, float* __restrict kept, float share,
-    const float* __restrict offset, QuantiserScale scale, std::uint8_t* __restrict video,
+    const float* __restrict later, float* __restrict so_far, float* __restrict kept,
+    const float* __restrict past_a, const float* __restrict past_b, const float* __restrict past_c,
+    const float* __restrict offset, const LogScale scale, std::uint8_t* __restrict video,
     std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     float total = total_power<kBeside>(power[i], gain, noise, i);
@@ -45,32 +73,37 @@ inline __attribute__((always_inline)) void receive_loop(
       const float neighbour = larger(before[i], before_that[i]);
       total = total > ratio * larger(neighbour, floor) ? neighbour : total;
     }
-    if constexpr (kIntegrate) {
+    if constexpr (kSum == Sum::groups) {
       const float sum = so_far[i] + total;
       so_far[i] = sum;
       kept[i] = total;
-      total = (sum + later[i]) * share;
+      total = sum + later[i];
+    }
+    if constexpr (kSum == Sum::few) {
+      kept[i] = total;
+      total = ((total + past_a[i]) + past_b[i]) + past_c[i];
     }
     video[i] = quantised(total, offset[i], scale);
   }
 }
 
-#define SKERRY_RECEIVE_KERNEL(name, reject, integrate)                                             \
+#define SKERRY_RECEIVE_LOOP(reject, sum, beside)                                                   \
+  receive_loop<reject, sum, beside>(power, gain, noise, rejection.before, rejection.before_that,   \
+                                    rejection.total, rejection.ratio, rejection.floor,             \
+                                    integration.later, integration.so_far, integration.kept,       \
+                                    integration.past[0], integration.past[1], integration.past[2], \
+                                    offset, LogScale(scale, integration.octaves), video, n)
+
+#define SKERRY_RECEIVE_KERNEL(name, reject, sum)                                                   \
   SKERRY_KERNEL_BODY name##_body(const float* __restrict power, float gain, const NoiseRow& noise, \
                                  const RejectionRows& rejection,                                   \
                                  const IntegrationRows& integration,                               \
                                  const float* __restrict offset, QuantiserScale scale,             \
                                  std::uint8_t* __restrict video, std::size_t n) {                  \
     if (noise.beside != nullptr) {                                                                 \
-      receive_loop<reject, integrate, true>(                                                       \
-          power, gain, noise, rejection.before, rejection.before_that, rejection.total,            \
-          rejection.ratio, rejection.floor, integration.later, integration.so_far,                 \
-          integration.kept, integration.share, offset, scale, video, n);                           \
+      SKERRY_RECEIVE_LOOP(reject, sum, true);                                                      \
     } else {                                                                                       \
-      receive_loop<reject, integrate, false>(                                                      \
-          power, gain, noise, rejection.before, rejection.before_that, rejection.total,            \
-          rejection.ratio, rejection.floor, integration.later, integration.so_far,                 \
-          integration.kept, integration.share, offset, scale, video, n);                           \
+      SKERRY_RECEIVE_LOOP(reject, sum, false);                                                     \
     }                                                                                              \
   }                                                                                                \
   SKERRY_KERNEL(name,                                                                              \
@@ -80,11 +113,14 @@ inline __attribute__((always_inline)) void receive_loop(
                  std::uint8_t* __restrict video, std::size_t n),                                   \
                 (power, gain, noise, rejection, integration, offset, scale, video, n))
 
-SKERRY_RECEIVE_KERNEL(receive_plain, false, false)
-SKERRY_RECEIVE_KERNEL(receive_with_rejection, true, false)
-SKERRY_RECEIVE_KERNEL(receive_with_integration, false, true)
-SKERRY_RECEIVE_KERNEL(receive_with_both, true, true)
+SKERRY_RECEIVE_KERNEL(receive_plain, false, Sum::none)
+SKERRY_RECEIVE_KERNEL(receive_with_rejection, true, Sum::none)
+SKERRY_RECEIVE_KERNEL(receive_with_groups, false, Sum::groups)
+SKERRY_RECEIVE_KERNEL(receive_with_few, false, Sum::few)
+SKERRY_RECEIVE_KERNEL(receive_rejected_with_groups, true, Sum::groups)
+SKERRY_RECEIVE_KERNEL(receive_rejected_with_few, true, Sum::few)
 #undef SKERRY_RECEIVE_KERNEL
+#undef SKERRY_RECEIVE_LOOP
 
 template <bool kBeside>
 inline __attribute__((always_inline)) void power_loop(const float* __restrict power, float gain,
@@ -166,8 +202,9 @@ void receive_rejected(std::span<const float> power, float gain, const NoiseRow& 
 void receive_integrated(std::span<const float> power, float gain, const NoiseRow& noise,
                         const IntegrationRows& integration, std::span<const float> offset,
                         QuantiserScale scale, std::span<std::uint8_t> video) noexcept {
-  receive_with_integration(power.data(), gain, noise, {}, integration, offset.data(), scale,
-                           video.data(), video.size());
+  const auto receive = integration.so_far != nullptr ? receive_with_groups : receive_with_few;
+  receive(power.data(), gain, noise, {}, integration, offset.data(), scale, video.data(),
+          video.size());
 }
 
 void receive_rejected_and_integrated(std::span<const float> power, float gain,
@@ -175,8 +212,10 @@ void receive_rejected_and_integrated(std::span<const float> power, float gain,
                                      const IntegrationRows& integration,
                                      std::span<const float> offset, QuantiserScale scale,
                                      std::span<std::uint8_t> video) noexcept {
-  receive_with_both(power.data(), gain, noise, rejection, integration, offset.data(), scale,
-                    video.data(), video.size());
+  const auto receive =
+      integration.so_far != nullptr ? receive_rejected_with_groups : receive_rejected_with_few;
+  receive(power.data(), gain, noise, rejection, integration, offset.data(), scale, video.data(),
+          video.size());
 }
 
 void add_row(std::span<float> sum, std::span<const float> row) noexcept {

@@ -2,6 +2,7 @@
 // log detector, gain and STC, quantiser, in one pass over the cells.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -57,14 +58,18 @@ struct RejectionRows {
   float floor = 1.0f;                  // no power below ratio * floor is rejected
 };
 
-// Integration: sums over the last k spokes without a running difference, so that a strong echo
-// leaves nothing behind.  Spokes come in groups of k; `later` holds the sum over the spokes of the
-// group before that are not yet k old, `so_far` the sum over this group.
+// Integration: the mean of the last k spokes, always summed anew, so that a strong echo leaves
+// nothing behind.  Either spokes come in groups of k: `later` holds the sum over the spokes of the
+// group before that are not yet k old, `so_far` the sum over this group.  Or there are few,
+// `so_far` is null, and `past` holds each of those before, nearest first; rows of zeros stand for
+// none.
+inline constexpr std::size_t kFewPast = 3;
 struct IntegrationRows {
   const float* later = nullptr;
   float* so_far = nullptr;  // in and out: this spoke is added
   float* kept = nullptr;    // out: this spoke alone
-  float share = 1.0f;       // 1 / number of spokes summed
+  float octaves = 0.0f;     // log2 of 1 / number of spokes summed
+  std::array<const float*, kFewPast> past = {};
 };
 
 // receive_video with one or both between detector and log.  A cell more than `ratio` times the

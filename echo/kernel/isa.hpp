@@ -44,4 +44,23 @@ std::string_view name_of(Isa isa);
   void name parameters noexcept { name##_body arguments; }
 #endif
 
+// The same for kernels of short rows, or of rows that begin anywhere: nearly every vector of 64
+// bytes would lie across two lines there, and what a block of it leaves over costs more than it
+// saves, so AVX-512 runs what AVX2 does.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define SKERRY_NARROW_KERNEL(name, parameters, arguments)                          \
+  namespace {                                                                      \
+  __attribute__((target("arch=x86-64-v3"))) void name##_avx2 parameters noexcept { \
+    name##_body arguments;                                                         \
+  }                                                                                \
+  void name##_baseline parameters noexcept { name##_body arguments; }              \
+  }                                                                                \
+  void name parameters noexcept {                                                  \
+    if (active_isa() == Isa::baseline) return name##_baseline arguments;           \
+    name##_avx2 arguments;                                                         \
+  }
+#else
+#define SKERRY_NARROW_KERNEL(name, parameters, arguments) SKERRY_KERNEL(name, parameters, arguments)
+#endif
+
 #define SKERRY_KERNEL_BODY static inline __attribute__((always_inline)) void

@@ -13,9 +13,6 @@ inline __attribute__((always_inline)) PackedPower packed_of(float x, float least
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(x < least ? 0.0f : x);
   return static_cast<PackedPower>((bits + 0x8000u) >> 16);
 }
-inline __attribute__((always_inline)) float unpacked(PackedPower x) {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(x) << 16);
-}
 
 SKERRY_KERNEL_BODY pack_body(const float* __restrict power, std::size_t n, float least,
                              PackedPower* __restrict packed, float* __restrict peaks) {
@@ -44,22 +41,17 @@ SKERRY_KERNEL(pack,
 inline __attribute__((always_inline)) float moved(const PackedPower* row, const RowShift& s,
                                                   std::int32_t i) {
   const float gain = s.gain + s.gain_step * static_cast<float>(i);
-  return (s.near_weight * unpacked(row[i]) + s.far_weight * unpacked(row[i + 1])) * gain;
+  return (s.near_weight * unpacked_value(row[i]) + s.far_weight * unpacked_value(row[i + 1])) *
+         gain;
 }
 
 constexpr std::int32_t kRunLanes = 16;
+static_assert(kRunLanes <= static_cast<std::int32_t>(kRowPadding));
 
 // Parts of rows are short: whole blocks, of which what does not count adds nothing, save the
 // last cells of all, one by one.
-template <bool kSpeckled>
-inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict runs,
-                                                    std::size_t run_count,
-                                                    const float* __restrict speckle, float share,
-                                                    float* __restrict all, std::int32_t room) {
-  const float steady = 1.0f - share;
-  const auto factor = [&](std::int32_t i) {
-    return kSpeckled ? steady + share * speckle[i] : 1.0f;
-  };
+SKERRY_KERNEL_BODY add_mean_body(const MovedRun* __restrict runs, std::size_t run_count,
+                                 float* __restrict all, std::int32_t room) {
   for (std::size_t r = 0; r < run_count; ++r) {
     const RowShift s = runs[r].shift;
     const PackedPower* __restrict row = runs[r].row;
@@ -69,7 +61,7 @@ inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict r
     for (; i < count && first + i + kRunLanes <= room; i += kRunLanes) {
       float sum[kRunLanes];
       for (std::int32_t k = 0; k < kRunLanes; ++k) {
-        const float value = moved(row, s, i + k) * factor(first + i + k);
+        const float value = moved(row, s, i + k);
         // All ones where it counts: a branch here would keep the loop from the vector units.
         const auto counts = static_cast<std::uint32_t>((i + k - count) >> 31);
         sum[k] =
@@ -77,29 +69,81 @@ inline __attribute__((always_inline)) void add_runs(const MovedRun* __restrict r
       }
       std::memcpy(all + first + i, sum, sizeof(sum));
     }
-    for (; i < count; ++i) all[first + i] += moved(row, s, i) * factor(first + i);
+    for (; i < count; ++i) all[first + i] += moved(row, s, i);
   }
 }
+SKERRY_NARROW_KERNEL(add_mean,
+                     (const MovedRun* __restrict runs, std::size_t run_count,
+                      float* __restrict power, std::int32_t room),
+                     (runs, run_count, power, room))
 
-SKERRY_KERNEL_BODY add_mean_body(const MovedRun* runs, std::size_t run_count, float* power,
-                                 std::int32_t room) {
-  add_runs<false>(runs, run_count, nullptr, 0.0f, power, room);
+inline __attribute__((always_inline)) void clear_cells(float* power, std::size_t from,
+                                                       std::size_t to) {
+  if (from < to) std::memset(power + from, 0, (to - from) * sizeof(float));
 }
-SKERRY_KERNEL(add_mean,
-              (const MovedRun* __restrict runs, std::size_t run_count, float* __restrict power,
-               std::int32_t room),
-              (runs, run_count, power, room))
 
-SKERRY_KERNEL_BODY add_speckled_body(const MovedRun* runs, std::size_t run_count,
-                                     const float* speckle, float share, float* power,
-                                     std::int32_t room) {
-  add_runs<true>(runs, run_count, speckle, share, power, room);
+// Whole blocks, of which what does not count is overwritten by what comes behind.
+SKERRY_KERNEL_BODY lay_runs_body(const MovedRun* __restrict runs, std::size_t run_count,
+                                 const PackedPower* __restrict speckle, float share,
+                                 float* __restrict power, std::size_t cells) {
+  const float steady = 1.0f - share;
+  std::size_t laid = 0;
+  for (std::size_t r = 0; r < run_count; ++r) {
+    const RowShift s = runs[r].shift;
+    const PackedPower* __restrict row = runs[r].row;
+    const std::size_t first = runs[r].first;
+    clear_cells(power, laid, first);
+    const PackedPower* __restrict from = speckle + first;
+    float* __restrict to = power + first;
+    const auto count = static_cast<std::int32_t>(runs[r].count);
+    const std::int32_t blocks = (count + kRunLanes - 1) / kRunLanes;
+    for (std::int32_t i = 0; i < blocks * kRunLanes; ++i)
+      to[i] = moved(row, s, i) * (steady + share * unpacked_value(from[i]));
+    laid = first + runs[r].count;
+  }
+  clear_cells(power, laid, cells);
 }
-SKERRY_KERNEL(add_speckled,
-              (const MovedRun* __restrict runs, std::size_t run_count,
-               const float* __restrict speckle, float share, float* __restrict power,
-               std::int32_t room),
-              (runs, run_count, speckle, share, power, room))
+SKERRY_NARROW_KERNEL(lay_runs,
+                     (const MovedRun* __restrict runs, std::size_t run_count,
+                      const PackedPower* __restrict speckle, float share, float* __restrict power,
+                      std::size_t cells),
+                     (runs, run_count, speckle, share, power, cells))
+
+SKERRY_KERNEL_BODY lay_runs_twice_body(const MovedRun* __restrict runs, std::size_t run_count,
+                                       const PackedPower* __restrict speckle_a,
+                                       const PackedPower* __restrict speckle_b, float share,
+                                       float* __restrict a, float* __restrict b,
+                                       std::size_t cells) {
+  const float steady = 1.0f - share;
+  std::size_t laid = 0;
+  for (std::size_t r = 0; r < run_count; ++r) {
+    const RowShift s = runs[r].shift;
+    const PackedPower* __restrict row = runs[r].row;
+    const std::size_t first = runs[r].first;
+    clear_cells(a, laid, first);
+    clear_cells(b, laid, first);
+    const PackedPower* __restrict from_a = speckle_a + first;
+    const PackedPower* __restrict from_b = speckle_b + first;
+    float* __restrict to_a = a + first;
+    float* __restrict to_b = b + first;
+    const auto count = static_cast<std::int32_t>(runs[r].count);
+    const std::int32_t blocks = (count + kRunLanes - 1) / kRunLanes;
+    for (std::int32_t i = 0; i < blocks * kRunLanes; ++i) {
+      const float mean = moved(row, s, i);
+      to_a[i] = mean * (steady + share * unpacked_value(from_a[i]));
+      to_b[i] = mean * (steady + share * unpacked_value(from_b[i]));
+    }
+    laid = first + runs[r].count;
+  }
+  clear_cells(a, laid, cells);
+  clear_cells(b, laid, cells);
+}
+SKERRY_NARROW_KERNEL(lay_runs_twice,
+                     (const MovedRun* __restrict runs, std::size_t run_count,
+                      const PackedPower* __restrict speckle_a,
+                      const PackedPower* __restrict speckle_b, float share, float* __restrict a,
+                      float* __restrict b, std::size_t cells),
+                     (runs, run_count, speckle_a, speckle_b, share, a, b, cells))
 
 }  // namespace
 
@@ -112,10 +156,14 @@ void add_moved(std::span<const MovedRun> runs, std::span<float> power) noexcept 
   add_mean(runs.data(), runs.size(), power.data(), static_cast<std::int32_t>(power.size()));
 }
 
-void add_moved(std::span<const MovedRun> runs, std::span<const float> speckle, float share,
-               std::span<float> power) noexcept {
-  add_speckled(runs.data(), runs.size(), speckle.data(), share, power.data(),
-               static_cast<std::int32_t>(power.size()));
+void lay_moved(std::span<const MovedRun> runs, float share, const SpeckledRow& row) noexcept {
+  lay_runs(runs.data(), runs.size(), row.speckle.data(), share, row.power.data(), row.power.size());
+}
+
+void lay_moved(std::span<const MovedRun> runs, float share, const SpeckledRow& a,
+               const SpeckledRow& b) noexcept {
+  lay_runs_twice(runs.data(), runs.size(), a.speckle.data(), b.speckle.data(), share,
+                 a.power.data(), b.power.data(), a.power.size());
 }
 
 double unpacked_reference(PackedPower packed) {

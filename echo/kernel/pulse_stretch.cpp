@@ -38,7 +38,7 @@ void stretch_pulse(std::span<float> power, double pulse_cells, std::vector<float
   const PulseCells pulse = split_pulse(pulse_cells);
   if (pulse.whole == 1 && pulse.rest == 0.0f) return;
   const std::size_t n = power.size();
-  scratch.resize(5 * n);
+  if (scratch.size() < 5 * n) scratch.resize(5 * n);  // what is grown is cleared
   float* box = scratch.data();
   float* next_box = box + n;
   float* sum = box + 2 * n;

@@ -21,10 +21,10 @@ SKERRY_KERNEL_BODY mean_of_two_body(const std::uint8_t* a, std::size_t shift,
   const std::uint8_t* b = a - shift;
   for (std::size_t i = 0; i < n; ++i) out[i] = mean_up(a[i], b[i]);
 }
-SKERRY_KERNEL(mean_of_two,
-              (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
-               std::size_t n),
-              (a, shift, out, n))
+SKERRY_NARROW_KERNEL(mean_of_two,
+                     (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
+                      std::size_t n),
+                     (a, shift, out, n))
 
 // Two steps of doubling at once.
 SKERRY_KERNEL_BODY mean_of_four_body(const std::uint8_t* a, std::size_t shift,
@@ -32,23 +32,38 @@ SKERRY_KERNEL_BODY mean_of_four_body(const std::uint8_t* a, std::size_t shift,
   const std::uint8_t *b = a - shift, *c = b - shift, *d = c - shift;
   for (std::size_t i = 0; i < n; ++i) out[i] = mean_down(mean_up(a[i], b[i]), mean_up(c[i], d[i]));
 }
-SKERRY_KERNEL(mean_of_four,
-              (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
-               std::size_t n),
-              (a, shift, out, n))
+SKERRY_NARROW_KERNEL(mean_of_four,
+                     (const std::uint8_t* a, std::size_t shift, std::uint8_t* __restrict out,
+                      std::size_t n),
+                     (a, shift, out, n))
+
+inline __attribute__((always_inline)) std::uint8_t less_share(std::uint8_t video, std::uint8_t mean,
+                                                              std::uint16_t weight) {
+  const auto product = static_cast<std::uint16_t>(mean * weight + 128);
+  const auto share = static_cast<std::uint8_t>(product >> 8);
+  const std::uint8_t most = video > share ? video : share;
+  return static_cast<std::uint8_t>(most - share);
+}
 
 SKERRY_KERNEL_BODY take_share_body(std::uint8_t* __restrict video, const std::uint8_t* mean,
                                    std::uint16_t weight, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto product = static_cast<std::uint16_t>(mean[i] * weight + 128);
-    const auto share = static_cast<std::uint8_t>(product >> 8);
-    video[i] = static_cast<std::uint8_t>(video[i] > share ? video[i] - share : 0);
-  }
+  for (std::size_t i = 0; i < n; ++i) video[i] = less_share(video[i], mean[i], weight);
 }
-SKERRY_KERNEL(take_share,
-              (std::uint8_t* __restrict video, const std::uint8_t* mean, std::uint16_t weight,
-               std::size_t n),
-              (video, mean, weight, n))
+SKERRY_NARROW_KERNEL(take_share,
+                     (std::uint8_t* __restrict video, const std::uint8_t* mean,
+                      std::uint16_t weight, std::size_t n),
+                     (video, mean, weight, n))
+
+// The last doubling and the share of it.
+SKERRY_KERNEL_BODY take_share_of_two_body(std::uint8_t* __restrict video, const std::uint8_t* a,
+                                          std::size_t shift, std::uint16_t weight, std::size_t n) {
+  const std::uint8_t* b = a - shift;
+  for (std::size_t i = 0; i < n; ++i) video[i] = less_share(video[i], mean_up(a[i], b[i]), weight);
+}
+SKERRY_NARROW_KERNEL(take_share_of_two,
+                     (std::uint8_t* __restrict video, const std::uint8_t* a, std::size_t shift,
+                      std::uint16_t weight, std::size_t n),
+                     (video, a, shift, weight, n))
 
 template <int kReach>
 inline __attribute__((always_inline)) void largest_within(const std::uint8_t* row,
@@ -64,13 +79,13 @@ inline __attribute__((always_inline)) void largest_within(const std::uint8_t* ro
     out[i] = largest;
   }
 }
-#define SKERRY_LARGEST_KERNEL(name, reach)                                                    \
-  SKERRY_KERNEL_BODY name##_body(const std::uint8_t* row, std::uint8_t* __restrict out,       \
-                                 std::size_t n) {                                             \
-    largest_within<reach>(row, out, n);                                                       \
-  }                                                                                           \
-  SKERRY_KERNEL(name, (const std::uint8_t* row, std::uint8_t* __restrict out, std::size_t n), \
-                (row, out, n))
+#define SKERRY_LARGEST_KERNEL(name, reach)                                              \
+  SKERRY_KERNEL_BODY name##_body(const std::uint8_t* row, std::uint8_t* __restrict out, \
+                                 std::size_t n) {                                       \
+    largest_within<reach>(row, out, n);                                                 \
+  }                                                                                     \
+  SKERRY_NARROW_KERNEL(                                                                 \
+      name, (const std::uint8_t* row, std::uint8_t* __restrict out, std::size_t n), (row, out, n))
 SKERRY_LARGEST_KERNEL(largest_within_1, 1)
 SKERRY_LARGEST_KERNEL(largest_within_2, 2)
 SKERRY_LARGEST_KERNEL(largest_within_3, 3)
@@ -89,7 +104,7 @@ SKERRY_KERNEL(grow,
               (video, a, b, n))
 
 // out[i] = the mean of rows[0][i] .. rows[2 reach][i], the middle one reach + 1 times, each beside
-// it once less; `out` may be one of them.  Rounded: `inverse` is 65536 / (reach + 1)^2.
+// it once less; `out` may be one of them.  Rounded: `inverse` is 2^20 / (reach + 1)^2.
 inline __attribute__((always_inline)) void triangle_of(const std::uint8_t* const* rows,
                                                        std::size_t reach, std::uint32_t inverse,
                                                        std::uint8_t* out, std::size_t begin,
@@ -102,7 +117,7 @@ inline __attribute__((always_inline)) void triangle_of(const std::uint8_t* const
       sum[i] = static_cast<std::uint16_t>(sum[i] + weight * from[i]);
   }
   for (std::size_t i = 0; i < n; ++i)
-    out[begin + i] = static_cast<std::uint8_t>((sum[i] * inverse + 0x8000u) >> 16);
+    out[begin + i] = static_cast<std::uint8_t>((sum[i] * inverse + 0x80000u) >> 20);
 }
 SKERRY_KERNEL_BODY triangle_mean_body(const std::uint8_t* const* rows, std::size_t reach,
                                       std::uint32_t inverse, std::uint8_t* out, std::size_t n) {
@@ -119,6 +134,11 @@ SKERRY_KERNEL_BODY upper_half_body(std::uint8_t* video, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) video[i] = static_cast<std::uint8_t>(video[i] >> 4);
 }
 SKERRY_KERNEL(upper_half, (std::uint8_t * video, std::size_t n), (video, n))
+
+// Never smaller again: what is grown is cleared, and stages of different needs take turns.
+void make_room(std::vector<std::uint8_t>& scratch, std::size_t size) {
+  if (scratch.size() < size) scratch.resize(size);
+}
 
 }  // namespace
 
@@ -149,7 +169,7 @@ void differentiate_video(std::span<std::uint8_t> video, std::size_t cells, unsig
   if (weight == 0 || video.empty()) return;
   const std::size_t length = std::size_t{1} << octaves, pitch = length + cells;
   const std::size_t spokes = video.size() / cells, n = spokes * pitch;
-  scratch.resize(2 * (length + n));
+  make_room(scratch, 2 * (length + n));
   std::uint8_t* mean = scratch.data() + length;
   std::uint8_t* next = mean + n + length;
   std::fill(mean - length, mean, std::uint8_t{0});
@@ -163,13 +183,15 @@ void differentiate_video(std::span<std::uint8_t> video, std::size_t cells, unsig
     mean_of_four(mean, std::size_t{1} << done, next, n);
     std::swap(mean, next);
   }
-  if (done < octaves) {
-    mean_of_two(mean, std::size_t{1} << done, next, n);
-    std::swap(mean, next);
-  }
   for (std::size_t s = 0; s < spokes; ++s) {
-    take_share(video.data() + s * cells, mean + s * pitch + length - 1,
-               static_cast<std::uint16_t>(weight), cells);
+    std::uint8_t* const row = video.data() + s * cells;
+    const std::uint8_t* const before = mean + s * pitch + length - 1;
+    if (done < octaves) {
+      take_share_of_two(row, before, std::size_t{1} << done, static_cast<std::uint16_t>(weight),
+                        cells);
+    } else {
+      take_share(row, before, static_cast<std::uint16_t>(weight), cells);
+    }
   }
 }
 
@@ -177,7 +199,7 @@ void stretch_video(std::span<std::uint8_t> video, std::size_t cells, unsigned re
                    std::vector<std::uint8_t>& scratch) {
   if (reach == 0) return;
   constexpr std::size_t kPad = kMaxStretch;  // zeros at both ends
-  scratch.resize(cells + 2 * kPad);
+  make_room(scratch, cells + 2 * kPad);
   std::uint8_t* row = scratch.data() + kPad;
   std::fill_n(scratch.data(), kPad, std::uint8_t{0});
   std::fill_n(row + cells, kPad, std::uint8_t{0});
@@ -192,7 +214,7 @@ void stretch_video(std::span<std::uint8_t> video, std::size_t cells, unsigned re
 
 void smooth_rows(std::span<const std::uint8_t* const> rows, std::span<std::uint8_t> out) noexcept {
   const auto reach = static_cast<std::uint32_t>(rows.size() / 2), all = (reach + 1) * (reach + 1);
-  triangle_mean(rows.data(), reach, (0x10000u + all / 2) / all, out.data(), out.size());
+  triangle_mean(rows.data(), reach, (0x100000u + all / 2) / all, out.data(), out.size());
 }
 
 void smooth_video(std::span<std::uint8_t> video, std::size_t cells, unsigned cells_together,

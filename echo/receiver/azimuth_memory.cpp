@@ -43,8 +43,9 @@ void AzimuthMemory::set_up(const AzimuthStages& stages, std::uint32_t cells, dou
   if (stages == stages_ && cells == cells_) return;
   stages_ = stages;
   cells_ = cells;
-  // Rows must not lie a multiple of 4 KiB apart.
-  pitch_ = (cells + 15) / 16 * 16 + 16;
+  // Rows must not lie a multiple of 4 KiB apart, nor a line or two beside one: what is read of one
+  // row would wait for what has just been written of another at the same place of its page.
+  pitch_ = (cells + 15) / 16 * 16 + 80;
   ratio_ = static_cast<float>(ratio_from_decibels(stages.rejection_db));
   totals_.resize(stages.rejection_db > 0.0 ? 3 * pitch_ : 0);
   const bool sums = stages.integrated > 1;
@@ -86,12 +87,25 @@ void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t be
   }
   IntegrationRows integration;
   if (stages_.integrated > 1) {
-    const std::uint64_t place = spoke % stages_.integrated;
-    if (place == 0) close_group(begin, video.size());
-    float* kept = group_.data() + place * pitch_ + begin;
-    const float* later = place + 1 < stages_.integrated ? kept + pitch_ : row_of_zeros() + begin;
     const std::uint64_t summed = std::min<std::uint64_t>(stages_.integrated, spokes_ + k + 1);
-    integration = {later, so_far_.data() + begin, kept, 1.0f / static_cast<float>(summed)};
+    const auto octaves = -static_cast<float>(exact_log2(static_cast<double>(summed)));
+    const auto kept = [&](std::uint64_t number) {
+      return group_.data() + number % stages_.integrated * pitch_ + begin;
+    };
+    const std::uint64_t place = spoke % stages_.integrated;
+    if (stages_.integrated > kFewPast + 1) {
+      if (place == 0) close_group(begin, video.size());
+      const float* later =
+          place + 1 < stages_.integrated ? kept(place) + pitch_ : row_of_zeros() + begin;
+      integration = {later, so_far_.data() + begin, kept(place), octaves};
+    } else {
+      integration = {nullptr, nullptr, kept(place), octaves};
+      for (std::uint32_t j = 0; j < kFewPast; ++j) {
+        const bool counts = j + 1 < stages_.integrated;
+        integration.past[j] =
+            counts ? kept(place + stages_.integrated - j - 1) : row_of_zeros() + begin;
+      }
+    }
   }
   if (stages_.rejection_db <= 0.0) {
     receive_integrated(power, gain, noise, integration, offset, scale, video);

@@ -10,6 +10,12 @@
 
 namespace skerry::echo {
 
+// The greatest whole number that is not above x, |x| < 2^31.
+inline std::int32_t whole_cells(double x) {
+  const auto whole = static_cast<std::int32_t>(x);
+  return whole - static_cast<std::int32_t>(static_cast<double>(whole) > x);
+}
+
 // Cells first .. last - 1 of a spoke: cell i lies at i + shift of that row.
 struct RowPart {
   std::uint32_t row = 0;

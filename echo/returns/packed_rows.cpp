@@ -1,7 +1,6 @@
 #include "echo/returns/packed_rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace skerry::echo {
 namespace {
@@ -78,13 +77,12 @@ PackedPower* PackedRows::take(std::size_t count) {
 void PackedRows::find(const RowPart& part, std::vector<MovedRun>& runs) const {
   const Row& row = rows_[part.row];
   if (row.count == 0) return;
-  const double whole = std::floor(part.shift);
-  const auto shift = static_cast<std::int32_t>(whole);
+  const std::int32_t shift = whole_cells(part.shift);
   // Cell i reads the row's cells i + shift and the next.
   const std::int32_t from = static_cast<std::int32_t>(part.first) + shift;
   const std::int32_t to = static_cast<std::int32_t>(part.last) + shift;
   const auto moved = static_cast<float>(part.shift);
-  const auto fraction = static_cast<float>(part.shift - whole);
+  const auto fraction = static_cast<float>(part.shift - static_cast<double>(shift));
   const auto gain_at = [&](std::int32_t cell) {
     const float ratio = 1.0f + moved / (static_cast<float>(cell) + 0.5f);
     return ratio > 0.0f ? ratio * ratio * ratio : 0.0f;

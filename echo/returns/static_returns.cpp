@@ -82,8 +82,6 @@ class StaticReturns::Frames {
 
   // Finds the echoes of a spoke, and the cells that show no sea.
   void find(const SpokeAim& aim, std::vector<MovedRun>& runs, std::vector<CellRun>& dry) const {
-    runs.clear();
-    dry.clear();
     for_each(aim, [&](const RowPart& part) {
       now_->find(part, runs);
       add_dry(part, dry);
@@ -114,6 +112,10 @@ class StaticReturns::Frames {
     const double height =
         model_.set.antenna_height_m + slope * range + range * range / (2.0 * kEffectiveEarth);
     return static_cast<float>(std::max(0.0, height));
+  }
+
+  std::uint32_t spokes_to_a_row() const {
+    return detail_.rows <= model_.geometry.spokes_per_turn ? 2 : 1;
   }
 
   Effort effort() const {
@@ -169,11 +171,15 @@ class StaticReturns::Frames {
   void add_dry(const RowPart& part, std::vector<CellRun>& runs) const {
     const std::span<const CellRun> kept = now_->dry(part.row);
     if (kept.empty()) return;
-    const auto shift = static_cast<std::int32_t>(std::floor(part.shift + 0.5));
-    for (const CellRun& run : kept) {
-      const std::int32_t begin = std::max(run.first - shift, static_cast<std::int32_t>(part.first));
-      const std::int32_t end = std::min(run.last - shift, static_cast<std::int32_t>(part.last));
-      if (begin >= end) continue;
+    const std::int32_t shift = whole_cells(part.shift + 0.5);
+    // The part in the row's own cells.
+    const std::int32_t from = static_cast<std::int32_t>(part.first) + shift;
+    const std::int32_t to = static_cast<std::int32_t>(part.last) + shift;
+    std::size_t r = 0;
+    while (r < kept.size() && kept[r].last <= from) ++r;
+    for (; r < kept.size() && kept[r].first < to; ++r) {
+      const std::int32_t begin = std::max<std::int32_t>(kept[r].first, from) - shift;
+      const std::int32_t end = std::min<std::int32_t>(kept[r].last, to) - shift;
       const CellRun moved{static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end)};
       if (!runs.empty() && runs.back().last >= moved.first) {
         runs.back().last = std::max(runs.back().last, moved.last);
@@ -360,21 +366,17 @@ void StaticReturns::prepare(const Scene& scene, std::uint64_t first, std::uint32
   frames_->prepare(scene, first, count);
 }
 bool StaticReturns::empty() const { return frames_->empty(); }
-bool StaticReturns::add(const SpokeAim& aim, std::span<const float> speckle, float share,
-                        std::span<float> power, std::vector<CellRun>& dry) const {
+std::uint32_t StaticReturns::spokes_to_a_row() const { return frames_->spokes_to_a_row(); }
+void StaticReturns::find(const SpokeAim& aim, std::vector<MovedRun>& runs,
+                         std::vector<CellRun>& dry) const {
+  runs.clear();
   dry.clear();
-  if (frames_->empty()) return false;
-  thread_local std::vector<MovedRun> runs;
-  frames_->find(aim, runs, dry);
-  add_moved(runs, speckle, share, power);
-  return !runs.empty();
+  if (!frames_->empty()) frames_->find(aim, runs, dry);
 }
 bool StaticReturns::add(const SpokeAim& aim, std::span<float> power,
                         std::vector<CellRun>& dry) const {
-  dry.clear();
-  if (frames_->empty()) return false;
   thread_local std::vector<MovedRun> runs;
-  frames_->find(aim, runs, dry);
+  find(aim, runs, dry);
   add_moved(runs, power);
   return !runs.empty();
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/kernel/moved_row.hpp"
 #include "echo/kernel/parallel_for.hpp"
 #include "echo/radar/radar_model.hpp"
 #include "echo/returns/hidden_water.hpp"
@@ -32,11 +33,12 @@ namespace skerry::echo {
 //
 // A pure function of the sequence of (scene, sector), for any number of workers.
 // Error, against rows made where the own ship is: bearing 1.7 rows (kMostOff; an eighth of a beam
-// of 1.2 deg), range a twentieth of a cell in the mean of an echo, whose two edges show in up to a
-// cell more; p50 0.6 dB, and p90 3 dB beyond what the cell and its two neighbours hold.  What
-// stands before what changes with the way moved: p99 is that of edges come and gone, tens of dB.
-// Near the limit of the picture's coast a few cells at the range's end may be empty.  Held by
-// MovedRows.FindEachPlaceWhereItWasSeen, StaticReturns.MovedRowsAreNearFreshOnes.
+// of 1.2 deg), and half a row more where two spokes share one; range a twentieth of a cell in the
+// mean of an echo, whose two edges show in up to a cell more; p50 0.6 dB, and p90 3 dB beyond what
+// the cell and its two neighbours hold.  What stands before what changes with the way moved: p99 is
+// that of edges come and gone, tens of dB.  Near the limit of the picture's coast a few cells at
+// the range's end may be empty.  Held by MovedRows.FindEachPlaceWhereItWasSeen,
+// StaticReturns.MovedRowsAreNearFreshOnes.
 class StaticReturns {
  public:
   StaticReturns(const RadarModel& model, ParallelFor parallel);
@@ -50,15 +52,18 @@ class StaticReturns {
   // Whether nothing of all this is in the last prepared scene; then the rest does nothing.
   bool empty() const;
 
-  // Adds the echoes of that spoke to power[i], signal-to-noise ratios: the mean times
-  // 1 - share + share * speckle[i], and sets `dry` to the runs of cells that show no sea: land, and
-  // water hidden behind it; nearest first, apart; none over open water.  dry is that of the middle
-  // of the beam.  Returns false, nothing added, where nothing echoes.  Requires power.size() to be
-  // the radar's cells, speckle.size() at least that.  Thread: any, after prepare().
-  bool add(const SpokeAim& aim, std::span<const float> speckle, float share, std::span<float> power,
-           std::vector<CellRun>& dry) const;
-  // The mean alone.
+  // Adds the echoes of that spoke to power[i], signal-to-noise ratios, and sets `dry` to the runs
+  // of cells that show no sea: land, and water hidden behind it; nearest first, apart; none over
+  // open water.  dry is that of the middle of the beam.  Returns false, nothing added, where
+  // nothing echoes.  Requires power.size() to be the radar's cells.  Thread: any, after prepare().
   bool add(const SpokeAim& aim, std::span<float> power, std::vector<CellRun>& dry) const;
+  // How many spokes that follow one another may share what find() finds for the bearing in their
+  // middle: 2 where a row is at least as wide as a spoke.  Error: half a spoke in bearing, half a
+  // row at most.  Held by StaticReturns.TwoSpokesShareARowNoNarrowerThanOne.
+  std::uint32_t spokes_to_a_row() const;
+  // The same in two steps: sets `runs` to the echoes, for lay_moved(), and `dry`; both are empty
+  // where empty().  The runs are valid until the next prepare().
+  void find(const SpokeAim& aim, std::vector<MovedRun>& runs, std::vector<CellRun>& dry) const;
 
   // Height over the water below which land hides what is at that place, metres; 0 over open water
   // and within sight.  From where the antenna was in the middle of the last sector.  The Earth's

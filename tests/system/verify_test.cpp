@@ -123,15 +123,16 @@ TEST(Verify, MakesTheVideoOfFormerRecordingsAgain) {
     bool same;
   };
   for (const Former& former : {
-           Former{"all_views", "e7935f1c9daf8ba8295f49753f984b375c1fe4655180800447bca6a82b42522a",
-                  true},
-           {"compact_zstd", "d92aa90248a86e054b2abdbd317326ebd7bb6accc7d45fbf391d89c27b4844b7",
-            true},
-           {"inputs", "7f6adf82c6945f186fcd7659887f24d7e5e1d51f97ac9671a1254f28b57e6045", false},
-           {"inputs_nmea", "20fcaba4accd090c1ee33893a6a7e00688180eb4119a0cd158450e490dc625e1",
+           Former{"all_views", "e39868c3249ded17efa6ca914e501d476729b6d154a81ae0bf5da661cc12f85e",
+                  false},
+           {"compact_zstd", "fd2b991b21692280fb7a4a4534bf7fa22160d4daf900b47bf1af49ab2d0ad8c2",
             false},
-           {"none", "917b16cb4dec615d63533c626050037d3bd5ee571bf25e04ea28583cde65ad30", true},
-           {"unfinished", "60614984c1e61f5cf01320f9be19070a9529127288edc86589101e04844c52f5", true},
+           {"inputs", "74b428ff0492ccaec532c977389953fdd3c6aa61b5dbe48643251d63ec486724", false},
+           {"inputs_nmea", "3d34266d3ce4a607943426282e1e18055198c07b6e6d08dd56c5874dbaa35ad2",
+            false},
+           {"none", "119462a1569cc47688bd37d8a21b48e467a77a0946534737d94fc166161a9ec7", false},
+           {"unfinished", "2b52d7cb85f8263cac2e44069ca35211c812a2dba8558d477465f5046d9f8cf0",
+            false},
        }) {
     const Ending ending =
         run({skerry_program(), "recording", "verify",

@@ -144,13 +144,15 @@ TEST(ClutterRow, AddsSpeckledClutterToPowerOfTheCellsAskedFor) {
   on_every_isa([&] {
     for (std::size_t n = 0; n <= 67; ++n) {
       const std::vector<float> a = row_of(1, n, 0.0, 9.0), b = row_of(2, n, 0.0, 9.0);
-      const std::vector<float> speckle = row_of(3, n, 0.0, 5.0);
+      const std::vector<float> drawn = row_of(3, n, 0.0, 5.0);
+      std::vector<PackedPower> speckle(n);
+      std::transform(drawn.begin(), drawn.end(), speckle.begin(), packed_value);
       for (std::size_t begin = 0; begin <= n; begin += 3) {
         for (std::size_t end = begin; end <= n; ++end) {
           std::vector<float> power(n, 2.0f);
           add_speckled(a, b, 0.25f, speckle, power, begin, end);
           for (std::size_t i = 0; i < n; ++i) {
-            const float all = 2.0f + (0.75f * a[i] + 0.25f * b[i]) * speckle[i];
+            const float all = 2.0f + (0.75f * a[i] + 0.25f * b[i]) * unpacked_value(speckle[i]);
             ASSERT_FLOAT_EQ(power[i], i >= begin && i < end ? all : 2.0f) << begin << " " << end;
           }
         }

@@ -89,6 +89,38 @@ TEST(Speckle, HasTheMomentsOfTheExponential) {
   }
 }
 
+// Of spokes within a turn and of those that fade into the next.
+TEST(Speckle, IsPackedWithinItsBound) {
+  constexpr std::uint32_t kTurn = 2048, kCells = 700, kFrom = 64;
+  const Speckle speckle(11.6, 2.0, 9);
+  double worst = 0.0, mean = 0.0, packed_mean = 0.0;
+  for (std::uint32_t spoke = 0; spoke < kTurn; ++spoke) {
+    const auto row = speckle.row({1, 3, spoke, kTurn}, kCells, kFrom);
+    const auto packed = speckle.packed_row({1, 3, spoke, kTurn}, kCells, kFrom);
+    ASSERT_GE(packed.size(), kCells + kRowPadding);
+    for (std::uint32_t i = kFrom; i < kCells; ++i) {
+      const double value = row[i], kept = unpacked_value(packed[i]);
+      worst = std::max(worst, std::fabs(kept / value - 1.0));
+      mean += value, packed_mean += kept;
+    }
+  }
+  std::printf("worst error of packing %.3g, of the mean %.2g\n", worst, packed_mean / mean - 1.0);
+  EXPECT_LE(worst, 0x1p-8);
+  EXPECT_NEAR(packed_mean / mean, 1.0, 1e-4);
+}
+
+// What two neighbours have is valid at the same time.
+TEST(Speckle, KeepsTheRowsOfTwoSpokes) {
+  constexpr std::uint32_t kTurn = 2048;
+  const Speckle speckle(11.6, 2.0, 9);
+  for (const std::uint32_t spoke : {100u, kTurn - 2}) {
+    const auto first = speckle.packed_row({1, 3, spoke, kTurn}, 64);
+    const std::vector<PackedPower> before(first.begin(), first.end());
+    speckle.packed_row({1, 3, spoke + 1, kTurn}, 64);
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), first.begin())) << spoke;
+  }
+}
+
 TEST(Speckle, CorrelatesAsTheSquareOfItsField) {
   constexpr double kSpokes = 6.0, kCells = 4.0;
   const Speckle speckle(kSpokes, kCells, 2);

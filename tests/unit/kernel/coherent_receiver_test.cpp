@@ -44,7 +44,10 @@ struct Rows {
   RejectionRows rejection() {
     return {before.data(), before_that.data(), total.data(), 10.0f, 1.0f};
   }
-  IntegrationRows integration() { return {later.data(), so_far.data(), kept.data(), 0.125f}; }
+  IntegrationRows integration() { return {later.data(), so_far.data(), kept.data(), -3.0f}; }
+  IntegrationRows few() {
+    return {nullptr, nullptr, kept.data(), -2.0f, {later.data(), before.data(), so_far.data()}};
+  }
 };
 
 // How far video, the floor of a value, lies from an exact value: 0 within its step.
@@ -92,34 +95,41 @@ TEST(CoherentReceiver, RejectionAndIntegrationMatchTheirReferences) {
   double worst = 0.0;
   on_every_isa([&] {
     for (std::size_t n : {1u, 15u, 64u, 67u, 300u}) {
-      for (int what = 0; what < 3; ++what) {
+      for (int what = 0; what < 5; ++what) {
+        const bool rejects = what != 1 && what != 3, integrates = what != 0, few = what > 2;
         Rows rows(n, static_cast<std::uint32_t>(n) + 7);
         const std::vector<float> so_far = rows.so_far;
         const RejectionRows rejection = rows.rejection();
-        const IntegrationRows integration = rows.integration();
+        const IntegrationRows integration = few ? rows.few() : rows.integration();
         std::vector<std::uint8_t> video(n);
-        if (what == 0)
+        if (!integrates) {
           receive_rejected(rows.power, 1.0f, rows.noise(), rejection, rows.offset, kScale, video);
-        if (what == 1)
+        } else if (!rejects) {
           receive_integrated(rows.power, 1.0f, rows.noise(), integration, rows.offset, kScale,
                              video);
-        if (what == 2)
+        } else {
           receive_rejected_and_integrated(rows.power, 1.0f, rows.noise(), rejection, integration,
                                           rows.offset, kScale, video);
+        }
         std::vector<float> raw(n);
         receive_power(rows.power, 1.0f, rows.noise(), raw);
         for (std::size_t i = 0; i < n; ++i) {
           double x = static_cast<double>(raw[i]);
-          if (what != 1) {
+          if (rejects) {
             EXPECT_EQ(rows.total[i], raw[i]);
             x = rejected_reference(x, static_cast<double>(rows.before[i]),
                                    static_cast<double>(rows.before_that[i]), 10.0, 1.0);
           }
-          if (what != 0) {
+          if (integrates) {
             EXPECT_FLOAT_EQ(rows.kept[i], static_cast<float>(x));
-            const double sum = static_cast<double>(so_far[i]) + x;
-            EXPECT_FLOAT_EQ(rows.so_far[i], static_cast<float>(sum));
-            x = (sum + static_cast<double>(rows.later[i])) * 0.125;
+          }
+          const double past = static_cast<double>(so_far[i]);
+          if (integrates && few) {
+            x += static_cast<double>(rows.later[i]) + static_cast<double>(rows.before[i]) + past;
+            x *= 0.25;
+          } else if (integrates) {
+            EXPECT_FLOAT_EQ(rows.so_far[i], static_cast<float>(past + x));
+            x = (past + x + static_cast<double>(rows.later[i])) * 0.125;
           }
           worst = std::max(
               worst,
@@ -141,6 +151,10 @@ TEST(CoherentReceiver, GivesTheSameBitsOnEveryInstructionSet) {
     std::vector<std::uint8_t> video(4093);
     receive_rejected_and_integrated(rows.power, 1.0f, rows.noise(), rows.rejection(),
                                     rows.integration(), rows.offset, kScale, video);
+    std::vector<std::uint8_t> few(4093);
+    receive_rejected_and_integrated(rows.power, 1.0f, rows.noise(), rows.rejection(), rows.few(),
+                                    rows.offset, kScale, few);
+    video.insert(video.end(), few.begin(), few.end());
     std::vector<std::int32_t> levels(4093 / kLevelCells);
     sum_levels(rows.power, 1.0f, rows.noise(), levels);
     add_row(rows.so_far, rows.kept);

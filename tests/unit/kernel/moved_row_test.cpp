@@ -50,44 +50,38 @@ TEST(MovedRow, PacksWithinItsBound) {
   EXPECT_LE(worst, 0x1p-8);
 }
 
-// Three runs of a row, the last of them to its end, and cells before and behind that stay.
-TEST(MovedRow, IsAddedAsItsReferenceHasIt) {
-  double worst = 0.0;
+// A row and three runs of it, count / 3, count / 2 and count cells long, apart by `gap`.
+struct ThreeRuns {
+  ThreeRuns(std::uint32_t count, std::uint32_t gap) : row(count + 1 + kRowPadding) {
+    std::vector<float> peaks((row.size() + kPackBlock - 1) / kPackBlock);
+    pack_power(powers(row.size(), 7 + count), 1e-3f, row, peaks);
+    const std::uint32_t second = 5 + count / 3 + gap, third = second + count / 2 + gap;
+    runs = {{row.data(), {0.3f, 0.7f, 1.25f, -0.002f}, 5, count / 3},
+            {row.data() + count / 2, {1.0f, 0.0f, 0.75f, 0.001f}, second, count / 2},
+            {row.data(), {0.6f, 0.4f, 1.0f, 0.0f}, third, count}};
+    end = third + count;
+  }
+  std::vector<PackedPower> row;
+  std::vector<MovedRun> runs;
+  std::size_t end;
+};
+
+// Calls make(count, gap, behind) for all that may come up, on every instruction set, and compares
+// the rows that it returns.
+template <typename Make>
+void same_on_every_isa(Make&& make) {
   std::vector<std::vector<float>> first;
   std::size_t isa = 0;
   on_every_isa([&] {
     std::size_t at = 0;
     for (std::uint32_t count = 0; count <= 67; ++count) {
       for (const std::uint32_t behind : {0u, 3u, 40u}) {
-        for (const bool speckled : {false, true}) {
-          std::vector<PackedPower> row(count + 1 + kRowPadding);
-          std::vector<float> peaks((row.size() + kPackBlock - 1) / kPackBlock);
-          pack_power(powers(row.size(), 7 + count), 1e-3f, row, peaks);
-          const std::vector<MovedRun> runs = {
-              {row.data(), {0.3f, 0.7f, 1.25f, -0.002f}, 5, count / 3},
-              {row.data() + count / 2, {1.0f, 0.0f, 0.75f, 0.001f}, 5 + count / 3, count / 2},
-              {row.data(), {0.6f, 0.4f, 1.0f, 0.0f}, 5 + count, count}};
-          const std::size_t end = 5 + 2 * std::size_t{count};
-          std::vector<float> power(end + behind, 2.0f);
-          std::vector<double> exact(power.size(), 2.0);
-          const std::vector<float> speckle =
-              speckled ? powers(power.size(), 99 + count) : std::vector<float>{};
-          if (speckled) {
-            add_moved(runs, speckle, 0.4f, power);
-          } else {
-            add_moved(runs, power);
-          }
-          add_moved_reference(runs, speckle, 0.4f, exact);
-          for (std::size_t i = 0; i < power.size(); ++i) {
-            if (i < 5 || i >= end) {
-              EXPECT_EQ(power[i], 2.0f) << "beside the runs";
-            }
-            worst = std::max(worst, std::fabs(static_cast<double>(power[i]) / exact[i] - 1.0));
-          }
+        for (const std::uint32_t gap : {0u, 1u, 21u}) {
+          std::vector<float> row = make(count, gap, behind);
           if (isa == 0) {
-            first.push_back(power);
+            first.push_back(std::move(row));
           } else {
-            EXPECT_EQ(power, first[at]);
+            EXPECT_EQ(row, first[at]);
           }
           ++at;
         }
@@ -95,7 +89,64 @@ TEST(MovedRow, IsAddedAsItsReferenceHasIt) {
     }
     ++isa;
   });
+}
+
+TEST(MovedRow, IsAddedAsItsReferenceHasIt) {
+  double worst = 0.0;
+  same_on_every_isa([&](std::uint32_t count, std::uint32_t gap, std::uint32_t behind) {
+    const ThreeRuns three(count, gap);
+    std::vector<float> power(three.end + behind, 2.0f);
+    std::vector<double> exact(power.size(), 2.0);
+    add_moved(three.runs, power);
+    add_moved_reference(three.runs, {}, 0.0f, exact);
+    for (std::size_t i = 0; i < power.size(); ++i) {
+      if (i < 5 || i >= three.end) {
+        EXPECT_EQ(power[i], 2.0f) << "beside the runs";
+      }
+      worst = std::max(worst, std::fabs(static_cast<double>(power[i]) / exact[i] - 1.0));
+    }
+    return power;
+  });
   std::printf("worst error of adding: %.3g\n", worst);
+  EXPECT_LE(worst, 6e-7);
+}
+
+TEST(MovedRow, IsLaidAsItsReferenceHasIt) {
+  double worst = 0.0;
+  same_on_every_isa([&](std::uint32_t count, std::uint32_t gap, std::uint32_t behind) {
+    const ThreeRuns three(count, gap);
+    const std::size_t cells = three.end + behind;
+    // Alone, and two at once.
+    std::vector<std::vector<float>> power(3, std::vector<float>(cells + kRowPadding, 2.0f));
+    std::vector<std::vector<PackedPower>> speckle;
+    for (const std::uint32_t seed : {99u, 98u}) {
+      speckle.emplace_back();
+      for (const float s : powers(cells + kRowPadding, seed + count))
+        speckle.back().push_back(packed_value(s));
+    }
+    const auto row = [&](std::size_t s, std::size_t k) {
+      return SpeckledRow{speckle[s], std::span(power[k]).first(cells)};
+    };
+    lay_moved(three.runs, 0.4f, row(0, 0));
+    lay_moved(three.runs, 0.4f, row(1, 1), row(0, 2));
+    for (auto& p : power) p.resize(cells);
+    EXPECT_EQ(power[0], power[2]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<double> exact(cells, 0.0);
+      std::vector<float> unpacked;
+      for (const PackedPower s : speckle[k]) unpacked.push_back(unpacked_value(s));
+      add_moved_reference(three.runs, unpacked, 0.4f, exact);
+      for (std::size_t i = 0; i < cells; ++i) {
+        if (exact[i] == 0.0) {
+          EXPECT_EQ(power[k][i], 0.0f);
+        } else {
+          worst = std::max(worst, std::fabs(static_cast<double>(power[k][i]) / exact[i] - 1.0));
+        }
+      }
+    }
+    return power[1];
+  });
+  std::printf("worst error of laying: %.3g\n", worst);
   EXPECT_LE(worst, 6e-7);
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "echo/kernel/isa.hpp"
+#include "echo/returns/static_frame.hpp"
 #include "tests/scenes/scenes.hpp"
 #include "tests/unit/returns/voyage.hpp"
 
@@ -170,6 +171,23 @@ TEST(StaticReturns, MovedRowsAreNearFreshOnes) {
 }
 
 // She turns on the spot: one frame, and its rows are those of one made at any moment of it.
+// What two spokes share lies half a spoke off either, which is half a row at most.
+TEST(StaticReturns, TwoSpokesShareARowNoNarrowerThanOne) {
+  for (const double beam_deg : {0.5, 1.2, 2.0, 5.0}) {
+    for (const std::uint32_t spokes : {1024u, 2048u, 4096u, 8192u}) {
+      RadarModel model = model_at(6.0);
+      model.set.beam_width_deg = beam_deg;
+      model.geometry.spokes_per_turn = spokes;
+      const StaticReturns returns(model, serial_for);
+      const double row_spokes = double{1} * spokes / frame_detail(model).rows;
+      EXPECT_EQ(returns.spokes_to_a_row(), row_spokes >= 1.0 ? 2u : 1u);
+      if (returns.spokes_to_a_row() > 1) {
+        EXPECT_LE(0.5 / row_spokes, 0.5);
+      }
+    }
+  }
+}
+
 TEST(StaticReturns, TurningOnTheSpotMakesNoOtherFrameAndMovesNothing) {
   const RadarModel model = model_at(3.0);
   Voyage turning = voyage(3.0, 0.0, 6.0);
