@@ -14,46 +14,25 @@
 #include "echo/beacons/far_echoes.hpp"
 #include "echo/clutter/rain_returns.hpp"
 #include "echo/clutter/sea_returns.hpp"
-#include "echo/clutter/speckle.hpp"
 #include "echo/kernel/aligned_floats.hpp"
 #include "echo/kernel/exact_math.hpp"
-#include "echo/kernel/hash.hpp"
-#include "echo/kernel/moved_row.hpp"
 #include "echo/kernel/power_stages.hpp"
 #include "echo/kernel/shelf.hpp"
 #include "echo/propagation/propagation.hpp"
 #include "echo/propagation/rain_path.hpp"
 #include "echo/returns/static_returns.hpp"
 #include "echo/scene/spoke_aim.hpp"
+#include "echo/spoke_land.hpp"
 #include "echo/targets/echo_splat.hpp"
 #include "echo/targets/radial_speeds.hpp"
 #include "echo/targets/target_returns.hpp"
 
 namespace skerry::echo {
-namespace {
-
-// Rock, trees and houses keep their phases for as long as a beam takes to pass: what is renewed
-// from turn to turn (SOURCES.md "Pictures (g)") is a matter of the ship's own way.
-constexpr double kLandLifetime = 1.0;  // seconds
-// Share of land's mean power that comes from what stands out in its cell and stays: a Rician cell.
-// Turns then correlate as land's do (SOURCES.md "Pictures (g)").
-constexpr double kSteadyLand = 0.35;
-constexpr std::uint64_t kLandSpeckle = 0x1A4D5;
-
-}  // namespace
-
 // What is needed while a sector is made and seen, and by no other radar then.
 struct SpokeReturns::Sector {
   struct Look {
     SpokeAim aim;  // as the antenna, swayed with the ship, sees it
     Motion motion;
-  };
-  // Land of one or two spokes, `first` the first of them: its echoes, and where no water is seen.
-  struct LandShare {
-    std::uint32_t first = 0, count = 0;
-    SpokeAim aim;  // their middle
-    std::vector<MovedRun> runs;
-    std::vector<CellRun> dry;
   };
 
   AlignedFloats rows, closing_rows;
@@ -85,10 +64,8 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
         motion(radar),
         minimum_range(radar),
         saturation(radar),
-        pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u) {
-    const SpeckleLengths lengths = speckle_lengths(radar, kLandLifetime);
-    land_speckle = speckle_for(lengths.spokes, lengths.cells);
-  }
+        spoke_land(radar),
+        pitch((radar.geometry.cells + 15u) / 16u * 16u + 16u) {}
 
   ~Contributors() {
     if (has_sector) Sector::shelf().put_back(std::move(sector()));
@@ -103,10 +80,6 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   void look_at_weather(const Scene& scene);
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
   void share_land(std::uint32_t count);
-  SpeckledRow speckled_row(const Scene& scene, std::size_t k, std::span<const MovedRun> runs,
-                           std::span<float> row) const;
-  void lay_land(const Scene& scene, const LandShare& share,
-                std::span<const std::span<float>> row) const;
   void look_for_water();
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
   void add_beacons(const SpokeAim& aim, std::span<float> row) const;
@@ -124,7 +97,6 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   double wave_height_m = -1.0;
 
   StaticReturns statics;
-  std::shared_ptr<const Speckle> land_speckle;
   SeaReturns sea;
   RainReturns rain;
   TargetReturns targets;
@@ -137,6 +109,7 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   AntennaMotionModel motion;
   MinimumRange minimum_range;
   Saturation saturation;
+  SpokeLand spoke_land;
 
   std::optional<RadialSpeeds> speeds;  // nothing: nobody wants them
 
@@ -215,32 +188,6 @@ void SpokeReturns::Contributors::share_land(std::uint32_t count) {
       share.count = 2;
     if (shared) share.aim.plane_units += share.aim.spoke % 2 == 0 ? half_spoke : 0 - half_spoke;
     k += share.count;
-  }
-}
-
-SpeckledRow SpokeReturns::Contributors::speckled_row(const Scene& scene, std::size_t k,
-                                                     std::span<const MovedRun> runs,
-                                                     std::span<float> row) const {
-  const SpokeAim& aim = looks[k].aim;
-  return {land_speckle->packed_row({mixed(scene.seed, model.radar, kLandSpeckle), aim.scan,
-                                    aim.index, model.geometry.spokes_per_turn},
-                                   runs.back().first + runs.back().count, runs.front().first),
-          row};
-}
-
-void SpokeReturns::Contributors::lay_land(const Scene& scene, const LandShare& share,
-                                          std::span<const std::span<float>> row) const {
-  constexpr auto kFluctuates = static_cast<float>(1.0 - kSteadyLand);
-  const std::vector<MovedRun>& runs = share.runs;
-  if (runs.empty()) {
-    for (std::uint32_t j = 0; j < share.count; ++j) std::fill(row[j].begin(), row[j].end(), 0.0f);
-    return;
-  }
-  const SpeckledRow first = speckled_row(scene, share.first, runs, row[0]);
-  if (share.count == 1) {
-    lay_moved(runs, kFluctuates, first);
-  } else {
-    lay_moved(runs, kFluctuates, first, speckled_row(scene, share.first + 1, runs, row[1]));
   }
 }
 
@@ -404,9 +351,11 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
   parallel(shares, [&](std::size_t s) {
     const LandShare& share = land[s];
-    const std::array<std::span<float>, 2> own = {row(share.first),
-                                                 row(share.first + share.count - 1)};
-    lay_land(scene, share, own);
+    const std::uint32_t last = share.first + share.count - 1;
+    const std::array<std::span<float>, 2> own = {row(share.first), row(last)};
+    const std::array<SpokeAim, 2> aims = {looks[share.first].aim, looks[last].aim};
+    spoke_land.lay(scene.seed, share.runs, std::span(aims).first(share.count),
+                   std::span(own).first(share.count));
     for (std::uint32_t j = 0; j < share.count; ++j) {
       const std::size_t k = share.first + j;
       make_row(scene, looks[k], share.dry, own[j], closing(k));

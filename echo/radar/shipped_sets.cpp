@@ -160,7 +160,7 @@ const auto& all() {
       river_x(),
       thirty_kilowatt_s(),
       dome("broadband dome", 3e3, 4.9, 23.5, 24.0),
-      smoothing(resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 20.0, 20.0, 3.5, 0.7)),
+      smoothing(resolving(dome("HALO20", 1.2e3, 4.9, 23.5, 22.8), 20.0, 0.0, 4.8, 0.7)),
       smoothing(resolving(dome("HALO24", 1.2e3, 3.9, 24.2, 24.0), 28.0, 20.0, 4.5, 0.7)),
       levels_of_4g(resolving(sweeping_dome("4G", 2.6, 24.5, 23.874), 32.0, 60.0, 6.0, 0.75)),
       resolving(sweeping_dome("3G", 5.2, 23.0, 24.0), 22.0, 70.0, 3.6, 0.7),

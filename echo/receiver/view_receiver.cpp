@@ -36,24 +36,9 @@ ViewReceiver::ViewReceiver(const RadarModel& model, const ViewControls& controls
       resampler_(resampler()),
       steps_per_db_(256.0 / model.set.video_range_db),
       scale_{static_cast<float>(steps_per_db_ * kDecibelsPerOctave), 255.0f},
-      offsets_(model.geometry.cells) {
-  lay_levels();
+      offsets_(model.geometry.cells),
+      set_video_(model.set) {
   set_up();
-}
-
-void ViewReceiver::lay_levels() {
-  const std::vector<VideoLevel>& levels = model_.set.levels;
-  if (levels.empty()) return;
-  levels_.assign(256, 0);
-  for (std::size_t v = 1; v < levels_.size(); ++v) {
-    const double at = (static_cast<double>(v) + 0.5) / 256.0;
-    std::size_t k = levels.size();
-    while (k > 0 && levels[k - 1].from > at) --k;
-    if (k == 0) continue;
-    const double from = levels[k - 1].from, to = k < levels.size() ? levels[k].from : 1.0;
-    const double into = std::clamp((at - from) / std::max(to - from, 1e-9), 0.0, 0.999);
-    levels_[v] = static_cast<std::uint8_t>(std::min(255.0, 16.0 * (levels[k - 1].shown + into)));
-  }
 }
 
 RowResampler ViewReceiver::resampler() const {
@@ -203,18 +188,8 @@ void ViewReceiver::finish(std::span<std::uint8_t> video) const {
   }
   differentiate_video(video, model_.geometry.cells, rain_octaves_, rain_weight_, scratch);
   stretch_video(video, model_.geometry.cells, stretch_cells_, scratch);
-  if (model_.set.video_smoothing > 1) smooth(video, scratch);
-}
-
-// Where the receiver is blind there is nothing still.
-void ViewReceiver::smooth(std::span<std::uint8_t> video, std::vector<std::uint8_t>& scratch) const {
-  const std::size_t cells = model_.geometry.cells;
-  smooth_video(video, cells, model_.set.video_smoothing, scratch);
-  for (std::size_t s = 0; s < video.size(); s += cells) {
-    const std::span<std::uint8_t> spoke = video.subspan(s, cells);
-    std::fill_n(spoke.begin(), blind_cells_, std::uint8_t{0});
-    std::fill(spoke.begin() + resampler_.reach(), spoke.end(), std::uint8_t{0});
-  }
+  if (set_video_.smooths())
+    set_video_.smooth(video, model_.geometry.cells, blind_cells_, resampler_.reach(), scratch);
 }
 
 void ViewReceiver::receive(std::span<const float> rows, std::size_t pitch, std::uint64_t first,
@@ -338,8 +313,7 @@ void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
                         scale_, video_of(piece, k).subspan(begin, size));
       }
     });
-    if (rain_weight_ > 0 || stretch_cells_ > 0 || model_.set.video_smoothing > 1 ||
-        !gates_.empty()) {
+    if (rain_weight_ > 0 || stretch_cells_ > 0 || set_video_.smooths() || !gates_.empty()) {
       parallel((piece.count + kTogether - 1) / kTogether, [&](std::size_t part) {
         const std::size_t begin = part * kTogether * cells;
         finish(piece.video.subspan(begin, std::min(kTogether * cells, piece.video.size() - begin)));
@@ -359,9 +333,7 @@ void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
     });
   }
   memory_.end_spokes(piece.count);
-  if (!levels_.empty()) {
-    for (std::uint8_t& v : piece.video) v = levels_[v];
-  }
+  set_video_.level(piece.video);
   if (model_.geometry.bits == 4) halve_bits(piece.video);
 }
 

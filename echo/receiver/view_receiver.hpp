@@ -19,6 +19,7 @@
 #include "echo/receiver/power_memory.hpp"
 #include "echo/receiver/receiver_noise.hpp"
 #include "echo/receiver/row_resampler.hpp"
+#include "echo/receiver/set_video.hpp"
 
 namespace skerry::echo {
 
@@ -107,9 +108,7 @@ class ViewReceiver {
   std::span<const float> row_of(const Piece& piece, std::size_t k) const;
   std::span<std::uint8_t> video_of(const Piece& piece, std::size_t k) const;
   void finish(std::span<std::uint8_t> video) const;
-  void smooth(std::span<std::uint8_t> video, std::vector<std::uint8_t>& scratch) const;
 
-  void lay_levels();
   RowResampler resampler() const;
 
   RadarModel model_;
@@ -120,10 +119,10 @@ class ViewReceiver {
   double cell_m_;  // of the view
   std::uint32_t blind_cells_;
   std::shared_ptr<const ReceiverNoise> noise_;
-  double steps_per_db_;               // of 8 bits
-  QuantiserScale scale_;              // the same
-  AlignedFloats offsets_;             // gain and STC by cell, in steps
-  std::vector<std::uint8_t> levels_;  // by 8-bit video: the set's own levels; empty: even ones
+  double steps_per_db_;    // of 8 bits
+  QuantiserScale scale_;   // the same
+  AlignedFloats offsets_;  // gain and STC by cell, in steps
+  SetVideo set_video_;
   unsigned rain_octaves_ = 0, rain_weight_ = 0;
   unsigned stretch_cells_ = 0;
   std::vector<std::uint8_t> gates_;  // of noise rejection, by cell; empty: off

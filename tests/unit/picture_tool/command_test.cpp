@@ -56,7 +56,7 @@ TEST(PictureCommand, JudgesTwoRecordings) {
   ASSERT_EQ(judge.code, 0) << judge.err;
   EXPECT_THAT(judge.out,
               AllOf(StartsWith("first   real 1920 m"), HasSubstr("outline D below"),
-                    HasSubstr("real | ours"), HasSubstr("null"), HasSubstr("mask tells by: "),
+                    HasSubstr("real | ours"), HasSubstr("null"), HasSubstr("tells, one by one"),
                     HasSubstr("note: the capture's name "
                               "tells no set")));
   EXPECT_EQ(judge.err, "");  // no progress but on a terminal

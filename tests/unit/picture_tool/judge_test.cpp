@@ -37,7 +37,10 @@ TEST(PictureJudge, TellsAPlantedDifferenceOfTheMask) {
   ASSERT_TRUE(call.mask && call.all) << call.why_not;
   EXPECT_GT(call.mask->auc, 0.9);
   EXPECT_GT(call.all->auc, 0.9);
-  EXPECT_THAT(call.mask->strongest, Contains(HasSubstr("holes of one")));
+  ASSERT_EQ(call.mask->features.size(), kMaskFeatures);
+  EXPECT_THAT(call.mask->features[0].name, HasSubstr("holes of one"));
+  EXPECT_GT(call.mask->features[0].auc, call.mask->features.back().auc);
+  EXPECT_LT(call.mask->features[0].first, call.mask->features[0].second);
 }
 
 TEST(PictureJudge, TellsAPlantedDifferenceOfTheLevelsOnlyByTheLevels) {
@@ -85,7 +88,11 @@ TEST(PictureJudge, SaysTheSameAgain) {
   const TellingApart a = tell_apart(first, second, PatchView::all);
   const TellingApart b = tell_apart(first, second, PatchView::all);
   EXPECT_EQ(a.auc, b.auc);
-  EXPECT_EQ(a.strongest, b.strongest);
+  ASSERT_EQ(a.features.size(), kPatchFeatures);
+  for (std::size_t k = 0; k < a.features.size(); ++k) {
+    EXPECT_EQ(a.features[k].name, b.features[k].name);
+    EXPECT_EQ(a.features[k].auc, b.features[k].auc);
+  }
   EXPECT_EQ(a.least, b.least);
 }
 
