@@ -57,6 +57,12 @@ std::string complain_of_name(const std::string& name) {
   return fmt::format("\"{}\" is no shipped set; allowed: {}", name, names);
 }
 
+echo::RangeFilter range_filter(scenario::RangeFilter filter) {
+  if (filter == scenario::two_poles) return echo::RangeFilter::two_poles;
+  if (filter == scenario::gaussian) return echo::RangeFilter::gaussian;
+  return echo::RangeFilter::none;
+}
+
 echo::RadarSet radar_set(const scenario::Radar& radar) {
   echo::RadarSet set = radar.has_set() ? *shipped_set(radar.set()) : echo::shipped_sets().front();
   const double gain_of_beams = echo::gain_of_beams_db(set.beam_width_deg, set.vertical_beam_deg);
@@ -80,6 +86,8 @@ echo::RadarSet radar_set(const scenario::Radar& radar) {
   if (radar.has_losses_db()) set.losses_db = radar.losses_db();
   if (radar.has_video_range_db()) set.video_range_db = radar.video_range_db();
   if (radar.has_set_integration()) set.integration = radar.set_integration();
+  if (radar.has_range_filter()) set.range_filter = range_filter(radar.range_filter());
+  if (radar.has_video_smoothing()) set.video_smoothing = radar.video_smoothing();
   if (radar.pulses_size() > 0) set.pulses.clear();
   for (const scenario::Pulse& pulse : radar.pulses()) {
     set.pulses.push_back({pulse.length_us() * 1e-6, pulse.bandwidth_mhz() * 1e6, pulse.prf_hz(),

@@ -104,6 +104,11 @@ TEST(ScenarioEquipment, WhatIsOutOfRangeIsRefusedByNameWithTheRange) {
       {"pulses: [{length_us: 1, bandwidth_mhz: 3, prf_hz: 5000, up_to_nm: 96}]",
        "4:65: own_ships[0].radars[0].pulses[0].prf_hz: 5000 is outside"},
       {"gain: 101", "4:21: own_ships[0].radars[0].gain: 101 is out of range; allowed: 0 to 100"},
+      {"range_filter: soft",
+       "4:29: own_ships[0].radars[0].range_filter: expected one of sharp, two_poles, gaussian, "
+       "given soft"},
+      {"video_smoothing: 9",
+       "4:32: own_ships[0].radars[0].video_smoothing: 9 is out of range; allowed: 1 to 8"},
       {"pulse: longer",
        "4:22: own_ships[0].radars[0].pulse: expected one of auto, short, medium, "
        "long, given longer"},
@@ -121,6 +126,15 @@ TEST(ScenarioEquipment, WhatIsOutOfRangeIsRefusedByNameWithTheRange) {
   for (int i = 0; i <= kMaxBlankedSectors; ++i) many += "{from_deg: 1, to_deg: 2},";
   EXPECT_EQ(refusal(with_radar("blanked_sectors: [" + many + "]")),
             "4:32: own_ships[0].radars[0].blanked_sectors: 9 entries; allowed: at most 8");
+}
+
+TEST(ScenarioEquipment, SaysHowASetsEchoesAndVideoAreFormed) {
+  const auto loaded = [](const std::string& keys) { return radar_set(radar_of(keys)); };
+  EXPECT_EQ(loaded("set: HALO20").video_smoothing, 4u);
+  EXPECT_EQ(loaded("set: HALO20").range_filter, echo::RangeFilter::gaussian);
+  EXPECT_EQ(loaded("range_filter: two_poles").range_filter, echo::RangeFilter::two_poles);
+  EXPECT_EQ(loaded("set: HALO20, range_filter: sharp").range_filter, echo::RangeFilter::none);
+  EXPECT_EQ(loaded("video_smoothing: 3").video_smoothing, 3u);
 }
 
 // The schema's ranges are those of the table of limits, but for the frequency, whose bands' outer
