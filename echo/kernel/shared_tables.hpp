@@ -42,7 +42,11 @@ class SharedTables {
                                     [&](const auto& e) { return e->key == key; });
     if (found != entries_.end()) return *found;
     // Nobody can be making a table of which only this list knows.
-    std::erase_if(entries_, [](const auto& e) { return e.use_count() == 1 && e->table.expired(); });
+    std::erase_if(entries_, [](const auto& e) {
+      if (e.use_count() > 1) return false;
+      const std::unique_lock making(e->making, std::try_to_lock);  // what its maker wrote is seen
+      return making && e->table.expired();
+    });
     entries_.push_back(std::make_shared<Entry>(key));
     return entries_.back();
   }

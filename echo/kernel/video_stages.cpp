@@ -222,7 +222,7 @@ void smooth_video(std::span<std::uint8_t> video, std::size_t cells, unsigned cel
   if (cells_together <= 1) return;
   constexpr std::size_t kPad = kMostSmoothed;  // zeros at both ends
   const std::size_t reach = cells_together - 1;
-  scratch.resize(cells + 2 * kPad);
+  make_room(scratch, cells + 2 * kPad);
   std::uint8_t* row = scratch.data() + kPad;
   std::fill_n(scratch.data(), kPad, std::uint8_t{0});
   std::fill_n(row + cells, kPad, std::uint8_t{0});

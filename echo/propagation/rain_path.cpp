@@ -72,7 +72,6 @@ namespace {
 
 constexpr double kKnotsPerRadius = 20.0;  // of an even area
 constexpr double kValuesPerKnot = 1.25;   // of a map
-constexpr std::size_t kMostMaps = 64;
 constexpr double kOctavesPerKnot = 0.23;  // two-way, 0.7 dB
 constexpr int kMostDoublings = 4;         // of a cell from knot to knot
 constexpr float kMostOctaves = 66.0f;     // 199 dB two-way: all is lost
@@ -94,8 +93,6 @@ const RainMap& RainPath::map_of(const RainCell& cell, double seconds) {
   };
   auto found = std::find_if(maps_.begin(), maps_.end(), of_the_area);
   if (found == maps_.end()) {
-    // None of the chords found so far may lose its map.
-    if (maps_.size() >= kMostMaps && chords_.empty()) maps_.clear();
     found = maps_.insert(maps_.end(), rain_map_for(key));
   } else if ((*found)->key() != key) {
     *found = rain_map_for(key);
@@ -107,6 +104,8 @@ const RainMap& RainPath::map_of(const RainCell& cell, double seconds) {
 void RainPath::find_rain(const Scene& scene, const RadarModel& model, const SpokeAim& aim) {
   clouds_.clear();
   chords_.clear();
+  // Each area has one: others are of areas that have changed or gone.
+  if (maps_.size() > scene.rain.size()) maps_.clear();
   from_m_ = std::numeric_limits<double>::infinity();
   spacing_m_ = from_m_;
   to_m_ = greatest_rate_ = 0.0;

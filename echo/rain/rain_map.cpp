@@ -6,6 +6,7 @@
 #include <span>
 
 #include "echo/kernel/hash.hpp"
+#include "echo/kernel/shared_tables.hpp"
 #include "echo/rain/rain_grain.hpp"
 
 namespace skerry::echo {
@@ -150,23 +151,24 @@ GridView RainMap::level(std::size_t l) const {
 }
 
 RainMapPtr rain_map_for(const RainMapKey& key) {
+  static SharedTables<RainMapKey, RainMap> tables;
   static std::mutex mutex;
   static std::vector<RainMapPtr> kept;  // last used first
+  RainMapPtr map = tables.get(key, [&] { return RainMap(key); });
   const std::lock_guard lock(mutex);
-  auto found = std::find_if(kept.begin(), kept.end(),
-                            [&](const RainMapPtr& map) { return map->key() == key; });
+  const auto found = std::find(kept.begin(), kept.end(), map);
   if (found == kept.end()) {
-    kept.push_back(std::make_shared<const RainMap>(key));
-    found = kept.end() - 1;
+    kept.insert(kept.begin(), map);
+  } else {
+    std::rotate(kept.begin(), found, found + 1);
   }
-  std::rotate(kept.begin(), found, found + 1);
   std::size_t values = 0;
-  for (const RainMapPtr& map : kept) values += values_of(*map);
+  for (const RainMapPtr& each : kept) values += values_of(*each);
   while (kept.size() > 1 && (kept.size() > kMostMapsKept || values > kMostValuesKept)) {
     values -= values_of(*kept.back());
     kept.pop_back();
   }
-  return kept.front();
+  return map;
 }
 
 }  // namespace skerry::echo

@@ -33,9 +33,10 @@ namespace skerry::echo {
 // Views of one radar share its rows and its noise: the same noise, cell by cell, on the same range
 // scale and decimation.  The receiver is blind, and its video 0, before model.blind_cells and
 // beyond the radar's rows.
-// Integration and target separation look to either side, for which they want rows_ahead() rows of
-// what comes; without those, integration looks back only, and what it shows lies late by half of
-// the spokes that it takes, as what the stretch across spokes shows always does.
+// Integration, target separation and the set's smoothing look to either side, for which they want
+// rows_ahead() rows of what comes; without those, integration and smoothing look back only, and
+// what they show lies late by half of the spokes that they take, as what the stretch across spokes
+// shows always does.
 //
 // Deterministic: the video is a function of the sequence of rows and controls, of no matter how
 // many spokes to a call, threads or instruction set.  Calls go on where the last one ended; after a
@@ -96,8 +97,8 @@ class ViewReceiver {
   void lay_offsets();
   void lay_learnt(double constant, std::span<const double> bins);
   void lay_gates();
-  // Takes the rows that integration looks ahead to, at most `ahead`, once before the first spoke of
-  // a sequence.
+  // Takes the rows that integration and smoothing look ahead to, at most `ahead`, once before the
+  // first spoke of a sequence.
   void look_ahead(const Piece& piece, std::uint32_t ahead, const ParallelFor& parallel);
   void receive_piece(Piece piece, const ParallelFor& parallel);
   // The rows of a piece in the view's cells; of those ahead too.

@@ -79,6 +79,8 @@ class StaticFrame {
   bool crossings_done() const { return crossings_.done(); }
   // Nearest land or structure, metres; infinite where there is none.
   double nearest_m() const { return nearest_m_; }
+  // How far before an echo's own range the receiver's filter shows it, metres.
+  double lead_m() const { return response_->lead() * ray_model_.cell_m; }
 
   // Whether a shore of sand is in range.  Requires crossings_done().
   bool sandy() const;

@@ -131,7 +131,7 @@ class StaticReturns::Frames {
   template <typename Visit>
   void lay(const SpokeAim& aim, Visit&& visit) const {
     const MovedView view = view_from(aim.own_ship);
-    const double nearest = now_->nearest_m() - length_of(view.moved);
+    const double nearest = now_->nearest_m() - now_->lead_m() - length_of(view.moved);
     if (nearest >= model_.cell_m * model_.geometry.cells) return;
     lay_parts(view, aim.plane_units - turn_units_, nearest, model_.geometry.cells, visit);
   }

@@ -23,7 +23,7 @@ namespace skerry::echo {
 // a cell counts as one), each by its mean over the cell.  Points of one body add as voltages,
 // bodies as powers.  Error: where points of one body share a cell that each fills in part, their
 // interference weighs sqrt(f1 f2) instead of the common part; the mean over phases is exact. Shares
-// below 1e-4 of a cell and points below 1e-4 of the noise are left out. Main lobe: the pattern
+// below 1e-7 of a cell and points below 1e-4 of the noise are left out. Main lobe: the pattern
 // between 512 places joined straight, 2e-5 of the axis's voltage.  Side lobes within 5 deg of the
 // sector are laid spoke by spoke, points as powers and with the level of their body's middle; those
 // farther off by FarLobes. Cost: linear in points; a spoke looks only at bodies within 5 deg of its

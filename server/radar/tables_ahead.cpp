@@ -2,6 +2,8 @@
 
 #include <pthread.h>
 
+#include <exception>
+#include <system_error>
 #include <utility>
 
 #include "server/radar/thread_priority.hpp"
@@ -14,22 +16,35 @@ bool TablesAhead::ready(const Wish& wish, const std::function<Make()>& make) {
   waits_ = true;
   take_made();
   if (held_ && asked_for_ == wish) return true;
-  if (now - since_ > kPatience) return true;
+  if (now - since_ > kPatience) {
+    waits_ = false;  // the next wish has its own
+    return true;
+  }
   if (running_.valid()) return false;
   asked_for_ = wish;
-  running_ = std::async(std::launch::async,
-                        [made = make(), before = std::exchange(held_, nullptr)]() mutable {
-                          pthread_setname_np(pthread_self(), "tables");
-                          go_with_others();
-                          before.reset();
-                          return made();
-                        });
+  try {
+    running_ = std::async(std::launch::async,
+                          [made = make(), before = std::exchange(held_, nullptr)]() mutable {
+                            pthread_setname_np(pthread_self(), "tables");
+                            go_with_others();
+                            before.reset();
+                            return made();
+                          });
+  } catch (const std::system_error&) {  // no thread is to be had: the radar makes them itself
+    waits_ = false;
+    return true;
+  }
   return false;
 }
 
 void TablesAhead::take_made() {
-  if (running_.valid() && running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return;
+  try {
     held_ = running_.get();
+  } catch (const std::exception&) {  // tried again while the wish has patience
+    held_ = nullptr;
+  }
 }
 
 void TablesAhead::let_go() {

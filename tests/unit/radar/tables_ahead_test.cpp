@@ -4,6 +4,7 @@
 
 #include <future>
 #include <memory>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -48,6 +49,33 @@ TEST(TablesAhead, AWishWaitsForItsTablesAndForNoOthers) {
   // And the one of before is made anew.
   await(tables, wish_for(3.0), quick);
   EXPECT_EQ(made, 3);
+}
+
+TEST(TablesAhead, WhatCannotBeMadeIsTriedAgain) {
+  int tried = 0;
+  TablesAhead tables;
+  await(tables, wish_for(3.0), [&]() -> std::shared_ptr<const void> {
+    if (++tried < 3) throw std::bad_alloc();
+    return std::make_shared<int>(tried);
+  });
+  EXPECT_EQ(tried, 3);
+}
+
+TEST(TablesAhead, AWishHasPatienceOfItsOwn) {
+  std::promise<void> may_go_on;
+  TablesAhead tables;
+  const auto slow = [&]() -> std::shared_ptr<const void> {
+    may_go_on.get_future().wait();
+    return std::make_shared<int>(1);
+  };
+  const auto ask = [&](double nm) {
+    return tables.ready(wish_for(nm), [&] { return TablesAhead::Make(slow); });
+  };
+  EXPECT_FALSE(ask(3.0));
+  std::this_thread::sleep_for(TablesAhead::kPatience + std::chrono::milliseconds(10));
+  EXPECT_TRUE(ask(3.0));
+  EXPECT_FALSE(ask(6.0));
+  may_go_on.set_value();
 }
 
 TEST(TablesAhead, TheSameWishIsMadeOnce) {
