@@ -12,11 +12,12 @@ namespace skerry::server {
 
 bool TablesAhead::ready(const Wish& wish, const std::function<Make()>& make) {
   const auto now = std::chrono::steady_clock::now();
-  if (!waits_) since_ = now;
+  if (!waits_ || !(wished_ == wish)) since_ = now;
   waits_ = true;
+  wished_ = wish;
   take_made();
   if (held_ && asked_for_ == wish) return true;
-  if (now - since_ > kPatience) {
+  if (now - since_ > patience_) {
     waits_ = false;  // the next wish has its own
     return true;
   }

@@ -25,8 +25,9 @@ class TablesAhead {
   // Makes all of it and returns what holds it.
   using Make = std::function<std::shared_ptr<const void>()>;
 
-  // A wish that has waited so long is granted as it is.
-  static constexpr std::chrono::seconds kPatience{2};
+  // A wish that has waited so long unchanged is granted as it is.
+  static constexpr std::chrono::milliseconds kPatience{5000};
+  explicit TablesAhead(std::chrono::milliseconds patience = kPatience) : patience_(patience) {}
 
   // True once what make() returns for that wish is held, until let_go().  A wish begins to be
   // served when it is first asked for and no other is in hand.
@@ -37,11 +38,13 @@ class TablesAhead {
  private:
   void take_made();
 
+  std::chrono::milliseconds patience_;
+  Wish wished_;     // last
   Wish asked_for_;  // while running_ or held_
   std::future<std::shared_ptr<const void>> running_;
   std::shared_ptr<const void> held_;
   std::chrono::steady_clock::time_point since_;
-  bool waits_ = false;  // since_ is of a wish
+  bool waits_ = false;  // since_ is wished_'s
 };
 
 }  // namespace skerry::server

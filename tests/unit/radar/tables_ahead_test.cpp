@@ -62,8 +62,9 @@ TEST(TablesAhead, WhatCannotBeMadeIsTriedAgain) {
 }
 
 TEST(TablesAhead, AWishHasPatienceOfItsOwn) {
+  constexpr std::chrono::milliseconds kPatience{200};
   std::promise<void> may_go_on;
-  TablesAhead tables;
+  TablesAhead tables(kPatience);
   const auto slow = [&]() -> std::shared_ptr<const void> {
     may_go_on.get_future().wait();
     return std::make_shared<int>(1);
@@ -71,10 +72,15 @@ TEST(TablesAhead, AWishHasPatienceOfItsOwn) {
   const auto ask = [&](double nm) {
     return tables.ready(wish_for(nm), [&] { return TablesAhead::Make(slow); });
   };
+  const auto wait = [&] { std::this_thread::sleep_for(kPatience + std::chrono::milliseconds(10)); };
   EXPECT_FALSE(ask(3.0));
-  std::this_thread::sleep_for(TablesAhead::kPatience + std::chrono::milliseconds(10));
+  wait();
   EXPECT_TRUE(ask(3.0));
   EXPECT_FALSE(ask(6.0));
+  wait();
+  EXPECT_FALSE(ask(12.0));  // one that is not the one that waited
+  wait();
+  EXPECT_TRUE(ask(12.0));
   may_go_on.set_value();
 }
 
