@@ -17,17 +17,25 @@ std::string_view name_of(Isa isa);
 
 // SKERRY_KERNEL(name, (parameters), (arguments)) defines `void name(parameters) noexcept` from the
 // always-inline `name_body(parameters)` above it.
+//
+// SKERRY_NARROW_KERNEL does so for kernels of short rows, or of rows that begin anywhere: nearly
+// every vector of 64 bytes would lie across two lines there, and what a block of it leaves over
+// costs more than it saves, so AVX-512 runs what AVX2 does.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define SKERRY_KERNEL_UP_TO_AVX2(name, parameters, arguments)                      \
+  namespace {                                                                      \
+  __attribute__((target("arch=x86-64-v3"))) void name##_avx2 parameters noexcept { \
+    name##_body arguments;                                                         \
+  }                                                                                \
+  void name##_baseline parameters noexcept { name##_body arguments; }              \
+  }
 #define SKERRY_KERNEL(name, parameters, arguments)                                                \
+  SKERRY_KERNEL_UP_TO_AVX2(name, parameters, arguments)                                           \
   namespace {                                                                                     \
   __attribute__((                                                                                 \
       target("arch=x86-64-v4,prefer-vector-width=512"))) void name##_avx512 parameters noexcept { \
     name##_body arguments;                                                                        \
   }                                                                                               \
-  __attribute__((target("arch=x86-64-v3"))) void name##_avx2 parameters noexcept {                \
-    name##_body arguments;                                                                        \
-  }                                                                                               \
-  void name##_baseline parameters noexcept { name##_body arguments; }                             \
   }                                                                                               \
   void name parameters noexcept {                                                                 \
     switch (active_isa()) {                                                                       \
@@ -39,27 +47,15 @@ std::string_view name_of(Isa isa);
         return name##_baseline arguments;                                                         \
     }                                                                                             \
   }
+#define SKERRY_NARROW_KERNEL(name, parameters, arguments)                \
+  SKERRY_KERNEL_UP_TO_AVX2(name, parameters, arguments)                  \
+  void name parameters noexcept {                                        \
+    if (active_isa() == Isa::baseline) return name##_baseline arguments; \
+    name##_avx2 arguments;                                               \
+  }
 #else
 #define SKERRY_KERNEL(name, parameters, arguments) \
   void name parameters noexcept { name##_body arguments; }
-#endif
-
-// The same for kernels of short rows, or of rows that begin anywhere: nearly every vector of 64
-// bytes would lie across two lines there, and what a block of it leaves over costs more than it
-// saves, so AVX-512 runs what AVX2 does.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define SKERRY_NARROW_KERNEL(name, parameters, arguments)                          \
-  namespace {                                                                      \
-  __attribute__((target("arch=x86-64-v3"))) void name##_avx2 parameters noexcept { \
-    name##_body arguments;                                                         \
-  }                                                                                \
-  void name##_baseline parameters noexcept { name##_body arguments; }              \
-  }                                                                                \
-  void name parameters noexcept {                                                  \
-    if (active_isa() == Isa::baseline) return name##_baseline arguments;           \
-    name##_avx2 arguments;                                                         \
-  }
-#else
 #define SKERRY_NARROW_KERNEL(name, parameters, arguments) SKERRY_KERNEL(name, parameters, arguments)
 #endif
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "echo/kernel/exact_math.hpp"
+#include "echo/kernel/video_stages.hpp"
 #include "echo/radar/radar_equation.hpp"
 
 namespace skerry::echo {
@@ -13,7 +14,6 @@ namespace {
 constexpr double kGreatestDuty = 0.01;
 constexpr double kGainTolerance = 3.0;  // dB
 constexpr std::size_t kMostPulses = 16;
-constexpr double kMostSmoothing = 8.0;  // kMostSmoothed of video_stages.hpp
 constexpr double kMetresPerMile = 1852.0;
 
 class Faults {
@@ -92,7 +92,7 @@ std::vector<std::string> faults_of(const RadarSet& set) {
   if (set.far_side_lobe_db > set.near_side_lobe_db)
     faults.add("%s: %g dB is above near_side_lobe_db, %g dB", "far_side_lobe_db",
                set.far_side_lobe_db, set.near_side_lobe_db);
-  faults.within("video_smoothing", set.video_smoothing, 1.0, kMostSmoothing, "cells");
+  faults.within("video_smoothing", set.video_smoothing, 1.0, kMostSmoothed, "cells");
   if (set.pulses.empty() || set.pulses.size() > kMostPulses)
     faults.add("%s: %zu is outside 1 to %zu pulses", "pulses", set.pulses.size(), kMostPulses);
   for (std::size_t i = 0; i < std::min(set.pulses.size(), kMostPulses); ++i)

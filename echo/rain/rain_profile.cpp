@@ -18,6 +18,8 @@ SinCos axis_of(const RainCell& cell, const RainMap& map) {
   const double speed = std::sqrt(dot(drift, drift));
   if (speed > 0.0) {
     drift = drift * (1.0 / speed);
+  } else if (dot(cell.facing, cell.facing) > 0.0) {
+    drift = cell.facing;
   } else {
     const SinCos any =
         sin_cos_units(static_cast<std::uint32_t>(mixed(cell.identity, kStillSeed) >> 32));

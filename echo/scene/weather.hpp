@@ -44,6 +44,7 @@ struct RainCell {
   double rate_mm_h = 4.0;      // mean over where it rains; of an even one, in the middle
   std::uint64_t identity = 0;  // seed of its field
   RainKind kind = RainKind::cell;
+  PlanePoint facing = {};  // at rest, which way it would drift: of length 1, or 0 for any
 };
 
 }  // namespace skerry::echo

@@ -31,6 +31,7 @@ void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double 
     if (length_of(cell.centre - scene.own_ship) > reach_m + cell.radius_m) continue;
     cell.velocity =
         echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, rain.cloud->speed_mps);
+    cell.facing = echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, 1.0);
     cell.rate_mm_h = rain.cloud->rate_mm_h;
     cell.kind = rain.cloud->kind;
     cell.identity = identity_of(seed, Fixture::rain, rain.cloud->id);

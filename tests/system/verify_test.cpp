@@ -127,7 +127,7 @@ TEST(Verify, MakesTheVideoOfFormerRecordingsAgain) {
                   false},
            {"compact_zstd", "fd2b991b21692280fb7a4a4534bf7fa22160d4daf900b47bf1af49ab2d0ad8c2",
             false},
-           {"inputs", "b9c30f36054c2b0e8b5fdfa6f5f50ab27f144d669a14684da9184dec8755b31a", false},
+           {"inputs", "1c58bbbb7e2f7a96907c8b0b1a77362e5b99904c424e137d733205d1ebaf308f", false},
            {"inputs_nmea", "3d34266d3ce4a607943426282e1e18055198c07b6e6d08dd56c5874dbaa35ad2",
             false},
            {"none", "119462a1569cc47688bd37d8a21b48e467a77a0946534737d94fc166161a9ec7", false},

@@ -5,8 +5,8 @@ import { NAUTICAL_MILE_M } from './view_geometry.js';
 import { $, bindNumber, bindSlider, bindSwitch } from './widgets.js';
 
 const NUMBERS = ['windFromDeg', 'swellHeightM', 'swellPeriodS', 'swellFromDeg', 'waveHeightM', 'kFactor'];
-// As RainKind of the schema.
-const RAIN_KINDS = ['cell', 'even', 'showers', 'squall line'];
+// RainKind of the schema by name, in the order of the list.
+const RAIN_KINDS = new Map([[0, 'Cell'], [2, 'Showers'], [3, 'Squall line'], [1, 'Even']]);
 const EARTH_M = 6371000;
 
 // A place that far from another, on a sphere: a rain cell need not be put more exactly.
@@ -32,6 +32,7 @@ export class Instructor {
     settings.ducting = bindSlider('ducting', send('ducting'), (value) => fixed(value, 2));
     for (const name of NUMBERS) settings[name] = bindNumber(name, send(name));
     for (const { name } of artefacts) settings[name] = bindSwitch(name, send(name));
+    $('rain-kind').replaceChildren(...[...RAIN_KINDS].map(([kind, name]) => new Option(name, kind)));
     $('rain-add').addEventListener('submit', (event) => { event.preventDefault(); this.#addRain(); });
   }
 
@@ -40,8 +41,8 @@ export class Instructor {
     if (!ship) return;
     const value = (id) => $(id).valueAsNumber;
     const cell = { id: 0, ...placeFrom(ship, value('rain-bearing'), value('rain-range') * NAUTICAL_MILE_M),
-      radiusNm: value('rain-radius'), rateMmH: value('rain-rate'), driftDeg: value('rain-drift'), driftKn: value('rain-speed'),
-      kind: Number($('rain-kind').value) };
+      radiusNm: value('rain-radius'), rateMmH: value('rain-rate'), driftDeg: value('rain-drift'),
+      driftKn: value('rain-speed'), kind: Number($('rain-kind').value) };
     for (const name of Object.keys(cell)) if (Number.isNaN(cell[name])) delete cell[name];
     if (cell.latitudeDeg !== undefined && cell.longitudeDeg !== undefined) this.set({ world: { rain: [cell] } });
   }
@@ -58,8 +59,8 @@ export class Instructor {
   #rainItem(cell) {
     const item = document.createElement('li');
     const text = document.createElement('span');
-    text.textContent = `${cell.id}: ${RAIN_KINDS[cell.kind] ?? 'rain'}, ${fixed(cell.rateMmH, 0)} mm/h, ${fixed(cell.radiusNm, 1)} NM, ` +
-      `to ${bearing(cell.driftDeg, 0)}° at ${fixed(cell.driftKn, 0)} kn`;
+    text.textContent = `${cell.id}: ${(RAIN_KINDS.get(cell.kind) ?? 'Rain').toLowerCase()}, ` +
+      `${fixed(cell.rateMmH, 0)} mm/h, ${fixed(cell.radiusNm, 1)} NM, to ${bearing(cell.driftDeg, 0)}° at ${fixed(cell.driftKn, 0)} kn`;
     const remove = document.createElement('button');
     remove.type = 'button';
     remove.textContent = 'Remove';

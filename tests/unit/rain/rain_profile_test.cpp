@@ -67,6 +67,34 @@ TEST(RainProfile, IsItsReferenceInDouble) {
   EXPECT_LT(worst, 1e-3);
 }
 
+// Own ship in its middle; rain on both bearings along the band against both across it.
+TEST(RainProfile, ASquallLineAtRestLiesAcrossTheWayItFaces) {
+  const auto rain_on = [](const RainCell& cell, double bearing) {
+    const RainMapPtr map = rain_map_for(rain_map_key(cell, 0.0));
+    double sum = 0.0;
+    for (const double way : {bearing, bearing + std::numbers::pi}) {
+      const auto chord =
+          find_rain_chord(cell, *map, cell.centre, sin_cos_units(units_of(way)), 20000.0);
+      std::vector<float> rates(200, 0.0f);
+      if (chord) add_rain(*chord, kDegree, 10.0, 25.0, rates);
+      for (const float rate : rates) sum += static_cast<double>(rate > 0.0f);
+    }
+    return sum;
+  };
+  for (const double facing : {0.0, 90.0, 233.0}) {
+    double along = 0.0, across = 0.0;
+    for (std::uint64_t identity = 1; identity <= 20; ++identity) {
+      RainCell cell = area(RainKind::squall_line, 0.0, 0.0, 4000.0);
+      cell.velocity = {};
+      cell.facing = {std::sin(facing * kDegree), std::cos(facing * kDegree)};
+      cell.identity = identity;
+      along += rain_on(cell, (facing + 90.0) * kDegree);
+      across += rain_on(cell, facing * kDegree);
+    }
+    EXPECT_GT(along, 1.5 * across) << facing;
+  }
+}
+
 // What the levels of the map are worth: against the mean over a Gaussian beam's two-way pattern, 61
 // rays through the finest map.  Bound: 0.02 of the greatest rate, root mean square, and 0.2 at any
 // place.

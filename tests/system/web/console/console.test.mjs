@@ -378,8 +378,19 @@ test('the instructor changes sea, rain and false echoes', async () => {
   const [cell] = server.world.rain;
   assert.ok(Math.abs(cell.latitudeDeg - 60.3925 - 2 / 60) < 1e-3 && Math.abs(cell.longitudeDeg - 5.3233) < 1e-3);
   assert.equal(cell.rateMmH, 16);
+  assert.equal(cell.kind, 0);
   await page.locator('#rain-cells button').click();
   await page.waitForFunction(() => window.skerry.world().rain.length === 0);
+  // Each kind, by its name, to the server and back into the list.
+  for (const [name, kind] of [['Cell', 0], ['Showers', 2], ['Squall line', 3], ['Even', 1]]) {
+    await page.locator('#rain-kind').selectOption({ label: name });
+    await page.locator('#rain-add button').click();
+    await page.waitForFunction(() => window.skerry.world().rain.length === 1);
+    assert.equal(server.world.rain[0].kind, kind, name);
+    assert.match(await page.locator('#rain-cells span').innerText(), new RegExp(`: ${name.toLowerCase()}, 16 mm/h`));
+    await page.locator('#rain-cells button').click();
+    await page.waitForFunction(() => window.skerry.world().rain.length === 0);
+  }
   assert.deepEqual(page.problems, []);
 });
 

@@ -147,7 +147,9 @@ test('controls, views and the world are written as the schema reads them', () =>
   const { world } = set;
   assert.deepEqual([world.seaState, world.ducting, world.sideLobes, [...world.removeRain]], [0, 0.5, false, [3, 300]]);
   assert.ok(world._seaState && world._sideLobes && !world._windFromDeg && !world._interference);
-  assert.deepEqual([world.rain[0].id, world.rain[0].latitudeDeg, world.rain[0].longitudeDeg, world.rain[0].rateMmH, world.rain[0].kind], [0, 60.4, -5.1, 16, 3]);
+  const [shower] = world.rain;
+  assert.deepEqual([shower.id, shower.latitudeDeg, shower.longitudeDeg, shower.rateMmH, shower.kind],
+    [0, 60.4, -5.1, 16, 3]);
   assert.ok(world.rain[1]._driftKn && !world.rain[1]._rateMmH);
 });
 
@@ -189,8 +191,10 @@ test('settings of a server that knows fewer controls are no standby', () => {
 });
 
 test('a world is read whole, and refused with a number that is none', () => {
-  const [{ world }] = decode(frame({ world: { seaState: 3.5, sideLobes: true, rain: [{ id: 4, rateMmH: 8, kind: 2 }] } }));
-  assert.deepEqual([world.seaState, world.sideLobes, world.interference, world.rain[0].id, world.rain[0].rateMmH, world.rain[0].kind],
+  const rain = [{ id: 4, rateMmH: 8, kind: 2 }];
+  const [{ world }] = decode(frame({ world: { seaState: 3.5, sideLobes: true, rain } }));
+  const [cell] = world.rain;
+  assert.deepEqual([world.seaState, world.sideLobes, world.interference, cell.id, cell.rateMmH, cell.kind],
     [3.5, true, false, 4, 8, 2]);
   refused(frame({ world: { rain: [{ id: 1, radiusNm: NaN }] } }), 'out_of_range');
 });
