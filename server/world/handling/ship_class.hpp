@@ -1,0 +1,45 @@
+// Ship classes: the ships that a scenario can name as its own ships' `class`.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "server/world/handling/hull.hpp"
+#include "server/world/handling/steering_gear.hpp"
+#include "server/world/handling/wave_load.hpp"
+#include "server/world/handling/wind_load.hpp"
+
+namespace skerry::server {
+
+// A tunnel thruster.  Half its force is left at 2.5 kn of way, by 1 / (1 + (u / 2.5 kn)^2).
+struct Thruster {
+  double force_n = 0.0;  // at rest; 0: there is none
+  double ahead_m = 0.0;  // of midship
+};
+
+struct ShipClass {
+  std::string_view key;     // "kvlcc2", as a scenario names it
+  std::string_view title;   // "VLCC, 300 000 t (KVLCC2)"
+  std::string_view source;  // of her coefficients; "derived" where from her sizes alone
+  double beam_m, height_m;  // height: of hull and superstructure above the water
+  double service_speed_mps;
+  double ahead_rps, astern_rps;  // full; both positive
+  SteeringGear gear;
+  Thruster bow = {}, stern = {};
+  WindShape wind;
+  double block;
+  std::shared_ptr<const Hull> hull;  // never null
+
+  WaveShape wave_shape() const { return {hull->length_m(), beam_m, hull->draught_m(), block}; }
+};
+
+// All of them, largest first.  Made once.
+std::span<const ShipClass> ship_classes();
+// nullptr if there is none of that key.
+const ShipClass* find_ship_class(std::string_view key);
+// "coaster, container, ..." for messages.
+std::string ship_class_keys();
+
+}  // namespace skerry::server

@@ -1,0 +1,130 @@
+#include "server/world/handling/ship_dynamics.hpp"
+
+#include <array>
+
+#include "server/world/handling/hull_math.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr double kThrusterFade_mps = 2.5 * 1852.0 / 3600.0;
+
+// All that Runge and Kutta integrate.
+struct Vector {
+  double north, east, heading, u, v, r, p, roll, shaft;
+
+  Vector plus(const Vector& change, double h) const {
+    return {north + h * change.north, east + h * change.east, heading + h * change.heading,
+            u + h * change.u,         v + h * change.v,       r + h * change.r,
+            p + h * change.p,         roll + h * change.roll, shaft + h * change.shaft};
+  }
+};
+
+class Rates {
+ public:
+  Rates(const ShipClass& ship, const ConnOrders& orders, const Surroundings& around, double rudder)
+      : ship_(ship), orders_(orders), around_(around), rudder_deg_(rudder) {
+    const echo::SinCos wind = echo::sin_cos_degrees(around.wind_from_deg);
+    wind_north_ = -around.wind_mps * wind.cos;
+    wind_east_ = -around.wind_mps * wind.sin;
+    const echo::SinCos current = echo::sin_cos_degrees(around.current_set_deg);
+    current_north_ = around.current_mps * current.cos;
+    current_east_ = around.current_mps * current.sin;
+  }
+
+  Vector at(const Vector& s, double after_s) const {
+    const echo::SinCos heading = sin_cos(s.heading);
+    Vector change;
+    const double upright = sin_cos(s.roll).cos;
+    const double aside = s.v * upright;
+    change.north = s.u * heading.cos - aside * heading.sin + current_north_;
+    change.east = s.u * heading.sin + aside * heading.cos + current_east_;
+    change.heading = s.r * upright;
+    const BodyMotion motion{s.u, s.v, s.r, s.p, s.roll};
+    const Actuators by{
+        rudder_after(ship_.gear, rudder_deg_, orders_.rudder_deg, after_s) * kRadiansPerDegree,
+        s.shaft};
+    const BodyChange hull =
+        ship_.hull->change(motion, by, around_.depth_m, loads(s, heading, change, after_s));
+    change.u = hull.u;
+    change.v = hull.v;
+    change.r = hull.r;
+    change.p = hull.p;
+    change.roll = s.p;
+    change.shaft = ship_.hull->shaft_change(by, orders_.shaft_rps);
+    return change;
+  }
+
+ private:
+  Loads loads(const Vector& s, const echo::SinCos& heading, const Vector& ground,
+              double after_s) const {
+    Loads all;
+    if (around_.wind_mps > 0.0) {
+      const double north = wind_north_ - ground.north, east = wind_east_ - ground.east;
+      all += wind_load(ship_.wind, ship_.hull->length_m(), north * heading.cos + east * heading.sin,
+                       east * heading.cos - north * heading.sin);
+    }
+    if (around_.wave_height_m > 0.0) {
+      all += wave_load(ship_.wave_shape(), around_.wave_height_m,
+                       around_.waves_from_deg * kRadiansPerDegree - s.heading, s.u,
+                       around_.time_s + after_s, around_.seed);
+    }
+    const double fade = 1.0 / (1.0 + squared(s.u / kThrusterFade_mps));
+    push(ship_.bow, orders_.bow * fade, all);
+    push(ship_.stern, orders_.stern * fade, all);
+    return all;
+  }
+  static void push(const Thruster& thruster, double share, Loads& all) {
+    all.y += thruster.force_n * share;
+    all.n += thruster.force_n * share * thruster.ahead_m;
+  }
+
+  const ShipClass& ship_;
+  const ConnOrders& orders_;
+  const Surroundings& around_;
+  double rudder_deg_;
+  double wind_north_, wind_east_, current_north_, current_east_;
+};
+
+}  // namespace
+
+WayMade advance(const ShipClass& ship, const ConnOrders& orders, const Surroundings& around,
+                double step_s, DynamicState& state) {
+  const Rates rates(ship, orders, around, state.rudder_deg);
+  const BodyMotion& m = state.motion;
+  const Vector begin{0.0, 0.0, state.heading_rad, m.u, m.v, m.r, m.p, m.roll, state.shaft_rps};
+  const double h = step_s;
+  const Vector k1 = rates.at(begin, 0.0);
+  const Vector k2 = rates.at(begin.plus(k1, 0.5 * h), 0.5 * h);
+  const Vector k3 = rates.at(begin.plus(k2, 0.5 * h), 0.5 * h);
+  const Vector k4 = rates.at(begin.plus(k3, h), h);
+  const Vector end = begin.plus(k1, h / 6.0).plus(k2, h / 3.0).plus(k3, h / 3.0).plus(k4, h / 6.0);
+
+  state.motion = {end.u, end.v, end.r, end.p, end.roll};
+  state.heading_rad = end.heading;
+  state.shaft_rps = end.shaft;
+  state.rudder_deg = rudder_after(ship.gear, state.rudder_deg, orders.rudder_deg, h);
+  return {end.north, end.east};
+}
+
+double shaft_for(const ShipClass& ship, double speed_mps) {
+  if (speed_mps == 0.0) return 0.0;
+  // What drives her at this speed, by halving: her way's change grows with the shaft's turns.
+  double low = -2.0 * ship.astern_rps, high = 2.0 * ship.ahead_rps;
+  const BodyMotion straight{.u = speed_mps};
+  for (int i = 0; i < 60; ++i) {
+    const double n = 0.5 * (low + high);
+    (ship.hull->change(straight, {0.0, n}, 1e6, {}).u < 0.0 ? low : high) = n;
+  }
+  return 0.5 * (low + high);
+}
+
+DynamicState under_way(const ShipClass& ship, double heading_deg, double speed_mps) {
+  DynamicState state;
+  state.motion.u = speed_mps;
+  state.heading_rad = heading_deg * kRadiansPerDegree;
+  state.shaft_rps = shaft_for(ship, speed_mps);
+  return state;
+}
+
+}  // namespace skerry::server
