@@ -8,12 +8,21 @@
 namespace skerry::server {
 namespace {
 
+// r' up to which the series is used as it is: tighter than she ever turns.  Where she turns faster
+// for her speed, forces are those of the speed that fits.
+constexpr double kContainerTightest = 0.8;
+
 constexpr double kVolume_m3 = 21222.0, kMetacentre_m = 0.3;
 constexpr double kMass = 0.00792, kAddedX = 0.000238, kAddedY = 0.007049;
 constexpr double kRollInertia = 0.0000176 + 0.0000034, kYawInertia = 0.000456 + 0.000419;
 constexpr double kAlphaY = 0.05, kLx = 0.0313, kLy = 0.0313;
 constexpr double kPropeller_m = 6.533, kThrustDeduction = 0.175;
 constexpr double kRudder_m2 = 33.0376, kAspect = 1.8219;
+// Of the series; the righting lever grows beyond.
+constexpr double kMostRoll_rad = 0.35;
+// Of v' r' > 0, sway that drives her ahead: no published manoeuvre comes near it, and a hull thrown
+// about by a storm gains no more speed from it.
+constexpr double kMostDriven = 0.1;
 constexpr double kContainerSlowest_mps = 1.5;
 constexpr double kContainerAstern = 0.35;
 
@@ -78,17 +87,19 @@ BodyChange ContainerHull::change(const BodyMotion& motion, const Actuators& by, 
                                  const Loads& outside) const {
   const double speed =
       std::max({std::sqrt(squared(motion.u) + squared(motion.v)),
-                std::fabs(motion.r) * kLength_m / kTightestTurn, kContainerSlowest_mps});
+                std::fabs(motion.r) * kLength_m / kContainerTightest, kContainerSlowest_mps});
   const double u = motion.u / speed, v = motion.v / speed;
   const double r = motion.r * kLength_m / speed, p = motion.p * kLength_m / speed;
-  const double roll = motion.roll;
+  const double roll = std::clamp(motion.roll, -kMostRoll_rad, kMostRoll_rad);
   const Aft aft = aft_forces(u, v, r, speed, by);
   const echo::SinCos rudder = sin_cos(by.rudder_rad);
   const double weight = 2.0 * kGravity_mps2 * kVolume_m3 / squared(kLength_m * speed);
 
+  const double heavy = smooth_step(std::fabs(motion.roll), 0.21, kMostRoll_rad);
+  const double lever = motion.roll * (1.0 + heavy);
   Series hull = series(v, r, p, roll);
   const double unit = 0.5 * kSeaWater_kg_m3 * squared(kLength_m * speed);
-  if (const double aside = broadside(motion); aside > 0.0) {
+  if (const double aside = broadside(motion, kLength_m); aside > 0.0) {
     const Loads strips = cross_flow(motion, kLength_m, kDraught_m);
     hull.y += aside * (strips.y / unit - hull.y);
     hull.n += aside * (strips.n / (unit * kLength_m) - hull.n);
@@ -96,10 +107,12 @@ BodyChange ContainerHull::change(const BodyMotion& motion, const Actuators& by, 
   const double side = aft.rudder * rudder.cos;
   const double fx = -0.0004226 * u * std::fabs(u) - 0.00311 * v * r + 0.0002 * r * r -
                     0.0002 * roll * roll - 0.00386 * v * v + (1.0 - kThrustDeduction) * aft.thrust +
-                    0.71 * aft.rudder * rudder.sin + (kMass + kAddedY) * v * r + outside.x / unit;
+                    0.71 * aft.rudder * rudder.sin +
+                    (kMass + kAddedY) * std::min(v * r, kMostDriven) + outside.x / unit;
   const double fy = hull.y + 1.237 * side - (kMass + kAddedX) * u * r + outside.y / unit;
   const double fk = hull.k - 1.237 * 0.033 * side + kAddedX * kLx * u * r -
-                    weight * kMetacentre_m / kLength_m * roll + outside.k / (unit * kLength_m);
+                    weight * kMetacentre_m / kLength_m * lever - heavy * 4e-6 * p * std::fabs(p) +
+                    outside.k / (unit * kLength_m);
   const double fn = hull.n + (-0.5 - 0.237 * 0.48) * side + outside.n / (unit * kLength_m);
 
   const double m22 = kMass + kAddedY, m33 = kRollInertia, m44 = kYawInertia;

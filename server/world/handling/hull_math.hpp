@@ -12,9 +12,6 @@ namespace skerry::server {
 inline echo::SinCos sin_cos(double radians) {
   return echo::sin_cos_degrees(radians * kDegreesPerRadian);
 }
-// r L / U up to which a hull's series is used as it is: tighter than any ship turns.  A ship that
-// turns faster for her speed has the forces of the speed that fits.
-inline constexpr double kTightestTurn = 1.5;
 inline double squared(double x) { return x * x; }
 inline double cubed(double x) { return x * x * x; }
 // e^x for |x| <= 690.

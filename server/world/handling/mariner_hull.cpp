@@ -6,6 +6,10 @@
 namespace skerry::server {
 namespace {
 
+// r' up to which the series is used as it is: tighter than she ever turns.  Where she turns faster
+// for her speed, forces are those of the speed that fits.
+constexpr double kMarinerTightest = 0.8;
+
 // All in 1e-5 of the prime system.
 constexpr double kUnit = 1e-5;
 constexpr double kMassX = 798 + 42, kMassY = 798 + 748;
@@ -49,7 +53,7 @@ BodyChange MarinerHull::change(const BodyMotion& motion, const Actuators& by, do
                                const Loads& outside) const {
   const double scale =
       std::max({std::sqrt(squared(motion.u) + squared(motion.v)),
-                std::fabs(motion.r) * kLength_m / kTightestTurn, kMarinerSlowest_mps});
+                std::fabs(motion.r) * kLength_m / kMarinerTightest, kMarinerSlowest_mps});
   const double shaft_speed = kServiceSpeed_mps * by.shaft_rps / kServiceShaft_rps *
                              (by.shaft_rps < 0.0 ? kMarinerAstern : 1.0);
   const double off = (motion.u - shaft_speed) / scale;
@@ -73,7 +77,7 @@ BodyChange MarinerHull::change(const BodyMotion& motion, const Actuators& by, do
 
   // To newtons and back: half rho L^2 U^2 is the unit of force.
   const double per_force = 1.0 / (0.5 * kSeaWater_kg_m3 * squared(kLength_m * scale) * kUnit);
-  if (const double drifting = broadside(motion); drifting > 0.0) {
+  if (const double drifting = broadside(motion, kLength_m); drifting > 0.0) {
     const Loads strips = cross_flow(motion, kLength_m, kDraught_m);
     y += drifting * (strips.y * per_force - y);
     n += drifting * (strips.n * per_force / kLength_m - n);

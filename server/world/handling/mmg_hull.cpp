@@ -8,6 +8,10 @@
 namespace skerry::server {
 namespace {
 
+// r' up to which the series is used as it is: tighter than she ever turns.  Where she turns faster
+// for her speed, forces are those of the speed that fits.
+constexpr double kMmgTightest = 1.5;
+
 constexpr double kMmgAstern = 0.7;
 constexpr double kDeep = 4.0, kMostShallow = 5.0;
 
@@ -34,7 +38,7 @@ Loads MmgHull::hull_forces(const BodyMotion& motion, const Shallow& shallow) con
   const double way = std::sqrt(squared(motion.u) + squared(motion.v));
   const double turning = std::fabs(motion.r) * p_.length_m;
   const Loads strips = cross_flow(motion, p_.length_m, p_.draught_m);
-  const double scale = std::max({way, turning / kTightestTurn, 1e-3});
+  const double scale = std::max({way, turning / kMmgTightest, 1e-3});
   const double v = motion.v / scale, r = motion.r * p_.length_m / scale;
   const double unit = 0.5 * kSeaWater_kg_m3 * p_.length_m * p_.draught_m * squared(scale);
   // Ahead and astern alike, but nothing along her where she moves broadside.
@@ -46,24 +50,25 @@ Loads MmgHull::hull_forces(const BodyMotion& motion, const Shallow& shallow) con
       p_.x_vv * v * v + p_.x_vr * v * r + p_.x_rr * r * r + p_.x_vvvv * squared(squared(v));
   lift.x = unit * shallow.surge * (drag + turned * std::fabs(along));
   const double sign = along < 0.0 ? -1.0 : 1.0;  // the bow leads, or the stern
-  const double y = p_.y_v * v + p_.y_r * r * sign, n = p_.n_v * v * sign + p_.n_r * r;
+  const double y = shallow.sway * p_.y_v * v + p_.y_r * r * sign;
+  const double n = shallow.sway * (p_.n_v * v * sign + p_.n_r * r);
   if (p_.cubic) {
     const MmgParticulars::Cubic& c = *p_.cubic;
     const double y3 = c.y_vvv * cubed(v) + c.y_vvr * v * v * r * sign + c.y_vrr * v * r * r +
                       c.y_rrr * cubed(r) * sign;
     const double n3 = c.n_vvv * cubed(v) * sign + c.n_vvr * v * v * r + c.n_vrr * v * r * r * sign +
                       c.n_rrr * cubed(r);
-    lift.y = unit * (shallow.sway * y + y3);
-    lift.n = unit * p_.length_m * (shallow.sway * n + n3);
-    const double aside = broadside(motion);
+    lift.y = unit * (y + y3);
+    lift.n = unit * p_.length_m * (n + n3);
+    const double aside = broadside(motion, p_.length_m);
     lift.y += aside * (strips.y - lift.y);
     lift.n += aside * (strips.n - lift.n);
     return lift;
   }
   // Lift fades with the way ahead; cross-flow drag is always there.
   const double ahead = std::fabs(motion.u) / scale;
-  lift.y = unit * shallow.sway * ahead * y + strips.y;
-  lift.n = unit * p_.length_m * shallow.sway * ahead * n + strips.n;
+  lift.y = unit * ahead * y + strips.y;
+  lift.n = unit * p_.length_m * ahead * n + strips.n;
   return lift;
 }
 
@@ -77,7 +82,7 @@ double MmgHull::wake_of(double inflow_angle) const {
 
 Loads MmgHull::aft_forces(const BodyMotion& motion, const Actuators& by) const {
   const double way = std::sqrt(squared(motion.u) + squared(motion.v));
-  const double scale = std::max({way, std::fabs(motion.r) * p_.length_m / kTightestTurn, 1e-3});
+  const double scale = std::max({way, std::fabs(motion.r) * p_.length_m / kMmgTightest, 1e-3});
   const double r = motion.r * p_.length_m / scale;
   const double drift = echo::exact_atan2(-motion.v, std::max(motion.u, 0.1 * scale));
   const double n = by.shaft_rps, diameter = p_.propeller_m;
@@ -103,10 +108,8 @@ Loads MmgHull::aft_forces(const BodyMotion& motion, const Actuators& by) const {
       n > 0.0 ? 8.0 * std::max(coefficient, 0.0) * squared(n * diameter) / std::numbers::pi : 0.0;
   const double eta = std::clamp(diameter / p_.rudder_height_m, 0.0, 1.0);
   const double raced = inflow * (1.0 - p_.race) + p_.race * std::sqrt(squared(inflow) + push);
-  const double along =
-      p_.wake_ratio * (inflow < 0.0 && push == 0.0
-                           ? inflow
-                           : std::sqrt(eta * squared(raced) + (1.0 - eta) * squared(inflow)));
+  const double flows = eta * raced * std::fabs(raced) + (1.0 - eta) * inflow * std::fabs(inflow);
+  const double along = p_.wake_ratio * (flows < 0.0 ? -std::sqrt(-flows) : std::sqrt(flows));
   const double aside = drift - p_.straightening_x * r;
   const double across =
       scale * (aside < 0.0 ? p_.straightening_port : p_.straightening_starboard) * aside;
@@ -118,7 +121,7 @@ Loads MmgHull::aft_forces(const BodyMotion& motion, const Actuators& by) const {
   const double force =
       0.5 * kSeaWater_kg_m3 * p_.rudder_m2 * p_.rudder_slope * flow * sin_cos(angle).sin * facing;
   const echo::SinCos rudder = sin_cos(by.rudder_rad);
-  loads.x -= (1.0 - p_.rudder_deduction) * force * rudder.sin * facing;
+  loads.x -= (1.0 - p_.rudder_deduction) * force * rudder.sin;
   loads.y -= (1.0 + p_.rudder_on_hull) * force * rudder.cos;
   loads.n -=
       p_.length_m * (p_.rudder_x + p_.rudder_on_hull * p_.rudder_on_hull_x) * force * rudder.cos;

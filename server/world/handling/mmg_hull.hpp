@@ -55,9 +55,9 @@ struct MmgParticulars {
 // Extensions of our own, beyond the source: past 30 to 50 deg of drift the hull is cross-flow drag
 // (cross_flow.hpp), which holds at rest too; an astern
 // shaft gives 0.7 of the thrust at rest; the race is that of momentum theory, finite at rest.
-// Where the water is less than four times as deep as she, the linear terms and added masses grow
-// as (T / (h - T)): 1 + 0.3 x for sway and yaw, 1 + 0.1 x for surge, x at most 5 (assumed: shallow
-// water widens her turning circle; no source of these figures).
+// Where the water is less than four times as deep as she, added masses and the linear terms but YR
+// grow as (T / (h - T)): 1 + 0.3 x for sway and yaw, 1 + 0.1 x for surge, x at most 5 (assumed:
+// shallow water widens her turning circle; no source of these figures).
 class MmgHull final : public Hull {
  public:
   explicit MmgHull(const MmgParticulars& particulars);

@@ -69,6 +69,7 @@ MmgParticulars from_sizes(const MainSizes& s) {
           .added_inertia =
               clarke * std::max(1.0 / 12.0 + 0.017 * s.block * breadth - 0.33 * wide, 0.03),
           .resistance = s.total_resistance * surface / (s.length_m * s.draught_m),
+          .x_vvvv = 0.0,  // it would drive a ship that drifts fast
           .y_v = -(0.5 * std::numbers::pi * slender + 1.4 * fullness),
           .y_r = 0.25 * std::numbers::pi * slender,
           .n_v = -slender,

@@ -19,10 +19,11 @@ struct MainSizes {
 
 // From regressions: Kijima and Inoue for the linear terms of the hull, the rudder and the wake,
 // Clarke 1983 for added masses; cross-flow drag instead of cubic terms.  Surge terms are those of
-// KVLCC2, the propeller has a pitch of its diameter (KT 0.44 - 0.29 J - 0.13 J^2, assumed), several
-// screws and rudders count as one.  Made for displacement ships of block 0.5 to 0.85: a fast craft
-// is outside that, and only handles like one.  What it makes of KVLCC2's own sizes differs from
-// her published coefficients by what MmgShips.RegressionsAreNearThePublishedShip prints.
+// KVLCC2 but for the fourth power of v, the propeller has a pitch of its diameter (KT 0.44 - 0.29 J
+// - 0.13 J^2, assumed), several screws and rudders count as one.  Made for displacement ships of
+// block 0.5 to 0.85: a fast craft is outside that, and only handles like one.  What it makes of
+// KVLCC2's own sizes differs from her published coefficients by what
+// MmgShips.RegressionsAreNearThePublishedShip prints.
 MmgParticulars from_sizes(const MainSizes& sizes);
 
 }  // namespace skerry::server

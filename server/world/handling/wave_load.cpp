@@ -17,8 +17,9 @@ Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double
   if (height_m <= 0.0) return {};
   const echo::SinCos from = sin_cos(from_rad);
   const double weight = kSeaWater_kg_m3 * kGravity_mps2;
+  const double felt = std::min(height_m, 0.1 * shape.length_m);  // higher ones lift all of her
   Loads loads;
-  loads.x = -0.64 * squared(height_m * shape.beam_m) * weight * shape.block / shape.length_m * 0.5 *
+  loads.x = -0.64 * squared(felt * shape.beam_m) * weight * shape.block / shape.length_m * 0.5 *
             (1.0 + from.cos);
 
   const double period = 3.6 * std::sqrt(height_m);
@@ -32,7 +33,7 @@ Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double
     const double turns = met * time_s / kRadiansPerTurn + phase;
     sines += echo::sin_cos_degrees(360.0 * (turns - std::floor(turns))).sin;
   }
-  loads.n = 0.1 * weight * 0.5 * height_m * squared(shape.length_m) * shape.draught_m *
+  loads.n = 0.1 * weight * 0.5 * felt * squared(shape.length_m) * shape.draught_m *
             (-2.0 * from.sin * from.cos) / (1.0 + squared(shape.length_m / wavelength)) * sines /
             std::sqrt(0.5 * kSines) * 0.5;
   return loads;

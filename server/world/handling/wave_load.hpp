@@ -11,12 +11,13 @@ struct WaveShape {
   double length_m, beam_m, draught_m, block;  // block coefficient
 };
 
-// Added resistance in head seas is 0.64 H^2 rho g CB B^2 / L (Kreitner; unverified, recalled), and
+// h: the less of H and L / 10, for higher waves lift all of her.
+// Added resistance in head seas is 0.64 h^2 rho g CB B^2 / L (Kreitner; recalled, unverified), and
 // falls with the cosine to nothing in following seas.  The yaw moment is our own assumption: 0.1
-// rho g H/2 L^2 d sin(2 mu) / (1 + (L / wavelength)^2), as a sum of four sines around the mean
+// rho g h/2 L^2 d sin(2 mu) / (1 + (L / wavelength)^2), as a sum of four sines around the mean
 // period 3.6 sqrt(H); a ship of 100 m yaws some 1 to 2 deg in seas of 4 m on her bow.
-// `height_m`: significant.  `from_rad`: whence, off the bow.  `time_s`: since the scenario began.
-// Nothing in a calm.  The same seed and time give the same loads.
+// `height_m`: H, significant.  `from_rad`: whence, off the bow.  `time_s`: since the scenario
+// began.  Nothing in a calm.  The same seed and time give the same loads.
 Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double speed_mps,
                 double time_s, std::uint64_t seed);
 
