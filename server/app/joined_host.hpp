@@ -39,6 +39,7 @@ class JoinedHost final : public RadarHost {
   std::uint64_t views_version() const override;
   BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
+  void leave(const std::string& origin) override { simulated_.leave(origin); }
   std::vector<TrafficItem> traffic() const override;
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "protocol/quantity/angle.hpp"
+#include "server/app/con_message.hpp"
 #include "server/app/control/world_change.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
@@ -201,6 +202,8 @@ std::uint64_t RadarServer::settings_version() const {
   return desk_->settings_version();
 }
 
+void RadarServer::leave(const std::string& origin) { desk_->leave(origin); }
+
 wire::World RadarServer::world() const {
   return world_message(*timeline_.environment(), timeline_.latest()->time);
 }
@@ -229,6 +232,11 @@ wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
   out.set_rate_of_turn_deg_min(ship.rate_of_turn_deg_s * 60.0);
   out.set_ordered_course_deg(ship.ordered_course_deg);
   out.set_ordered_speed_kn(ship.ordered_speed_mps / knots_in_mps(1.0));
+  if (ship.con) {
+    tell_con(ship, place, *out.mutable_con());
+    out.mutable_con()->set_con(desk_->con_of(radar));
+    out.set_speed_kn(out.con().water_ahead_kn());
+  }
   return out;
 }
 

@@ -53,6 +53,7 @@ class RadarServer : public RadarHost {
   std::uint64_t views_version() const override { return views_version_.load(); }
   BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
+  void leave(const std::string& origin) override;
   std::vector<TrafficItem> traffic() const override;
   const ExerciseInputs* exercise() const override { return &inputs_; }
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;

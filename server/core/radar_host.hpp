@@ -67,6 +67,9 @@ class RadarHost {
   // asked, as an operator would name them ("console 127.0.0.1:50714", "Navico display 192.0.2.7").
   virtual wire::Reply apply(const wire::Set& set, const std::string& origin) = 0;
 
+  // The connection that was `origin` has ended: a con that it had is free again.
+  virtual void leave(const std::string& /*origin*/) {}
+
   // All ships and marks of the world as of now, own ships too, as tracking and AIS know them.
   virtual std::vector<TrafficItem> traffic() const { return {}; }
   // An own ship whose motion comes from an outside simulator: her state as of now.  She goes back

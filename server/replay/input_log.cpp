@@ -44,6 +44,15 @@ void InputLog::ordered(std::uint64_t tick, std::size_t own_ship, std::optional<d
   add(input);
 }
 
+void InputLog::ordered(std::uint64_t tick, std::size_t own_ship, const wire::ConOrder& con) {
+  recording::Input input;
+  recording::Input::Order& order = *input.mutable_order();
+  order.set_tick(tick);
+  order.set_own_ship(static_cast<std::uint32_t>(own_ship));
+  *order.mutable_con() = con;
+  add(input);
+}
+
 void InputLog::driven(std::uint64_t tick, std::size_t own_ship, const OwnShipFix& fix,
                       ScenarioTime now) {
   recording::Input input;

@@ -33,6 +33,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
   // `tick`: the first it holds for.
   void ordered(std::uint64_t tick, std::size_t own_ship, std::optional<double> course_deg,
                std::optional<double> speed_kn);
+  void ordered(std::uint64_t tick, std::size_t own_ship, const wire::ConOrder& con);
   void driven(std::uint64_t tick, std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
   void changed(std::uint64_t tick, const wire::WorldChange& change, ScenarioTime now);
 

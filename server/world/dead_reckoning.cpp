@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "server/world/rhumb_step.hpp"
 
@@ -9,7 +10,7 @@ namespace skerry::server {
 
 double chord_of_arc(double turn_deg) {
   const double x = turn_deg * (0.5 * kRadiansPerDegree);
-  return std::fabs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
+  return std::fabs(x) < 1e-4 ? 1.0 - x * x / 6.0 : echo::sin_cos_degrees(0.5 * turn_deg).sin / x;
 }
 
 ShipPlace position_at(const ShipState& ship, Duration dt) {

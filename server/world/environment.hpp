@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "echo/scene/artefacts.hpp"
@@ -30,7 +31,11 @@ struct RainCloud {
 struct Environment {
   echo::Atmosphere atmosphere;
   echo::SeaSurface sea;
-  double wave_height_m = 0.0;  // significant, on the beaches
+  double wave_height_m = 0.0;      // significant, on the beaches
+  std::optional<double> wind_mps;  // absent: the wind that raises the sea state
+  double current_set_deg = 0.0;    // whither
+  double current_mps = 0.0;
+  double depth_m = 1000.0;
   std::vector<RainCloud> rain;
   std::uint32_t next_rain_id = 1;
   echo::Artefacts artefacts;

@@ -1,5 +1,7 @@
 #include "server/world/own_ship.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,8 @@ OwnShip::Lag::Lag(double time_constant_s, double tick_s)
     : kept(std::exp(-tick_s / time_constant_s)),
       mean_kept(-std::expm1(-tick_s / time_constant_s) * time_constant_s / tick_s) {}
 
-OwnShip::OwnShip(const scenario::OwnShip& ship, Duration tick)
+OwnShip::OwnShip(const scenario::OwnShip& ship, const Environment& environment, Duration tick,
+                 std::uint64_t seed)
     : tick_(tick),
       speed_lag_(ship.speed_time_constant_s(), in_seconds(tick)),
       turn_lag_(ship.turn_time_constant_s(), in_seconds(tick)),
@@ -40,25 +43,49 @@ OwnShip::OwnShip(const scenario::OwnShip& ship, Duration tick)
   state_.height_m = ship.height_m();
   state_.wake = ship.wake();
   state_.mmsi = ship.mmsi();
-  begin_tick();
+  if (ship.has_ship_class()) {
+    class_ship_.emplace(*find_ship_class(ship.ship_class()), ship, seed);
+  }
+  begin_tick(environment);
 }
 
-void OwnShip::order_course(double course_deg) { ordered_course_deg_ = wrapped_degrees(course_deg); }
+void OwnShip::order_course(double course_deg) {
+  ordered_course_deg_ = wrapped_degrees(course_deg);
+  if (class_ship_) class_ship_->order_course(course_deg);
+}
 
-void OwnShip::step() {
+void OwnShip::order_speed(double speed_mps) {
+  ordered_speed_mps_ = speed_mps;
+  if (class_ship_) class_ship_->order_speed(speed_mps);
+}
+
+std::optional<std::string> OwnShip::fault_of(const wire::ConOrder& order) const {
+  if (class_ship_) return class_ship_->fault_of(order);
+  return fmt::format(
+      "{} has no ship class, so she has neither wheel nor lever; order course and speed, or give "
+      "her a ship_class in the scenario",
+      state_.name);
+}
+
+void OwnShip::order(const wire::ConOrder& order) { class_ship_->order(order); }
+
+void OwnShip::step(const Environment& environment) {
   const ShipPlace place = position_at(state_, tick_);
-  if (place.over_pole) ordered_course_deg_ = wrapped_degrees(ordered_course_deg_ + 180.0);
+  if (place.over_pole) {
+    ordered_course_deg_ = wrapped_degrees(ordered_course_deg_ + 180.0);
+    if (class_ship_) class_ship_->reverse_course();
+  }
   state_.position = place.position;
   state_.heading_deg = place.heading_deg;
   state_.course_over_ground_deg = place.course_over_ground_deg;
   now_ += tick_;
   if (driven_) {
     if (!driven_->is_over(now_)) return driven_->steer(now_, tick_, state_);
-    return end_drive();
+    return end_drive(environment);
   }
   speed_mps_ = end_speed_mps_;
   rate_deg_s_ = end_rate_deg_s_;
-  begin_tick();
+  begin_tick(environment);
 }
 
 bool OwnShip::drive(const OwnShipFix& fix, Duration now) {
@@ -69,16 +96,18 @@ bool OwnShip::drive(const OwnShipFix& fix, Duration now) {
   return begins;
 }
 
-void OwnShip::end_drive() {
+void OwnShip::end_drive(const Environment& environment) {
   driven_.reset();
   state_.driven = false;
   ordered_course_deg_ = state_.course_over_ground_deg = state_.heading_deg;
   ordered_speed_mps_ = speed_mps_ = state_.speed_mps;
   rate_deg_s_ = std::clamp(state_.rate_of_turn_deg_s, -max_rate_deg_s_, max_rate_deg_s_);
-  begin_tick();
+  if (class_ship_) class_ship_->resume(state_);
+  begin_tick(environment);
 }
 
-void OwnShip::begin_tick() {
+void OwnShip::begin_tick(const Environment& environment) {
+  if (class_ship_) return class_ship_->begin_tick(environment, now_, tick_, state_);
   double left_deg = std::remainder(ordered_course_deg_ - state_.heading_deg, 360.0);
   if (left_deg == -180.0) left_deg = 180.0;
   if (std::fabs(left_deg) < kSettled && std::fabs(rate_deg_s_) < kSettled) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "protocol/quantity/time.hpp"
+#include "server/world/class_ship.hpp"
 #include "server/world/driven_motion.hpp"
 #include "server/world/scenario.pb.h"
 #include "server/world/world_state.hpp"
@@ -30,6 +31,8 @@ namespace skerry::server {
 // commanded rate is held over a tick; on a steady course see rhumb_step.hpp.
 // Held by OwnShip.TurnsAsInFineTicks and OwnShip.ApproachesTheOrderedSpeedExponentially.
 //
+// A ship that has a class (ClassShip) answers rudder, engine, wind, waves and current instead.
+//
 // While fixes of an outside simulator come, they drive her instead (driven_motion.hpp).  After the
 // last she goes on by herself, on the heading and at the speed she had.
 //
@@ -37,11 +40,16 @@ namespace skerry::server {
 class OwnShip {
  public:
   // Under way on her course and speed, both ordered.
-  OwnShip(const scenario::OwnShip& ship, Duration tick);
+  // `seed` is that of the waves she feels.
+  OwnShip(const scenario::OwnShip& ship, const Environment& environment, Duration tick,
+          std::uint64_t seed);
 
   // Take effect with the tick after the present one.  `course_deg` is any finite number of degrees.
   void order_course(double course_deg);
-  void order_speed(double speed_mps) { ordered_speed_mps_ = speed_mps; }
+  void order_speed(double speed_mps);
+  // Error: what is wrong; nothing is then ordered.
+  std::optional<std::string> fault_of(const wire::ConOrder& order) const;
+  void order(const wire::ConOrder& order);
 
   // Her state at `now`, since scenario time 0; takes effect with the next tick.  Requires finite
   // values within their ranges.  True if she was not driven until now.
@@ -49,7 +57,7 @@ class OwnShip {
 
   // The present tick: motion means from its begin to its end, orders as they took effect.
   ShipState state() const { return state_; }
-  void step();
+  void step(const Environment& environment);
 
  private:
   // Relaxation towards a goal over a tick.
@@ -60,8 +68,8 @@ class OwnShip {
     double kept;       // of the difference at the end of the tick
     double mean_kept;  // of the difference on the average of the tick
   };
-  void begin_tick();
-  void end_drive();
+  void begin_tick(const Environment& environment);
+  void end_drive(const Environment& environment);
 
   Duration tick_;
   Lag speed_lag_, turn_lag_;
@@ -73,6 +81,7 @@ class OwnShip {
   ShipState state_;
   Duration now_{};  // begin of the present tick
   std::optional<DrivenMotion> driven_;
+  std::optional<ClassShip> class_ship_;
 };
 
 }  // namespace skerry::server

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/kernel/exact_math.hpp"
+#include "server/world/short_way.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -17,6 +20,11 @@ double canonical_longitude(double degrees) {
 
 RhumbEnd advanced(GeoPoint from, double course_deg, double distance_m) {
   if (distance_m == 0.0) return {{from.latitude_deg, canonical_longitude(from.longitude_deg)}};
+  if (std::fabs(distance_m) <= kShortest_m &&
+      std::fabs(from.latitude_deg) < kShortWayLatitude_deg) {
+    const echo::SinCos course = echo::sin_cos_degrees(course_deg);
+    return {advanced(from, ShortWay{distance_m * course.cos, distance_m * course.sin})};
+  }
   double latitude = 0.0, longitude = 0.0;
   GeographicLib::Rhumb::WGS84().Direct(from.latitude_deg, from.longitude_deg, course_deg,
                                        distance_m, latitude, longitude);

@@ -15,6 +15,7 @@ struct RhumbEnd {
 // meridian opposite to the one it came on (exact for courses 000 and 180; a slanting rhumb line
 // winds around the pole without end and comes out on any meridian).
 //
+// Up to 50 m and 80 deg of latitude it is short_way.hpp's, with the same bits on every machine.
 // A distance of 0 returns `from` exactly: a ship that lies still does not creep by rounding.
 // Error: that of GeographicLib::Rhumb, under 1e-7 m, and the rounding of degrees, 3e-9 m; 36 000
 // steps of one hour add up to less than 1e-3 m.  Held by RhumbStep.AnHourOfTicksIsOneRhumbLine.

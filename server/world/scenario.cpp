@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <GeographicLib/Geodesic.hpp>
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -15,13 +14,11 @@
 #include "server/world/ais_identities.hpp"
 #include "server/world/board_registers.hpp"
 #include "server/world/radar_sets.hpp"
+#include "server/world/route_checks.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr Length kShortestLeg = metres(1.0);
-// Beyond it two places come near to being antipodes, between which the way is arbitrary.
-constexpr Length kLongestLeg = nautical_miles(5000.0);
 constexpr Length kShortestCable = metres(1.0);
 constexpr Length kLongestCable = metres(20'000.0);
 
@@ -87,6 +84,8 @@ class ScenarioChecker {
     for (int i = 0; i < scenario.own_ships_size(); ++i) {
       const std::string path = fmt::format("own_ships[{}]", i);
       check_unique(scenario.own_ships(i).name(), path, ships);
+      check_ship_class(*scenario.mutable_own_ships(i), path, source_);
+      check_count(scenario.own_ships(i).route_size(), kMaxWaypoints, path + ".route");
       check_hull(scenario.own_ships(i), path);
       check_radars(*scenario.mutable_own_ships(i), path, radars);
     }
@@ -313,7 +312,7 @@ class ScenarioChecker {
       const scenario::OverheadCable& cable = scenario.cables(i);
       const std::string path = fmt::format("cables[{}]", i);
       if (!are_sound(path, {".from", ".to"})) continue;
-      const Length length = distance(cable.from(), cable.to());
+      const Length length = distance_between(cable.from(), cable.to());
       if (length >= kShortestCable && length <= kLongestCable) continue;
       source_.refuse(path + ".to", fmt::format("the cable is {:.0f} m long; allowed: {} to {} m",
                                                length.in_metres(), kShortestCable.in_metres(),
@@ -338,26 +337,11 @@ class ScenarioChecker {
     for (int i = 0; i < target.waypoints_size(); ++i) {
       const scenario::Position& to = target.waypoints(i);
       const std::string to_path = fmt::format("{}.waypoints[{}]", path, i);
-      if (source_.is_sound(from_path) && source_.is_sound(to_path)) check_leg(*from, to, to_path);
+      if (source_.is_sound(from_path) && source_.is_sound(to_path))
+        check_leg(*from, to, to_path, source_);
       from = &to;
       from_path = to_path;
     }
-  }
-
-  void check_leg(const scenario::Position& from, const scenario::Position& to,
-                 const std::string& path) const {
-    const Length leg = distance(from, to);
-    if (leg >= kShortestLeg && leg <= kLongestLeg) return;
-    source_.refuse(path, fmt::format("the leg to it is {:.3f} NM long; allowed: {} m to {} NM",
-                                     leg.in_nautical_miles(), kShortestLeg.in_metres(),
-                                     kLongestLeg.in_nautical_miles()));
-  }
-
-  static Length distance(const scenario::Position& from, const scenario::Position& to) {
-    double distance_m = 0.0;
-    GeographicLib::Geodesic::WGS84().Inverse(from.lat(), from.lon(), to.lat(), to.lon(),
-                                             distance_m);
-    return metres(distance_m);
   }
 
   YamlSource& source_;

@@ -45,6 +45,18 @@ std::uint64_t Timeline::order(std::size_t own_ship, std::optional<double> course
   return world_.tick() + 1;
 }
 
+std::uint64_t Timeline::order(std::size_t own_ship, const wire::ConOrder& order) {
+  const std::lock_guard lock(mutex_);
+  world_.order(own_ship, order);
+  return world_.tick() + 1;
+}
+
+std::optional<std::string> Timeline::fault_of(std::size_t own_ship,
+                                              const wire::ConOrder& order) const {
+  const std::lock_guard lock(mutex_);
+  return world_.fault_of(own_ship, order);
+}
+
 Timeline::Driven Timeline::drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now) {
   const std::lock_guard lock(mutex_);
   const bool begins = world_.drive(own_ship, fix, now);

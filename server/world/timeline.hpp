@@ -38,6 +38,9 @@ class Timeline {
   std::uint64_t order(std::size_t own_ship, std::optional<double> course_deg,
                       std::optional<double> speed_kn);
 
+  std::uint64_t order(std::size_t own_ship, const wire::ConOrder& order);
+  std::optional<std::string> fault_of(std::size_t own_ship, const wire::ConOrder& order) const;
+
   // Takes effect with the next tick not yet made, which is named; otherwise as World::drive().
   struct Driven {
     std::uint64_t tick = 0;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "echo/kernel/hash.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/ship_units.hpp"
@@ -22,7 +23,10 @@ constexpr double kTideHours = 12.4206;  // principal lunar semidiurnal, M2
 World::World(const scenario::Scenario& scenario)
     : scenario_(std::make_shared<const scenario::Scenario>(scenario)),
       environment_(std::make_shared<const Environment>(environment_of(scenario))) {
-  for (const scenario::OwnShip& ship : scenario.own_ships()) own_ships_.emplace_back(ship, kTick);
+  for (const scenario::OwnShip& ship : scenario.own_ships()) {
+    const auto seed = echo::mixed(scenario.seed(), own_ships_.size());
+    own_ships_.emplace_back(ship, *environment_, kTick, seed);
+  }
   for (int i = 0; i < scenario.targets_size(); ++i) {
     const scenario::Target& target = scenario.targets(i);
     const auto number = static_cast<std::size_t>(i);
@@ -88,7 +92,7 @@ void World::set_environment(Environment environment) {
 }
 
 void World::step() {
-  for (OwnShip& ship : own_ships_) ship.step();
+  for (OwnShip& ship : own_ships_) ship.step(*environment_);
   ++tick_;
 }
 
@@ -136,6 +140,19 @@ void World::order(std::size_t own_ship, std::optional<double> course_deg,
   }
   if (course_deg) own_ships_[own_ship].order_course(*course_deg);
   if (speed_kn) own_ships_[own_ship].order_speed(knots_in_mps(*speed_kn));
+}
+
+std::optional<std::string> World::fault_of(std::size_t own_ship,
+                                           const wire::ConOrder& order) const {
+  if (own_ship >= own_ships_.size()) {
+    return fmt::format("own ship {}: there are {}, counted from 0", own_ship, own_ships_.size());
+  }
+  return own_ships_[own_ship].fault_of(order);
+}
+
+void World::order(std::size_t own_ship, const wire::ConOrder& order) {
+  if (const auto fault = fault_of(own_ship, order)) throw std::invalid_argument(*fault);
+  own_ships_[own_ship].order(order);
 }
 
 }  // namespace skerry::server

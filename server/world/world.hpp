@@ -41,6 +41,11 @@ class World {
   // finite or the speed not within kMinSpeedKn..kMaxSpeedKn.
   void order(std::size_t own_ship, std::optional<double> course_deg,
              std::optional<double> speed_kn);
+  // The same from her con: of a ship that has a class, and only what it can do; values are within
+  // the ranges of conning.proto.  `take` and `release` are not looked at.
+  void order(std::size_t own_ship, const wire::ConOrder& order);
+  // What order() would refuse.
+  std::optional<std::string> fault_of(std::size_t own_ship, const wire::ConOrder& order) const;
 
   // An own ship's state at `now` as an outside simulator has it; takes effect with the next tick.
   // True if she was not driven until now.  Error: as order(), of values outside OwnShipFix's

@@ -1,7 +1,9 @@
 // WorldState: where everything is and how it moves, at one instant.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +11,30 @@
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
 #include "server/world/environment.hpp"
+#include "server/world/handling/helmsman.hpp"
 #include "server/world/scenario.pb.h"
 
 namespace skerry::server {
 
 using RadarSetPtr = std::shared_ptr<const echo::RadarSet>;
+
+// An own ship that has a class, as her con shows her.  Angles in degrees.
+struct ConState {
+  const ShipClass* ship_class = nullptr;  // never null
+  SteeringMode steering = SteeringMode::hand;
+  BodyMotion motion;  // through the water
+  double rudder_deg = 0.0, rudder_order_deg = 0.0;
+  double shaft_rps = 0.0;
+  double engine_percent = 0.0;  // as ordered
+  bool keeps_speed = false;
+  double bow_percent = 0.0, stern_percent = 0.0;
+  double heading_order_deg = 0.0, turn_rate_deg_min = 0.0;
+  double depth_below_keel_m = 0.0;
+  double wind_from_deg = 0.0, wind_mps = 0.0;
+  double current_set_deg = 0.0, current_mps = 0.0;
+  std::uint32_t waypoint = 0, waypoints = 0;  // makes for, from 1; 0: none
+  double waypoint_m = 0.0, cross_track_m = 0.0;
+};
 
 // Motion is straight or a steady turn from `time` of the WorldState on: good for one tick.
 struct ShipState {
@@ -33,8 +54,9 @@ struct ShipState {
   bool driven = false;  // an own ship whose motion comes from outside
   bool sart = false;    // carries one that is on
   std::uint32_t mmsi = 0;
-  std::size_t number = 0;       // in the scenario's list of own ships or targets
-  RadarSetPtr radar = nullptr;  // of a target that has one on, else null
+  std::size_t number = 0;            // in the scenario's list of own ships or targets
+  RadarSetPtr radar = nullptr;       // of a target that has one on, else null
+  std::optional<ConState> con = {};  // of an own ship that has a class
 };
 
 // A target other than a ship: smaller than a radar can resolve.

@@ -121,8 +121,8 @@ const std::vector<Room>& table() {
       {"server/config", {"protocol/"}},
       {"server/world",
        {"protocol/", "server/config/", "echo/radar/", "echo/scene/artefacts.hpp",
-        "echo/scene/weather.hpp", "echo/kernel/exact_math.hpp", "server/core/traffic.hpp",
-        "server/world/handling/"}},
+        "echo/scene/weather.hpp", "echo/kernel/exact_math.hpp", "echo/kernel/hash.hpp",
+        "server/core/traffic.hpp", "server/world/handling/"}},
       // How ships answer rudder, engine, wind and waves: arithmetic alone.
       {"server/world/handling",
        {"protocol/quantity/", "echo/kernel/exact_math.hpp", "echo/kernel/hash.hpp"}},

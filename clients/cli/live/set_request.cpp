@@ -65,16 +65,18 @@ std::vector<const FieldDescriptor*> artefacts() {
 std::vector<SetOption> set_options() {
   std::vector<SetOption> all;
   add_options(all, *wire::Set::descriptor(), kShipGroup);
+  add_options(all, *wire::ConOrder::descriptor(), kConGroup);
   add_options(all, *wire::Controls::descriptor());
   add_options(all, *wire::WorldChange::descriptor(), kWorldGroup);
   return all;
 }
 
 void put_option(wire::Set& set, const SetOption& option, const std::string& text) {
-  wire::Message& message = option.field->containing_type() == wire::WorldChange::descriptor()
-                               ? static_cast<wire::Message&>(*set.mutable_world())
-                               : set;
-  wire::put_value(message, *option.field, number_of(*option.field, text));
+  const wire::Descriptor* const type = option.field->containing_type();
+  wire::Message* message = &set;
+  if (type == wire::WorldChange::descriptor()) message = set.mutable_world();
+  if (type == wire::ConOrder::descriptor()) message = set.mutable_con();
+  wire::put_value(*message, *option.field, number_of(*option.field, text));
 }
 
 std::optional<std::string> add_blanked(const std::vector<std::string>& texts, wire::Set& set) {

@@ -12,6 +12,7 @@
 namespace skerry::client {
 
 inline constexpr const char* kShipGroup = "Own ship";
+inline constexpr const char* kConGroup = "Con of an own ship that has a class";
 inline constexpr const char* kViewGroup = "View";
 inline constexpr const char* kRadarGroup = "Radar (for all its views)";
 inline constexpr const char* kWorldGroup = "World (for all radars)";

@@ -56,6 +56,7 @@ ControlDesk::ControlDesk(Timeline& timeline, std::vector<RadarUnit*> units,
     : timeline_(timeline),
       units_(std::move(units)),
       locks_(own_ships_of(units_)),
+      cons_(timeline.latest()->own_ships.size()),
       inputs_(inputs),
       log_(std::move(log)) {
   for (std::size_t radar = 0; radar < locks.size(); ++radar) {
@@ -72,10 +73,11 @@ wire::Reply ControlDesk::apply(const wire::Set& set, const std::string& origin) 
   if (const auto wrong = refusal_of(set)) return *wrong;
   const std::lock_guard lock(mutex_);
   if (const auto wrong = refusal_by_state(set)) return *wrong;
+  if (const auto wrong = refusal_by_con(set, origin)) return *wrong;
   Next next;
   if (const auto wrong = plan(set, next)) return *wrong;
   if (const auto wrong = refusal_by_lock(set, next)) return *wrong;
-  carry_out(set, next);
+  carry_out(set, origin, next);
   log(set, origin, next);
   return {};
 }
@@ -96,12 +98,40 @@ std::optional<wire::Reply> ControlDesk::refusal_by_state(const wire::Set& set) c
                                "view {}: up to {} NM",
                                set.range_nm(), set.view(), on_air.in_nautical_miles()));
   }
-  if ((set.has_course_deg() || set.has_speed_kn()) && own_ship_of(set.radar()).driven) {
+  if ((set.has_course_deg() || set.has_speed_kn() || set.has_con()) &&
+      own_ship_of(set.radar()).driven) {
     return refusal(wire::Reply::REFUSED,
                    "course and speed: a simulator outside drives this own ship; it takes orders "
                    "again when that has been silent for ten seconds");
   }
   return std::nullopt;
+}
+
+std::optional<wire::Reply> ControlDesk::refusal_by_con(const wire::Set& set,
+                                                       const std::string& origin) const {
+  if (!set.has_course_deg() && !set.has_speed_kn() && !set.has_con()) return std::nullopt;
+  const std::size_t ship = units_[set.radar()]->config().own_ship;
+  const wire::ConOrder* const con = set.has_con() ? &set.con() : nullptr;
+  if (con != nullptr) {
+    if (const auto fault = timeline_.fault_of(ship, *con)) {
+      return refusal(wire::Reply::REFUSED, *fault);
+    }
+  }
+  if (const auto fault =
+          cons_.refusal(ship, own_ship_of(set.radar()).name, con, origin, set.instructor())) {
+    return refusal(wire::Reply::REFUSED, *fault);
+  }
+  return std::nullopt;
+}
+
+void ControlDesk::leave(const std::string& origin) {
+  const std::lock_guard lock(mutex_);
+  cons_.leave(origin);
+}
+
+std::string ControlDesk::con_of(std::uint32_t radar) const {
+  const std::lock_guard lock(mutex_);
+  return cons_.holder(units_.at(radar)->config().own_ship);
 }
 
 ShipState ControlDesk::own_ship_of(std::uint32_t radar) const {
@@ -141,6 +171,17 @@ void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
   if (set.has_course_deg()) {
     add("course_deg", ship.ordered_course_deg, wrapped_degrees(set.course_deg()));
   }
+  if (set.has_con() && ship.con) {
+    const ConState& con = *ship.con;
+    const wire::ConOrder& order = set.con();
+    if (order.has_rudder_deg()) add("rudder_deg", con.rudder_order_deg, order.rudder_deg());
+    if (order.has_engine_percent()) {
+      add("engine_percent", con.engine_percent, order.engine_percent());
+    }
+    if (order.has_heading_deg()) {
+      add("heading_deg", con.heading_order_deg, order.heading_deg());
+    }
+  }
   if (set.has_speed_kn()) {
     add("speed_kn", ship.ordered_speed_mps / knots_in_mps(1.0), set.speed_kn());
   }
@@ -173,7 +214,24 @@ std::optional<wire::Reply> ControlDesk::refusal_by_lock(const wire::Set& set,
   return std::nullopt;
 }
 
-void ControlDesk::carry_out(const wire::Set& set, Next& next) {
+void ControlDesk::give_orders(const wire::Set& set) {
+  const std::size_t ship = units_[set.radar()]->config().own_ship;
+  if (set.has_course_deg() || set.has_speed_kn()) {
+    const auto course = set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt;
+    const auto speed = set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt;
+    const std::uint64_t tick = timeline_.order(ship, course, speed);
+    if (inputs_ != nullptr) inputs_->ordered(tick, ship, course, speed);
+  }
+  if (!set.has_con()) return;
+  wire::ConOrder order = set.con();
+  order.clear_take();
+  order.clear_release();
+  if (order.ByteSizeLong() == 0) return;
+  const std::uint64_t tick = timeline_.order(ship, order);
+  if (inputs_ != nullptr) inputs_->ordered(tick, ship, order);
+}
+
+void ControlDesk::carry_out(const wire::Set& set, const std::string& origin, Next& next) {
   RadarUnit& unit = *units_[set.radar()];
   const auto giving = inputs_ != nullptr ? inputs_->giving() : std::unique_lock<std::mutex>();
   if (next.environment) {
@@ -181,12 +239,16 @@ void ControlDesk::carry_out(const wire::Set& set, Next& next) {
     if (inputs_ != nullptr) inputs_->changed(tick, set.world(), next.environment_time);
     world_version_.fetch_add(1);
   }
-  if (set.has_course_deg() || set.has_speed_kn()) {
+  give_orders(set);
+  if (set.has_con()) {
     const std::size_t ship = unit.config().own_ship;
-    const auto course = set.has_course_deg() ? std::optional(set.course_deg()) : std::nullopt;
-    const auto speed = set.has_speed_kn() ? std::optional(set.speed_kn()) : std::nullopt;
-    const std::uint64_t tick = timeline_.order(ship, course, speed);
-    if (inputs_ != nullptr) inputs_->ordered(tick, ship, course, speed);
+    const std::string before = cons_.holder(ship);
+    if (cons_.change(ship, set.con(), origin)) {
+      const auto named = [](const std::string& holder) {
+        return holder.empty() ? "nobody" : holder;
+      };
+      next.changes.push_back({"con", named(before), named(cons_.holder(ship))});
+    }
   }
   bool changed = false;
   if (next.controls != next.view->controls_in_force()) {

@@ -10,6 +10,7 @@
 
 #include "protocol/wire/radar.pb.h"
 #include "server/app/control/change_log.hpp"
+#include "server/app/control/con_holders.hpp"
 #include "server/app/control/control_locks.hpp"
 #include "server/radar/radar_unit.hpp"
 #include "server/replay/input_log.hpp"
@@ -40,19 +41,26 @@ class ControlDesk {
   std::uint64_t settings_version() const { return settings_version_.load(); }
   std::uint64_t world_version() const { return world_version_.load(); }
 
+  // The connection of `origin` has ended.
+  void leave(const std::string& origin);
+  // Who has the con of a radar's own ship; empty: nobody.
+  std::string con_of(std::uint32_t radar) const;
+
   // Logs changes that were held back.  Call it a few times a second.
   void flush_log();
 
  private:
   struct Next;  // what a Set makes of what it changes
   std::optional<wire::Reply> refusal_by_state(const wire::Set& set) const;
+  std::optional<wire::Reply> refusal_by_con(const wire::Set& set, const std::string& origin) const;
   // Puts into `next` what `set` asks for and which of it is a change.
   std::optional<wire::Reply> plan(const wire::Set& set, Next& next) const;
   ShipState own_ship_of(std::uint32_t radar) const;
   void plan_orders(const wire::Set& set, Next& next) const;
   std::optional<wire::Reply> plan_world(const wire::Set& set, Next& next) const;
   std::optional<wire::Reply> refusal_by_lock(const wire::Set& set, const Next& next) const;
-  void carry_out(const wire::Set& set, Next& next);
+  void carry_out(const wire::Set& set, const std::string& origin, Next& next);
+  void give_orders(const wire::Set& set);
   // Views that follow it keep their instrumented range as a multiple of the range scale.
   static void put_view(RadarUnit& unit, RadarView& view, const echo::ViewControls& controls);
   void log(const wire::Set& set, const std::string& origin, const Next& next);
@@ -60,9 +68,10 @@ class ControlDesk {
   Timeline& timeline_;
   std::vector<RadarUnit*> units_;
   ControlLocks locks_;
+  ConHolders cons_;
   InputLog* inputs_;
   std::atomic<std::uint64_t> settings_version_{1}, world_version_{1};
-  std::mutex mutex_;  // one Set at a time, so that two do not lose each other's values
+  mutable std::mutex mutex_;  // one Set at a time, so that two do not lose each other's values
   ChangeLog log_;
 };
 

@@ -52,6 +52,7 @@ void NativeSession::close() {
   closed_ = true;
   unsubscribe();
   boards_.leave();
+  context_.host.leave(origin());
   deadline_.cancel();
   transport_->close();
   spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,
@@ -204,7 +205,7 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
   if (!may_control(request, set.token())) return;
   wire::Set without_token = set;
   without_token.clear_token();
-  reply(request, context_.host.apply(without_token, "console " + client_->peer));
+  reply(request, context_.host.apply(without_token, origin()));
   context_.tell_settings();
 }
 

@@ -102,6 +102,9 @@ class NativeSession final : public Connection,
   Cursor cursor_;
   std::uint64_t lost_before_ = 0;  // by earlier subscriptions
 
+  // As the log and other consoles name it.
+  std::string origin() const { return "console " + client_->peer; }
+
   std::size_t spoke_buffer_ = 0;  // of the kernel's, for spokes
 
   BoardRequests boards_;

@@ -17,6 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kTick = 100ms;
+const Environment kCalm;
 
 scenario::OwnShip model(double course_deg = 0.0, double speed_kn = 12.0) {
   scenario::OwnShip ship;
@@ -32,11 +33,11 @@ scenario::OwnShip model(double course_deg = 0.0, double speed_kn = 12.0) {
 }
 
 void step(OwnShip& ship, int ticks) {
-  for (int i = 0; i < ticks; ++i) ship.step();
+  for (int i = 0; i < ticks; ++i) ship.step(kCalm);
 }
 
 TEST(OwnShip, KeepsItsCourseAndSpeedWithoutOrders) {
-  OwnShip ship(model(162.6), kTick);
+  OwnShip ship(model(162.6), kCalm, kTick, 0);
   step(ship, 36'000);
   const ShipState state = ship.state();
   EXPECT_EQ(state.heading_deg, 162.6);
@@ -55,14 +56,14 @@ TEST(OwnShip, KeepsItsCourseAndSpeedWithoutOrders) {
 // of v over the coming tick.
 TEST(OwnShip, ApproachesTheOrderedSpeedExponentially) {
   constexpr double v0 = knots_in_mps(12.0), v1 = knots_in_mps(-4.0), kT = 60.0;
-  OwnShip ship(model(0.0), kTick);
+  OwnShip ship(model(0.0), kCalm, kTick, 0);
   ship.order_speed(v1);
   EXPECT_EQ(ship.state().speed_mps, v0) << "the order waits for the next tick";
-  ship.step();
+  ship.step(kCalm);
   const GeoPoint start = ship.state().position;
   const auto way = [](double t) { return v1 * t + (v0 - v1) * kT * (1 - std::exp(-t / kT)); };
   double worst_speed = 0.0, worst_way = 0.0;
-  for (int k = 0; k < 6000; ++k, ship.step()) {
+  for (int k = 0; k < 6000; ++k, ship.step(kCalm)) {
     const double t = k * 0.1;
     const ShipState state = ship.state();
     worst_speed = std::max(worst_speed, std::fabs(state.speed_mps - (way(t + 0.1) - way(t)) / 0.1));
@@ -81,11 +82,11 @@ TEST(OwnShip, ApproachesTheOrderedSpeedExponentially) {
 // With the commanded rate at its limit, r(t) = R (1 - e^(-t/T)) and the heading its integral.
 TEST(OwnShip, ApproachesTheCommandedRateOfTurnExponentially) {
   constexpr double kRate = 1.0, kT = 8.0;
-  OwnShip ship(model(0.0), kTick);
+  OwnShip ship(model(0.0), kCalm, kTick, 0);
   ship.order_course(170.0);
-  ship.step();
+  ship.step(kCalm);
   double worst = 0.0;
-  for (int k = 0; k < 1000; ++k, ship.step()) {  // 100 s: 92 deg, 78 left: still at the limit
+  for (int k = 0; k < 1000; ++k, ship.step(kCalm)) {  // 100 s: 92 deg, 78 left: still at the limit
     const double t = k * 0.1;
     worst = std::max(
         worst, std::fabs(ship.state().heading_deg - kRate * (t - kT * (1 - std::exp(-t / kT)))));
@@ -101,13 +102,13 @@ Turn turn_to(double time_constant_s, double max_rate_deg_min, double from, doubl
   scenario::OwnShip ship_model = model(from, 0.0);
   ship_model.set_turn_time_constant_s(time_constant_s);
   ship_model.set_max_rate_of_turn_deg_min(max_rate_deg_min);
-  OwnShip ship(ship_model, kTick);
+  OwnShip ship(ship_model, kCalm, kTick, 0);
   ship.order_course(to);
   const double turn = std::remainder(to - from, 360.0);
   Turn result;
   double made = 0.0, before = from;
   for (int k = 0; k < 700'000; ++k) {
-    ship.step();
+    ship.step(kCalm);
     const double heading = ship.state().heading_deg;
     made += std::remainder(heading - before, 360.0);
     before = heading;
@@ -141,7 +142,7 @@ TEST(OwnShip, TurnsTheShorterWayWithoutOvershoot) {
 
 TEST(OwnShip, TurnsToStarboardToTheOppositeCourse) {
   for (const double from : {0.0, 90.0, 180.0, 270.0}) {
-    OwnShip ship(model(from), kTick);
+    OwnShip ship(model(from), kCalm, kTick, 0);
     ship.order_course(from + 180.0);
     step(ship, 20);
     EXPECT_GT(ship.state().rate_of_turn_deg_s, 0.0) << from;
@@ -151,9 +152,9 @@ TEST(OwnShip, TurnsToStarboardToTheOppositeCourse) {
 // The commanded rate set anew every millisecond instead of every tick, with K to match.
 TEST(OwnShip, TurnsAsInFineTicks) {
   const auto path_end = [](Duration tick, int ticks) {
-    OwnShip ship(model(20.0, 24.0), tick);
+    OwnShip ship(model(20.0, 24.0), kCalm, tick, 0);
     ship.order_course(140.0);
-    ship.step();
+    ship.step(kCalm);
     const GeoPoint start = ship.state().position;
     step(ship, ticks);
     return std::pair{start, ship.state()};
@@ -168,13 +169,13 @@ TEST(OwnShip, TurnsAsInFineTicks) {
 }
 
 TEST(OwnShip, NeverJumpsBetweenTicks) {
-  OwnShip ship(model(0.0), kTick);
+  OwnShip ship(model(0.0), kCalm, kTick, 0);
   std::mt19937 random(3);
   for (int k = 0; k < 20'000; ++k) {
     if (k % 97 == 0) ship.order_course(static_cast<double>(random() % 360));
     if (k % 131 == 0) ship.order_speed(knots_in_mps(static_cast<double>(random() % 70) - 10.0));
     const ShipPlace reckoned = position_at(ship.state(), kTick);
-    ship.step();
+    ship.step(kCalm);
     ASSERT_EQ(ship.state().position, reckoned.position);
     ASSERT_NEAR(std::remainder(ship.state().heading_deg - reckoned.heading_deg, 360.0), 0.0, 1e-9);
   }
@@ -183,7 +184,7 @@ TEST(OwnShip, NeverJumpsBetweenTicks) {
 TEST(OwnShip, SailsOverThePoleAndAcrossTheAntimeridian) {
   scenario::OwnShip polar = model(0.0, 30.0);
   polar.mutable_position()->set_lat(89.99);
-  OwnShip ship(polar, kTick);
+  OwnShip ship(polar, kCalm, kTick, 0);
   step(ship, 1440);  // 1117 m to the pole, 2222 m made
   EXPECT_EQ(ship.state().heading_deg, 180.0);
   EXPECT_EQ(ship.state().ordered_course_deg, 180.0);
@@ -194,7 +195,7 @@ TEST(OwnShip, SailsOverThePoleAndAcrossTheAntimeridian) {
   scenario::OwnShip pacific = model(90.0, 30.0);
   pacific.mutable_position()->set_lat(-20.0);
   pacific.mutable_position()->set_lon(179.999);
-  OwnShip eastbound(pacific, kTick);
+  OwnShip eastbound(pacific, kCalm, kTick, 0);
   step(eastbound, 1000);
   EXPECT_TRUE(is_sane(eastbound.state().position));
   EXPECT_LT(eastbound.state().position.longitude_deg, -179.98);
@@ -211,11 +212,11 @@ TEST(OwnShip, IsNeverNaNWhateverTheOrders) {
       wild.set_speed_time_constant_s(time_constant);
       wild.set_turn_time_constant_s(time_constant);
       wild.set_max_rate_of_turn_deg_min(720.0);
-      OwnShip ship(wild, kTick);
+      OwnShip ship(wild, kCalm, kTick, 0);
       for (int k = 0; k < 5000; ++k) {
         if (k % 50 == 0) ship.order_course(1e6 * unit(random));
         if (k % 77 == 0) ship.order_speed(31.0 * unit(random));
-        ship.step();
+        ship.step(kCalm);
         const ShipState state = ship.state();
         ASSERT_TRUE(is_sane(state.position)) << latitude << ' ' << time_constant << ' ' << k;
         ASSERT_TRUE(state.heading_deg >= 0.0 && state.heading_deg < 360.0);
