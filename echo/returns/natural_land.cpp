@@ -123,11 +123,12 @@ void NaturalLand::add(double begin_m, double end_m, const LandInterval& shore, L
       if (hidden(tallest)) continue;
       const bool covered = cover && cover->read(from, to - from);
       if (cover && hidden(covered ? cover->most_objects(from, to - from) : 0.0)) continue;
-      float objects[kLandChunk] = {}, gains[kLandChunk];
+      float objects[kLandChunk], gains[kLandChunk];
       chunk.objects = chunk.gains = nullptr;
       if (covered) {
-        cover->objects(from, {objects + chunk.begin, to - from});
+        std::fill_n(objects, kLandChunk, 0.0f);
         std::fill_n(gains, kLandChunk, 1.0f);
+        cover->objects(from, {objects + chunk.begin, to - from});
         for (std::size_t cell = from; cell < to; ++cell) {
           if (cover->at(cell) != LandCover::none)
             gains[cell - at] = echo_of(cover->at(cell)).gamma / static_cast<float>(kLandGamma);
