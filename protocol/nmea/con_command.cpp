@@ -60,7 +60,7 @@ Result<ConCommand, WireError> from(const Hsc& hsc, FieldReader in) {
   return command;
 }
 
-Result<ConCommand, WireError> from(const Ror& ror, FieldReader) {
+Result<ConCommand, WireError> from(const Ror& ror, const FieldReader&) {
   ConCommand command;
   command.rudder_deg = ror.starboard_deg ? ror.starboard_deg : ror.port_deg;
   if (command.rudder_deg) command.mode = SteeringMode::hand;
@@ -80,7 +80,7 @@ Result<ConCommand, WireError> from(const Prc& prc, FieldReader in) {
   return answer(in, command);
 }
 
-Result<ConCommand, WireError> from(const Etl& etl, FieldReader) {
+Result<ConCommand, WireError> from(const Etl& etl, const FieldReader&) {
   ConCommand command;
   if (!etl.is_order) return command;
   command.shaft = etl.shaft;
