@@ -34,7 +34,8 @@ namespace skerry::server {
 namespace {
 
 constexpr std::chrono::milliseconds kSettingsPeriod{100};
-constexpr int kOwnShipPeriods = 10;  // own ship once a second
+static_assert(std::chrono::seconds(1) / kSettingsPeriod == kOwnShipMostHz);
+constexpr int kSendBufferPeriods = 10;  // once a second
 constexpr int kNiceness = -5;
 
 // The native protocol straight on TCP.
@@ -288,10 +289,8 @@ class NetServer::Impl {
       context_.tell_recordings(std::chrono::steady_clock::now());
       signalk_->tick(std::chrono::steady_clock::now());
       context_.end_views(std::chrono::steady_clock::now());
-      if (++ticks_ % kOwnShipPeriods == 0) {
-        context_.tell_own_ships();
-        context_.tell_send_buffers();
-      }
+      context_.tell_own_ships();
+      if (++ticks_ % kSendBufferPeriods == 0) context_.tell_send_buffers();
       tick();
     });
   }

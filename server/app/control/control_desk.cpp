@@ -174,12 +174,27 @@ void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
   if (set.has_con() && ship.con) {
     const ConState& con = *ship.con;
     const wire::ConOrder& order = set.con();
-    if (order.has_rudder_deg()) add("rudder_deg", con.rudder_order_deg, order.rudder_deg());
-    if (order.has_engine_percent()) {
-      add("engine_percent", con.engine_percent, order.engine_percent());
+    const auto steers = [](SteeringMode mode) { return static_cast<double>(mode); };
+    if (order.has_rudder_deg()) {
+      add("con.rudder_deg", con.rudder_order_deg, order.rudder_deg());
+      add("con.steering", steers(con.steering), steers(SteeringMode::hand));
+    } else if (order.has_heading_deg()) {
+      add("con.heading_deg", con.heading_order_deg, wrapped_degrees(order.heading_deg()));
+      add("con.steering", steers(con.steering), steers(SteeringMode::heading));
+    } else if (order.has_steering()) {
+      add("con.steering", steers(con.steering), order.steering());
     }
-    if (order.has_heading_deg()) {
-      add("heading_deg", con.heading_order_deg, order.heading_deg());
+    if (order.has_engine_percent()) {
+      add("con.engine_percent", con.engine_percent, order.engine_percent());
+    }
+    if (order.has_bow_thruster_percent()) {
+      add("con.bow_thruster_percent", con.bow_percent, order.bow_thruster_percent());
+    }
+    if (order.has_stern_thruster_percent()) {
+      add("con.stern_thruster_percent", con.stern_percent, order.stern_thruster_percent());
+    }
+    if (order.has_turn_rate_deg_min()) {
+      add("con.turn_rate_deg_min", con.turn_rate_deg_min, order.turn_rate_deg_min());
     }
   }
   if (set.has_speed_kn()) {
@@ -206,7 +221,11 @@ std::optional<wire::Reply> ControlDesk::refusal_by_lock(const wire::Set& set,
   for (const ControlChange& change : next.changes) {
     const std::string control = lock_of(change);
     if (next.view->follows() && control == "instrumented_range_m") continue;
-    if (locks_.is_locked(set.radar(), control)) {
+    // Who may not order a course or speed may not steer or run the engine to the same end.
+    const bool is_con = control == "con";
+    const char* const order = change.control == "con.engine_percent" ? "speed_kn" : "course_deg";
+    if (locks_.is_locked(set.radar(), control) ||
+        (is_con && locks_.is_locked(set.radar(), order))) {
       return refusal(wire::Reply::REFUSED, fmt::format("{}: locked by the instructor; it stays {}",
                                                        change.control, change.before));
     }

@@ -4,7 +4,7 @@ namespace skerry::server {
 
 bool ControlLocks::shared(std::size_t radar, std::size_t other, const std::string& control) const {
   if (radar == other || control == "world") return true;
-  const bool is_order = control == "course_deg" || control == "speed_kn";
+  const bool is_order = control == "course_deg" || control == "speed_kn" || control == "con";
   return is_order && own_ships_[radar] == own_ships_[other];
 }
 

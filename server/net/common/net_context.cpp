@@ -173,10 +173,15 @@ void NetContext::tell_settings() {
 }
 
 void NetContext::tell_own_ships() {
+  const std::uint64_t before = own_ship_calls_++, now = own_ship_calls_;
   for (const auto& [key, feed] : feeds_) {
-    if (feed->readers().empty()) continue;
-    const SharedBytes frame = own_ship_frame(std::get<0>(key));
-    for (FeedReader* reader : feed->readers()) reader->on_own_ship(frame);
+    SharedBytes frame;
+    for (FeedReader* reader : feed->readers()) {
+      const std::uint32_t hz = reader->own_ship_hz();  // of every kOwnShipMostHz calls
+      if (now * hz / kOwnShipMostHz == before * hz / kOwnShipMostHz) continue;
+      if (frame == nullptr) frame = own_ship_frame(std::get<0>(key));
+      reader->on_own_ship(frame);
+    }
   }
 }
 

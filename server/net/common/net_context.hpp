@@ -99,7 +99,7 @@ class NetContext {
   void tell_recordings(std::chrono::steady_clock::time_point now);
   // Tells the readers of boards what may now wait in the kernel.  Call it once a second.
   void tell_send_buffers();
-  // Sends OwnShip to all readers.
+  // Sends OwnShip to the readers whose turn it is.  Call it kOwnShipMostHz times a second.
   void tell_own_ships();
 
   // Own ship as her sensors tell of her: in sentences and Signal K.
@@ -124,6 +124,7 @@ class NetContext {
   // Further views and when each last had a reader.
   std::map<ViewKey, std::chrono::steady_clock::time_point> opened_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;
+  std::uint64_t own_ship_calls_ = 0;
   RecordingNews recording_news_{host};
 };
 

@@ -6,13 +6,15 @@ namespace skerry::server {
 
 Cursor SpokeFeed::add(FeedReader& reader) {
   readers_.push_back(&reader);
+  takers_.push_back(&reader);
   if (registration_ == nullptr) registration_ = ring_->on_publish([this] { wake(); });
   return ring_->cursor_at_end();
 }
 
 void SpokeFeed::remove(FeedReader& reader) {
   std::erase(readers_, &reader);
-  if (readers_.empty()) registration_.reset();
+  std::erase(takers_, &reader);
+  if (takers_.empty()) registration_.reset();
 }
 
 void SpokeFeed::retire(std::unique_ptr<SpokeFeed> feed) {
@@ -24,7 +26,7 @@ void SpokeFeed::wake() {
   if (wake_posted_.exchange(true)) return;
   asio::post(io_, [this] {
     wake_posted_.store(false);
-    for (FeedReader* reader : readers_) reader->on_sector();
+    for (FeedReader* reader : takers_) reader->on_sector();
   });
 }
 

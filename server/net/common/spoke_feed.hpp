@@ -17,12 +17,17 @@ using SharedBytes = std::shared_ptr<const Bytes>;
 // Keeps alive what the ring is part of: a channel or a board.
 using FormatRingPtr = std::shared_ptr<FormatRing>;
 
+// A second.
+inline constexpr std::uint32_t kOwnShipLeastHz = 1, kOwnShipMostHz = 10;
+
 // Told of news; takes the spokes itself, from SpokeFeed::ring() with its own cursor.
 // None of these may add or remove readers.  Thread: net-0.
 class FeedReader {
  public:
   virtual ~FeedReader() = default;
   virtual void on_sector() = 0;
+  // How often it wants on_own_ship(): kOwnShipLeastHz .. kOwnShipMostHz.
+  virtual std::uint32_t own_ship_hz() const { return kOwnShipLeastHz; }
   virtual void on_settings(const SharedBytes& /*frame*/) {}
   virtual void on_own_ship(const SharedBytes& /*frame*/) {}
   virtual void on_world(const SharedBytes& /*frame*/) {}
@@ -44,17 +49,19 @@ class SpokeFeed {
 
   // The reader's cursor begins at the next sector published.
   Cursor add(FeedReader& reader);
+  // A reader of news alone: told of no sector, and nothing is encoded for it.
+  void add_listener(FeedReader& reader) { readers_.push_back(&reader); }
   void remove(FeedReader& reader);  // no effect on one that was not added
 
   FormatRing& ring() { return *ring_; }
-  const std::vector<FeedReader*>& readers() const { return readers_; }
+  const std::vector<FeedReader*>& readers() const { return readers_; }  // listeners among them
 
  private:
   void wake();  // radar thread
 
   asio::io_context& io_;
   FormatRingPtr ring_;
-  std::vector<FeedReader*> readers_;
+  std::vector<FeedReader*> readers_, takers_;  // takers_: those of them that take spokes
   std::atomic<bool> wake_posted_{false};
   FormatRing::Registration registration_;  // last: released before what its wake uses
 };

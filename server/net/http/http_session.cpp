@@ -320,6 +320,7 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
   if (!answer.vary.empty()) {
     response_.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
   }
+  if (!answer.location.empty()) response_.set(http::field::location, answer.location);
   if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD");
   if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
   response_.keep_alive(keep_alive);

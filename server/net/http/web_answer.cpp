@@ -94,7 +94,21 @@ WebFiles::WebFiles(std::span<const WebFile> built_in, const std::string& root)
 WebAnswer WebFiles::get(std::string_view target) const {
   std::string path = clean_path(target);
   if (path.empty()) return web_error(400, "400: the path of this request cannot be read");
-  if (path.ends_with('/')) path += "index.html";
+  const bool is_folder = path.ends_with('/');
+  WebAnswer answer = get_file(is_folder ? path + "index.html" : path);
+  if (answer.status != 404 || path == "/") return answer;
+  if (is_folder) path.pop_back();
+  const std::string name = path.substr(path.rfind('/') + 1);
+  WebAnswer page = get_file(path + ".html");
+  if (page.status != 200) return answer;
+  if (!is_folder) return page;
+  const std::size_t query = std::min(target.find('?'), target.size());
+  answer = web_error(302, "302: without the slash");
+  answer.location = "../" + name + std::string(target.substr(query, target.find('#') - query));
+  return answer;
+}
+
+WebAnswer WebFiles::get_file(const std::string& path) const {
   if (!root_.empty()) return get_from_root(path);
   const auto file = std::find_if(built_in_.begin(), built_in_.end(),
                                  [&path](const WebFile& known) { return known.path == path; });

@@ -14,6 +14,7 @@ struct WebAnswer {
   std::string mime = "text/plain; charset=utf-8";
   std::string body = {};
   std::string_view vary = {};  // the request header that decided about the answer; a literal
+  std::string location = {};   // of a redirection
 };
 
 // An error with its text as the body.
@@ -33,11 +34,13 @@ class WebFiles {
   // Error: std::runtime_error if `root` is no directory.
   WebFiles(std::span<const WebFile> built_in, const std::string& root);
 
-  // `target` as in the request line.  "/" is "/index.html".  Reads the disk if there is a root:
-  // meant for working on the console.
+  // `target` as in the request line.  "/" is "/index.html", "/name" is "/name.html" if there is no
+  // file of that name; "/name/" leads to "/name", on which a page's relative links rest.  Reads the
+  // disk if there is a root: meant for working on the console.
   WebAnswer get(std::string_view target) const;
 
  private:
+  WebAnswer get_file(const std::string& path) const;
   WebAnswer get_from_root(const std::string& path) const;
 
   std::span<const WebFile> built_in_;

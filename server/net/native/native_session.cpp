@@ -41,6 +41,7 @@ void NativeSession::start() {
   } else {
     wire::ServerMessage message;
     *message.mutable_hello() = context_.hello();
+    message.mutable_hello()->set_you(origin());
     send(message);
   }
   pump();
@@ -165,14 +166,25 @@ std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
 }
 
 void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subscribe) {
+  if (subscribe.own_ship_hz() > kOwnShipMostHz) {
+    return reply(request, wire::Reply::OUT_OF_RANGE,
+                 fmt::format("own_ship_hz: {} is out of range; allowed: {} to {}",
+                             subscribe.own_ship_hz(), kOwnShipLeastHz, kOwnShipMostHz));
+  }
   const auto view = view_for(request, subscribe);
   if (!view) return;
   unsubscribe();
   feed_ = context_.find_feed(subscribe.radar(), *view, kNativeFormat);
-  cursor_ = feed_->add(*this);
+  takes_spokes_ = !subscribe.no_spokes();
+  if (takes_spokes_) {
+    cursor_ = feed_->add(*this);
+  } else {
+    feed_->add_listener(*this);
+  }
+  own_ship_hz_ = std::max(subscribe.own_ship_hz(), kOwnShipLeastHz);
   client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
   client_->view.store(*view, std::memory_order_relaxed);
-  spoke_buffer_ = context_.send_buffer_for(subscribe.radar());
+  spoke_buffer_ = takes_spokes_ ? context_.send_buffer_for(subscribe.radar()) : 0;
   limit_send_buffer();
   reply(request, wire::Reply::OK, "", *view);
   RecordingNews::Frames recordings = context_.recording_frames();
@@ -335,7 +347,7 @@ void NativeSession::add_to_batch(SharedBytes frame) {
 }
 
 void NativeSession::add_sectors_to_batch() {
-  while (feed_ != nullptr && batch_bytes_ < kBatchBytes) {
+  while (feed_ != nullptr && takes_spokes_ && batch_bytes_ < kBatchBytes) {
     EncodedSectorPtr sector = feed_->ring().take(cursor_);
     if (sector == nullptr) break;
     add_to_batch(std::move(sector));

@@ -46,6 +46,7 @@ class NativeSession final : public Connection,
 
   void close() override;
   void on_sector() override { pump(); }
+  std::uint32_t own_ship_hz() const override { return own_ship_hz_; }
   void on_settings(const SharedBytes& frame) override;
   void on_own_ship(const SharedBytes& frame) override;
   void on_world(const SharedBytes& frame) override;
@@ -99,7 +100,9 @@ class NativeSession final : public Connection,
   FrameReader reader_{kMaxClientFrame};
 
   SpokeFeed* feed_ = nullptr;  // nullptr: not subscribed
+  bool takes_spokes_ = false;
   Cursor cursor_;
+  std::uint32_t own_ship_hz_ = kOwnShipLeastHz;
   std::uint64_t lost_before_ = 0;  // by earlier subscriptions
 
   // As the log and other consoles name it.

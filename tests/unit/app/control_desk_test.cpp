@@ -22,12 +22,14 @@ using testing::HasSubstr;
 // Radars 0 and 1 on one ship, radar 2 on another.
 class Desk : public testing::Test {
  protected:
-  Desk()
+  explicit Desk(const std::string& first_ship = "")
       : scenario_(parse_scenario(
             "name: s\nown_ships:\n"
-            "  - {name: F, position: {lat: 60, lon: 5}, course_deg: 10, speed_kn: 8,\n"
-            "     radars: [{range_nm: 6, locked: [pulse]}, {range_nm: 12}]}\n"
-            "  - {name: Y, position: {lat: 61, lon: 5}, radars: [{range_nm: 3}]}\n",
+            "  - {name: F, position: {lat: 60, lon: 5}, course_deg: 10, speed_kn: 8, " +
+                first_ship +
+                "\n"
+                "     radars: [{range_nm: 6, locked: [pulse]}, {range_nm: 12}]}\n"
+                "  - {name: Y, position: {lat: 61, lon: 5}, radars: [{range_nm: 3}]}\n",
             "f")),
         timeline_(World(scenario_)),
         coast_(std::make_unique<OpenSea>(), 3, {}),
@@ -172,7 +174,8 @@ TEST_F(Desk, TheLogNamesWhoWhereWhatAndBothValues) {
   EXPECT_THAT(lines_,
               ElementsAre(who + "gain 50 -> 60", who + "transmit on -> off",
                           who + "mode CUSTOM -> HARBOUR", who + "blanked_sectors none -> 0 to 20",
-                          who + "speed_kn 8 -> 5", who + "world.sea_state 0 -> 4"));
+                          who + "speed_kn 8 -> 5", who + "world.sea_state 0 -> 4",
+                          testing::StartsWith(who + "world.wind_kn 0 -> 18.6")));
   lines_.clear();
   expect_ok(set);  // once more: nothing changes
   EXPECT_TRUE(lines_.empty()) << lines_.front();
@@ -323,6 +326,98 @@ TEST_F(Desk, SetsFromManyThreadsLoseNothing) {
   EXPECT_EQ(settings.sea(), 75.0);
   EXPECT_EQ(settings.rain(), 75.0);
   EXPECT_LE(lines_.size(), 30u) << "nine hundred changes, three of them told at once";
+}
+
+// The first ship has a class.
+class ConDesk : public Desk {
+ protected:
+  ConDesk() : Desk("ship_class: coaster,") {}
+
+  static wire::Set con_of(std::uint32_t radar, const wire::ConOrder& order) {
+    wire::Set set = of(radar);
+    *set.mutable_con() = order;
+    return set;
+  }
+  wire::Reply apply_as(const std::string& origin, const wire::Set& set) {
+    return desk_->apply(set, origin);
+  }
+};
+
+wire::ConOrder taken() {
+  wire::ConOrder order;
+  order.set_take(true);
+  return order;
+}
+wire::ConOrder rudder(double deg) {
+  wire::ConOrder order;
+  order.set_rudder_deg(deg);
+  return order;
+}
+wire::ConOrder engine(double percent) {
+  wire::ConOrder order;
+  order.set_engine_percent(percent);
+  return order;
+}
+
+TEST_F(ConDesk, OneConsoleHasTheConOfAShipOnAllHerRadars) {
+  EXPECT_EQ(apply_as("console a", con_of(0, rudder(5))).code(), wire::Reply::OK) << "nobody's";
+  EXPECT_EQ(apply_as("console a", con_of(0, taken())).code(), wire::Reply::OK);
+  EXPECT_EQ(desk_->con_of(0), "console a");
+  EXPECT_EQ(desk_->con_of(1), "console a");
+  EXPECT_EQ(desk_->con_of(2), "");
+  const wire::Reply reply = apply_as("console b", con_of(1, rudder(10)));
+  EXPECT_EQ(reply.code(), wire::Reply::REFUSED);
+  EXPECT_EQ(reply.text(),
+            "console a has the con of F; ask for it to be given away, or take it as instructor");
+  wire::Set speed = of(0);
+  speed.set_speed_kn(5);
+  EXPECT_EQ(apply_as("console b", speed).code(), wire::Reply::REFUSED);
+  wire::ConOrder release;
+  release.set_release(true);
+  EXPECT_EQ(apply_as("console b", con_of(0, release)).code(), wire::Reply::REFUSED);
+  EXPECT_EQ(apply_as("console a", con_of(0, rudder(10))).code(), wire::Reply::OK);
+
+  wire::Set instructor = con_of(0, taken());
+  instructor.set_instructor(true);
+  EXPECT_EQ(apply_as("console b", instructor).code(), wire::Reply::OK);
+  EXPECT_EQ(desk_->con_of(0), "console b");
+  EXPECT_EQ(apply_as("console a", con_of(0, engine(10))).code(), wire::Reply::REFUSED);
+  EXPECT_EQ(apply_as("console b", con_of(0, release)).code(), wire::Reply::OK);
+  EXPECT_EQ(desk_->con_of(0), "");
+  EXPECT_EQ(apply_as("console a", con_of(0, taken())).code(), wire::Reply::OK);
+  desk_->leave("console a");
+  EXPECT_EQ(desk_->con_of(0), "") << "its connection has ended";
+}
+
+TEST_F(ConDesk, ALockOfCourseOrSpeedHoldsForWheelAndEngine) {
+  timeline_.at(ScenarioTime(std::chrono::seconds(1)));
+  lock(0, "course_deg");
+  for (const std::uint32_t radar : {0u, 1u}) {
+    EXPECT_EQ(apply(con_of(radar, rudder(5))).text(),
+              "con.rudder_deg: locked by the instructor; it stays 0");
+  }
+  wire::ConOrder heading, hand, bow;
+  heading.set_heading_deg(90);
+  hand.set_steering(wire::STEERING_HAND);
+  for (const wire::ConOrder& order : {heading, hand}) {
+    EXPECT_EQ(apply(con_of(0, order)).code(), wire::Reply::REFUSED);
+  }
+  expect_ok(con_of(0, engine(40)));
+  expect_ok(con_of(0, taken()));
+  lock(1, "speed_kn");
+  EXPECT_EQ(apply(con_of(0, engine(50))).code(), wire::Reply::REFUSED);
+  wire::Set instructor = con_of(0, engine(50));
+  instructor.set_instructor(true);
+  expect_ok(instructor);
+}
+
+TEST_F(ConDesk, ALockOfTheConHoldsForAllItsOrders) {
+  timeline_.at(ScenarioTime(std::chrono::seconds(1)));
+  lock(1, "con");
+  EXPECT_THAT(desk_->settings(0, 0).locked(), ElementsAre("con", "pulse"));
+  EXPECT_EQ(apply(con_of(0, rudder(5))).code(), wire::Reply::REFUSED);
+  EXPECT_EQ(apply(con_of(0, engine(5))).code(), wire::Reply::REFUSED);
+  expect_ok(con_of(0, taken()));
 }
 
 }  // namespace

@@ -300,6 +300,109 @@ TEST_F(Session, TheWorldIsToldWhenItChanges) {
   EXPECT_EQ(messages[0].world().sea_state(), 4.0);
 }
 
+wire::ClientMessage listen_message(std::uint32_t request, std::uint32_t own_ship_hz) {
+  wire::ClientMessage message = subscribe_message(request, 0);
+  message.mutable_subscribe()->set_own_ship_hz(own_ship_hz);
+  message.mutable_subscribe()->set_no_spokes(true);
+  return message;
+}
+
+TEST_F(Session, HelloNamesTheClientAsItsChangesAreNamed) {
+  line_.incoming = {frame_of(set_gain_message(1, 0, 60))};
+  begin();
+  const auto messages = messages_in(line_.outgoing);
+  ASSERT_FALSE(messages.empty());
+  EXPECT_EQ(messages[0].hello().you(), "console far away");
+  EXPECT_EQ(host_.origins(), std::vector{messages[0].hello().you()});
+}
+
+TEST_F(Session, OwnShipComesAsOftenAsIsAskedEvenlySpread) {
+  begin();
+  for (std::uint32_t hz = 0; hz <= kOwnShipMostHz; ++hz) {
+    line_.incoming = {frame_of(listen_message(1, hz))};
+    context_->connections.close_all();
+    run();
+    line_.closed = false;
+    NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, line_),
+                         context_->connections.try_enter());
+    run();
+    const std::uint32_t wanted = std::max(hz, 1u);
+    for (int second = 0; second < 3; ++second) {
+      std::uint32_t came = 0;
+      for (std::uint32_t tick = 1; tick <= kOwnShipMostHz; ++tick) {
+        line_.outgoing.clear();
+        context_->tell_own_ships();
+        run();
+        for (const auto& message : messages_in(line_.outgoing)) came += message.has_own_ship();
+        EXPECT_EQ(came, tick * wanted / kOwnShipMostHz) << hz << " Hz, tick " << tick;
+      }
+    }
+  }
+}
+
+TEST_F(Session, OwnShipOftenerThanItComesIsRefusedAndTheSubscriptionStays) {
+  line_.incoming = {frame_of(listen_message(1, 2)), frame_of(listen_message(2, 11))};
+  begin();
+  const auto replies = replies_in(line_.outgoing);
+  ASSERT_EQ(replies.size(), 2u);
+  EXPECT_EQ(replies[1].code(), wire::Reply::OUT_OF_RANGE);
+  EXPECT_EQ(replies[1].text(), "own_ship_hz: 11 is out of range; allowed: 1 to 10");
+  line_.outgoing.clear();
+  for (int tick = 0; tick < 10; ++tick) {
+    context_->tell_own_ships();
+    run();
+  }
+  EXPECT_EQ(messages_in(line_.outgoing).size(), 2u);
+}
+
+TEST_F(Session, WithoutSpokesEverythingElseComesAndNothingIsEncoded) {
+  line_.incoming = {frame_of(listen_message(1, 1))};
+  begin();
+  int settings = 0, ships = 0, worlds = 0;
+  for (const auto& message : messages_in(line_.outgoing)) {
+    settings += message.has_settings();
+    ships += message.has_own_ship();
+    worlds += message.has_world();
+  }
+  EXPECT_EQ(settings, 1);
+  EXPECT_EQ(ships, 1);
+  EXPECT_EQ(worlds, 1);
+  line_.outgoing.clear();
+  host_.publish();
+  run();
+  EXPECT_TRUE(line_.outgoing.empty());
+  EXPECT_EQ(host_.encoded(kNativeFormat), 0u);
+  host_.change_world(4.0);
+  context_->tell_settings();
+  run();
+  ASSERT_EQ(messages_in(line_.outgoing).size(), 1u);
+
+  // Beside one that takes them.
+  Line other;
+  other.incoming = {frame_of(subscribe_message(1, 0))};
+  NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, other),
+                       context_->connections.try_enter());
+  run();
+  line_.outgoing.clear();
+  other.outgoing.clear();
+  host_.publish();
+  run();
+  EXPECT_TRUE(line_.outgoing.empty());
+  EXPECT_EQ(messages_in(other.outgoing).size(), FakeHost::kSectorSpokes);
+  context_->connections.close_all();
+  run();
+}
+
+TEST_F(Session, AViewLastsForOneWhoListensToItWithoutSpokes) {
+  wire::ClientMessage message = new_view_message(1, 0);
+  message.mutable_subscribe()->set_no_spokes(true);
+  line_.incoming = {frame_of(message)};
+  begin();
+  ASSERT_EQ(host_.view_count(0), 2u);
+  context_->end_views(std::chrono::steady_clock::now() + std::chrono::hours(1));
+  EXPECT_EQ(host_.view_count(0), 2u);
+}
+
 // Runs a whole conversation, failing its first operation, then its second, and so on until it gets
 // through: each time the session is gone afterwards and holds no registration.
 TEST(SessionFaults, AFailureAtAnyOperationEndsTheSessionAndNothingElse) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -84,6 +85,29 @@ TEST_P(Streaming, OwnShipKeepsComingWithoutSpokes) {
     ASSERT_TRUE(message);
     if (message->has_own_ship()) ++ships;
   }
+}
+
+TEST_P(Streaming, OwnShipAloneComesTenTimesASecond) {
+  FakeHost host;
+  NetServer server(host, test_config(), {});
+  server.start();
+  TestClient client = connect(server);
+  wire::ClientMessage ask = subscribe_message(1, 0);
+  ask.mutable_subscribe()->set_no_spokes(true);
+  ask.mutable_subscribe()->set_own_ship_hz(10);
+  client.send(ask);
+  EXPECT_EQ(client.receive_reply().code(), wire::Reply::OK);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int ships = 0; ships < 12;) {
+    host.publish();
+    const auto message = client.receive();
+    ASSERT_TRUE(message);
+    EXPECT_FALSE(message->has_spoke());
+    if (message->has_own_ship()) ++ships;
+  }
+  const auto passed = std::chrono::steady_clock::now() - begin;
+  EXPECT_GT(passed, std::chrono::milliseconds(900)) << "a bounded rate";
+  EXPECT_LT(passed, std::chrono::seconds(9)) << "and not one a second";
 }
 
 TEST_P(Streaming, AllConsolesHearOfAChangeByOneOfThem) {

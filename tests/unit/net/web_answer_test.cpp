@@ -13,9 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<WebFile, 2> kConsoleFiles = {{
+constexpr std::array<WebFile, 3> kConsoleFiles = {{
     {"/index.html", "text/html; charset=utf-8", "<p>console</p>"},
     {"/js/ppi.js", "text/javascript; charset=utf-8", "draw();"},
+    {"/conning.html", "text/html; charset=utf-8", "<p>wheel</p>"},
 }};
 
 // A directory with a console in it and a secret beside it.
@@ -47,6 +48,24 @@ TEST(WebFiles, TheBuiltInConsoleIsServedByExactPath) {
   EXPECT_EQ(files.get("/js/ppi.js").body, "draw();");
   EXPECT_EQ(files.get("/js").status, 404u);
   EXPECT_EQ(files.get("/other").status, 404u);
+}
+
+TEST(WebFiles, APageIsServedByItsNameToo) {
+  const WebFiles files(kConsoleFiles, "");
+  for (const char* target : {"/conning", "/conning.html", "/conning?radar=1", "/%63onning"}) {
+    const WebAnswer answer = files.get(target);
+    EXPECT_EQ(answer.status, 200u) << target;
+    EXPECT_EQ(answer.body, "<p>wheel</p>");
+    EXPECT_EQ(answer.mime, "text/html; charset=utf-8");
+  }
+  const WebAnswer folder = files.get("/conning/?radar=1&x=/#top");
+  EXPECT_EQ(folder.status, 302u);
+  EXPECT_EQ(folder.location, "../conning?radar=1&x=/");
+  EXPECT_EQ(files.get("/conning/").location, "../conning");
+  EXPECT_EQ(files.get("/index").body, "<p>console</p>");
+  for (const char* target : {"/js/ppi", "/conning.html/x", "/conning/x", "/con/", "/con"}) {
+    EXPECT_EQ(files.get(target).status, 404u) << target;
+  }
 }
 
 TEST(WebFiles, PathsThatAreNotCleanAreRefused) {
