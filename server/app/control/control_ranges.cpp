@@ -97,8 +97,8 @@ std::optional<wire::Reply> refusal_of_message(const Message& message, const Desc
 }
 
 // Fields of Set that say where it goes and how, and change nothing by themselves.
-constexpr std::array<std::string_view, 7> kNotControls = {"con",  "radar",  "view",      "token",
-                                                          "lock", "unlock", "instructor"};
+constexpr std::array<std::string_view, 6> kNotControls = {"radar", "view",   "token",
+                                                          "lock",  "unlock", "instructor"};
 
 // Controls that a Set has fields of its own for do not come within `controls` as well.
 std::optional<wire::Reply> refusal_of_places(const Message& set, const Descriptor& controls) {

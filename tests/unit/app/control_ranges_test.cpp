@@ -61,11 +61,7 @@ TEST(ControlRanges, EveryNumberHasARange) {
       EXPECT_THAT(reply->text(), HasSubstr("allowed: ")) << field.full_name();
     }
   });
-<<<<<<< HEAD
   EXPECT_EQ(numbers, 45);
-=======
-  EXPECT_EQ(numbers, 39);
->>>>>>> con
 }
 
 TEST(ControlRanges, BothEndsOfARangeAreAllowed) {
