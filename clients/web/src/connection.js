@@ -89,8 +89,8 @@ export class Connection {
   }
 
   // The request number that the reply will carry, or null if it could not be sent.
-  subscribe(radar, view, newView, token) {
-    return this.#send((request) => encodeSubscribe(request, radar, view, newView, token));
+  subscribe(radar, view, newView, token, options) {
+    return this.#send((request) => encodeSubscribe(request, radar, view, newView, token, options));
   }
 
   set(radar, view, values, token) {

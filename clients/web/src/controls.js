@@ -2,6 +2,19 @@
 import { $, showSlider } from './widgets.js';
 
 const REMEMBERED = 'skerry.picture';
+export const PALETTE_ORDER = ['day', 'dusk', 'night'];
+
+// Colours of the screen; the button says what comes next.
+export function showPalette(palette) {
+  const next = nextPalette(palette);
+  document.documentElement.dataset.palette = palette;
+  $('palette').textContent = next[0].toUpperCase() + next.slice(1);
+  $('palette').ariaLabel = `Colours: ${palette}; press for ${next}`;
+}
+
+export function nextPalette(palette) {
+  return PALETTE_ORDER[(PALETTE_ORDER.indexOf(palette) + 1) % PALETTE_ORDER.length];
+}
 
 // Settings of this screen alone, kept in this browser.
 export class PictureSettings {
@@ -13,6 +26,7 @@ export class PictureSettings {
       for (const [name, value] of Object.entries(kept)) {
         if (typeof this[name] === typeof value) this[name] = value;
       }
+      if (!PALETTE_ORDER.includes(this.palette)) this.palette = 'day';
     } catch {
       // No settings kept, or not ours: the defaults stand.
     }
@@ -31,8 +45,7 @@ export class PictureSettings {
 // Shows the picture's settings in the panel and calls changed(values) when the operator changes one.
 export function bindPicture(picture, changed) {
   const show = () => {
-    document.documentElement.dataset.palette = picture.palette;
-    $('palette').textContent = picture.palette === 'day' ? 'Night' : 'Day';
+    showPalette(picture.palette);
     document.querySelector(`input[name=orientation][value=${picture.headUp ? 'head' : 'north'}]`).checked = true;
     $('orientation').textContent = picture.headUp ? 'Head up' : 'North up';
     showSlider($('afterglow'), picture.afterglow);
@@ -43,7 +56,7 @@ export function bindPicture(picture, changed) {
     $('heading-line').checked = picture.headingLine;
   };
   const change = (values) => { changed(values); show(); };
-  $('palette').addEventListener('click', () => change({ palette: picture.palette === 'day' ? 'night' : 'day' }));
+  $('palette').addEventListener('click', () => change({ palette: nextPalette(picture.palette) }));
   for (const input of document.querySelectorAll('input[name=orientation]')) {
     input.addEventListener('change', () => change({ headUp: input.value === 'head' }));
   }
@@ -59,6 +72,8 @@ export function bindPicture(picture, changed) {
 export function bindKeys(actions) {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || $('help').open) return;
+    // The space bar presses what the keyboard has reached.
+    if (event.key === ' ' && event.target.matches?.(':is(button, input, select, a):focus-visible')) return;
     const field = event.target.closest?.('input, select');
     const arrow = event.key.startsWith('Arrow');
     if (field && (arrow || field.matches('[type=number], [type=password], [type=text]') ||

@@ -99,6 +99,7 @@ let asked = null;
 
 function subscribe() {
   const like = ownView ? radar.view : 0;
+  $('con-page').href = `conning?radar=${radar.radar}`;
   asked = { request: connection.subscribe(radar.radar, like, ownView, token), radar: radar.radar, like, ownView };
   radar.forget();
   radar.view = 0;

@@ -25,7 +25,7 @@ const RadarInfo = message({
 const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
-  6: ['canRecord', 'bool'], 7: ['playback', 'bool'],
+  6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'],
 });
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
@@ -46,11 +46,27 @@ const WORLD_FIELDS = {
   4: ['swellHeightM', 'double'], 5: ['swellPeriodS', 'double'], 6: ['swellFromDeg', 'double'],
   7: ['waveHeightM', 'double'], 8: ['kFactor', 'double'], 9: ['ducting', 'double'], 10: ['rain', [RainCell]],
 };
+const ConState = message({
+  1: ['shipClass', 'string'], 2: ['steering', 'uint32'], 3: ['rudderDeg', 'double'], 4: ['rudderOrderDeg', 'double'],
+  5: ['enginePercent', 'double'], 6: ['keepsSpeed', 'bool'], 7: ['shaftRpm', 'double'], 8: ['bowThrusterPercent', 'double'],
+  9: ['sternThrusterPercent', 'double'], 10: ['headingOrderDeg', 'double'], 11: ['waterAheadKn', 'double'],
+  12: ['waterStarboardKn', 'double'], 13: ['groundAheadKn', 'double'], 14: ['groundStarboardKn', 'double'],
+  15: ['rollDeg', 'double'], 16: ['depthBelowKeelM', 'double'], 17: ['draughtM', 'double'], 18: ['windFromDeg', 'double'],
+  19: ['windKn', 'double'], 20: ['currentSetDeg', 'double'], 21: ['currentKn', 'double'], 22: ['turnRateDegMin', 'double'],
+  23: ['con', 'string'], 24: ['hasBowThruster', 'bool'], 25: ['hasSternThruster', 'bool'], 26: ['fullAheadRpm', 'double'],
+  27: ['fullAsternRpm', 'double'], 28: ['serviceSpeedKn', 'double'], 29: ['rudderLimitDeg', 'double'],
+  30: ['waypoint', 'uint32'], 31: ['waypoints', 'uint32'], 32: ['waypointM', 'double'], 33: ['crossTrackM', 'double'],
+});
+// Steering of the schema.
+export const HAND = 0, HEADING = 1, TRACK = 2;
 const OwnShip = message({
   1: ['radar', 'uint32'], 2: ['name', 'string'], 3: ['latitudeDeg', 'double'],
   4: ['longitudeDeg', 'double'], 5: ['headingDeg', 'double'], 6: ['speedKn', 'double'],
   7: ['rateOfTurnDegMin', 'double'], 8: ['orderedCourseDeg', 'double'], 9: ['orderedSpeedKn', 'double'],
+  10: ['courseOverGroundDeg', 'double'], 11: ['speedOverGroundKn', 'double'], 12: ['utcNs', 'fixed64'],
+  13: ['lengthM', 'double'], 14: ['beamM', 'double'], 15: ['mmsi', 'uint32'],
   16: ['driven', 'bool'], 17: ['noPosition', 'bool'], 18: ['noMotion', 'bool'], 19: ['noHeading', 'bool'],
+  20: ['con', ConState],
 });
 const RecorderState = message({
   1: ['phase', 'uint32'], 2: ['file', 'string'], 3: ['folder', 'string'], 4: ['fileBytes', 'uint64'], 5: ['totalBytes', 'uint64'],
@@ -108,7 +124,7 @@ export function decodeFrames(bytes, take) {
     Object.assign(decoded.settings ?? {}, decoded.settings?.controls);
     Object.assign(decoded.world ?? {}, decoded.world?.artefacts);
     if (decoded.spoke) checkSpoke(decoded.spoke, at);
-    for (const part of [decoded.settings, decoded.ownShip, decoded.world, decoded.recorder, decoded.playback,
+    for (const part of [decoded.settings, decoded.ownShip, decoded.ownShip?.con, decoded.world, decoded.recorder, decoded.playback,
                         ...(decoded.playback?.marks ?? []),
                         ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? []),
                         ...(decoded.settings?.blankedSectors?.sectors ?? [])]) {
@@ -158,16 +174,22 @@ function frame(request, field, body) {
   return out;
 }
 
-// newView: a view of this console's own, with the settings of `view`.
-export function encodeSubscribe(request, radar, view, newView = false, token = '') {
+// newView: a view of this console's own, with the settings of `view`.  ownShipHz: OwnShip messages a second.
+export function encodeSubscribe(request, radar, view, newView = false, token = '', { ownShipHz = 0, noSpokes = false } = {}) {
   const writer = new Writer().uint32(1, radar).uint32(2, view);
   if (newView) writer.uint32(3, 1);
   if (newView && token) writer.string(4, token);
+  if (ownShipHz > 0) writer.uint32(5, ownShipHz);
+  if (noSpokes) writer.uint32(6, 1);
   return frame(request, 2, writer.finish());
 }
 
 // Name: field number and how it is written; bool and enum go as uint32.
 const ORDER_FIELDS = { courseDeg: [3, 'double'], speedKn: [4, 'double'], instructor: [37, 'uint32'] };
+const CON_FIELDS = {
+  rudderDeg: [1, 'double'], enginePercent: [2, 'double'], bowThrusterPercent: [3, 'double'], sternThrusterPercent: [4, 'double'],
+  steering: [5, 'uint32'], headingDeg: [6, 'double'], turnRateDegMin: [7, 'double'], take: [8, 'uint32'], release: [9, 'uint32'],
+};
 const CHANGE_FIELDS = {
   seaState: [1, 'double'], windFromDeg: [2, 'double'], swellHeightM: [3, 'double'], swellPeriodS: [4, 'double'],
   swellFromDeg: [5, 'double'], waveHeightM: [6, 'double'], kFactor: [7, 'double'], ducting: [8, 'double'],
@@ -207,7 +229,7 @@ function encodeSectors(sectors) {
   return writer.finish();
 }
 
-// values: orders above, controls of the table, blankedSectors ([{ fromDeg, toDeg }]), lock and unlock (names of
+// values: orders above, con (names of CON_FIELDS), controls of the table, blankedSectors ([{ fromDeg, toDeg }]), lock and unlock (names of
 // fields of Set), and world: any of its names and artefacts of the table, rain (cells; id 0 is a new one) and
 // removeRain (ids); what is absent stays as it is.
 export function encodeSet(request, radar, view, values, token = '') {
@@ -216,6 +238,7 @@ export function encodeSet(request, radar, view, values, token = '') {
   if (values.blankedSectors) writer.bytes(33, encodeSectors(values.blankedSectors));
   for (const name of values.lock ?? []) writer.string(35, name);
   for (const name of values.unlock ?? []) writer.string(36, name);
+  if (values.con) writer.bytes(39, write(new Writer(), CON_FIELDS, values.con).finish());
   if (values.world) writer.bytes(18, encodeWorld(values.world));
   return frame(request, 3, writer.finish());
 }

@@ -17,6 +17,13 @@ export const PALETTES = {
     scale: '#8fc7d4', scaleText: '#d3eef4', heading: '#ff9d3c', north: '#d3eef4',
     ebl: '#4fe3ff', vrm: '#4fe3ff', cursor: '#ff9d3c', ship: '#f3f6f7',
   },
+  dusk: {
+    sea: [0.010, 0.038, 0.068], seaEdge: [0.006, 0.025, 0.048], trail: [0.11, 0.35, 0.52],
+    sweep: [0.19, 0.52, 0.58], brilliance: 0.86,
+    ring: 'rgba(90, 152, 166, 0.42)', ringText: 'rgba(116, 174, 188, 0.75)',
+    scale: '#6199a5', scaleText: '#a0c7d0', heading: '#d47f2e', north: '#a0c7d0',
+    ebl: '#37bad2', vrm: '#37bad2', cursor: '#d47f2e', ship: '#c6cfd2',
+  },
   night: {
     sea: [0.004, 0.012, 0.018], seaEdge: [0.002, 0.006, 0.010], trail: [0.07, 0.22, 0.34],
     sweep: [0.10, 0.32, 0.34], brilliance: 0.72,

@@ -1,12 +1,7 @@
 // Readouts: the numbers beside the picture. Written a few times a second, and only where they changed.
-import { $ } from './widgets.js';
+import { $, write } from './widgets.js';
 import * as format from './format.js';
 import { NAUTICAL_MILE_M, ringsFor, wrapDeg } from './view_geometry.js';
-
-function write(id, text) {
-  const element = $(id);
-  if (element.textContent !== text) element.textContent = text;
-}
 
 const LINK_TEXT = { connecting: 'Connecting', greeting: 'Connecting', live: 'Connected', waiting: 'Disconnected' };
 

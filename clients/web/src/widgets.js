@@ -3,6 +3,12 @@ import { SharedSetting } from './shared_setting.js';
 
 export const $ = (id) => document.getElementById(id);
 
+// Only where it changes: a text that is spoken is spoken once.
+export function write(id, text) {
+  const element = $(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
 export function showSlider(slider, value) {
   slider.value = value;
   const least = Number(slider.min), most = Number(slider.max);
