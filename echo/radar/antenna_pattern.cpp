@@ -85,24 +85,6 @@ std::shared_ptr<const AntennaPattern> antenna_pattern_for(const RadarSet& set) {
                     [&] { return AntennaPattern(set); });
 }
 
-float AntennaPattern::one_way(std::uint32_t off_units) const {
-  const std::uint32_t off = units_apart(off_units, 0);
-  if (off < near_units_) {
-    const float place = near_scale_ * static_cast<float>(off);
-    const auto node = static_cast<std::size_t>(static_cast<std::int32_t>(place));
-    const float share = place - static_cast<float>(static_cast<std::int32_t>(node));
-    const float a = near_voltage_[node];
-    const float voltage = a + share * (near_voltage_[node + 1] - a);
-    return voltage * voltage;
-  }
-  constexpr int kRest = 31 - 12;  // kFar nodes to half a turn
-  const std::size_t node = off >> kRest;
-  const float share = static_cast<float>(static_cast<std::int32_t>(off & ((1u << kRest) - 1u))) *
-                      (1.0f / (1 << kRest));
-  const float a = far_power_[node];
-  return a + share * (far_power_[node + 1] - a);
-}
-
 std::uint32_t AntennaPattern::reach_units(double level) const {
   constexpr std::uint32_t kPerNode = kUnitsPerHalfTurn / kFar;
   const auto one_way_level = static_cast<float>(std::sqrt(level));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "echo/radar/radar_set.hpp"
+#include "protocol/quantity/bearing.hpp"
 
 namespace skerry::echo {
 
@@ -27,7 +28,23 @@ class AntennaPattern {
   explicit AntennaPattern(const RadarSet& set);
 
   // `off_units`: bearing off the axis, 2^32 = one turn, either sense.
-  float one_way(std::uint32_t off_units) const;
+  float one_way(std::uint32_t off_units) const {
+    const std::uint32_t off = units_apart(off_units, 0);
+    if (off < near_units_) {
+      const float place = near_scale_ * static_cast<float>(off);
+      const auto node = static_cast<std::size_t>(static_cast<std::int32_t>(place));
+      const float share = place - static_cast<float>(static_cast<std::int32_t>(node));
+      const float a = near_voltage_[node];
+      const float voltage = a + share * (near_voltage_[node + 1] - a);
+      return voltage * voltage;
+    }
+    constexpr int kRest = 31 - 12;  // kFar nodes to half a turn
+    const std::size_t node = off >> kRest;
+    const float share = static_cast<float>(static_cast<std::int32_t>(off & ((1u << kRest) - 1u))) *
+                        (1.0f / (1 << kRest));
+    const float a = far_power_[node];
+    return a + share * (far_power_[node + 1] - a);
+  }
   float two_way(std::uint32_t off_units) const {  // its square
     const float power = one_way(off_units);
     return power * power;

@@ -19,6 +19,16 @@ constexpr std::size_t kColumns = 512;
 constexpr float kBlind = -1e6f;   // steps
 constexpr double kTrimDb = 12.0;  // of automatic STC by the sea control, at 0 and 100
 
+// The next row of noise lies far from this one, and the torus is larger than the nearest cache.
+void fetch_noise(const NoiseRow& noise, std::size_t cells) {
+  constexpr std::size_t kLineFloats = 16;
+  for (const float* row :
+       {noise.re_a, noise.im_a, noise.re_b, noise.im_b, noise.re_c, noise.im_c, noise.beside}) {
+    if (row == nullptr) continue;
+    for (std::size_t i = 0; i < cells; i += kLineFloats) __builtin_prefetch(row + i, 0, 2);
+  }
+}
+
 // Exact where neither has an instrumented range.
 double cell_ratio(const RadarModel& model, const ViewControls& controls) {
   if (controls.instrumented_range_m > 0.0)
@@ -307,6 +317,7 @@ void ViewReceiver::receive_piece(Piece piece, const ParallelFor& parallel) {
     parallel((cells + kColumns - 1) / kColumns, [&](std::size_t part) {
       const std::size_t begin = part * kColumns, size = std::min(kColumns, cells - begin);
       for (std::uint32_t k = 0; k < piece.count; ++k) {
+        if (k + 1 < piece.count) fetch_noise(from_cell(noise[k + 1], begin), size);
         memory_.receive(piece.first + k, k, begin,
                         piece.rows.subspan(k * piece.pitch + begin, size), noise_->gain(),
                         from_cell(noise[k], begin), std::span(offsets_).subspan(begin, size),

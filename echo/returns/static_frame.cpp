@@ -112,6 +112,7 @@ StaticFrame::StaticFrame(const RadarModel& model, const FrameDetail& detail)
 void StaticFrame::begin(const Scene& scene, PlanePoint at, double seconds) {
   picture_ = scene.coast;
   structures_ = nullptr;
+  sandy_ = false;
   const double reach = ray_model_.cell_m * detail_.cells;
   nearest_m_ = std::numeric_limits<double>::infinity();
   built_ = nullptr;
@@ -142,15 +143,12 @@ void StaticFrame::work_crossings(double share) {
   crossings_.work_to(
       *picture_, share >= 1.0 ? picture_->vertices.size() : static_cast<std::size_t>(share * all));
   if (!crossings_.done()) return;
+  sandy_ = crossings_.any_of_shore([&](std::size_t shore) {
+    return shore < picture_->shores.size() && picture_->shores[shore].type == CoastType::sandy;
+  });
   if (view_.ashore) nearest_m_ = 0.0;
   if (crossings_.nearest_m() < ray_model_.cell_m * detail_.cells)
     nearest_m_ = std::min(nearest_m_, crossings_.nearest_m());
-}
-
-bool StaticFrame::sandy() const {
-  return crossings_.any_of_shore([&](std::size_t shore) {
-    return shore < picture_->shores.size() && picture_->shores[shore].type == CoastType::sandy;
-  });
 }
 
 std::uint32_t StaticFrame::ray_of(std::uint32_t row) const {

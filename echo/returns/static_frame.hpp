@@ -83,7 +83,7 @@ class StaticFrame {
   double lead_m() const { return response_->lead() * ray_model_.cell_m; }
 
   // Whether a shore of sand is in range.  Requires crossings_done().
-  bool sandy() const;
+  bool sandy() const { return sandy_; }
 
   // Makes those of rows first .. first + count - 1 (count <= kMostRows) that are not made.
   // Requires crossings_done().
@@ -134,7 +134,7 @@ class StaticFrame {
   std::shared_ptr<const Structures> built_;
   std::unique_ptr<const StructureIndex> structures_;  // of built_, from this place
   StaticView view_;
-  bool empty_ = true;
+  bool empty_ = true, sandy_ = false;
   double nearest_m_ = 0.0;
   TurnCrossings crossings_;
   RayRing ring_;

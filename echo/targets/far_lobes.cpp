@@ -79,14 +79,21 @@ void FarLobes::prepare(const AntennaPattern& pattern, const StrongEchoes& strong
     const std::int64_t along = spokes > 1 ? turned * twice / (2 * (spokes - 1)) : 0;
     axes[r] = first.plane_units + static_cast<std::uint32_t>(along);
   }
-  for (const Point& point : points_) {
-    if (units_apart(point.units, middle) <= near_units) continue;
-    if (std::find(met.begin(), met.end(), point.body) != met.end()) continue;
-    const std::uint32_t tail = point.cell + point.full + 1;
-    const std::uint32_t full_end = std::min(tail, cells);
-    for (std::uint32_t r = 0; r < rows; ++r) {
+  heard_.resize(points_.size());
+  for (std::uint32_t r = 0; r < rows; ++r) {
+    // Without a branch: which lobe a body is in cannot be foretold.
+    std::size_t count = 0;
+    for (const Point& point : points_) {
       const float level = point.power * pattern.two_way(units_apart(point.units, axes[r]));
-      if (level < kLeastLevel) continue;
+      heard_[count] = {&point, level};
+      count += level >= kLeastLevel && units_apart(point.units, middle) > near_units ? 1 : 0;
+    }
+    for (const Heard& heard : std::span(heard_).first(count)) {
+      const Point& point = *heard.point;
+      if (std::find(met.begin(), met.end(), point.body) != met.end()) continue;
+      const float level = heard.level;
+      const std::uint32_t tail = point.cell + point.full + 1;
+      const std::uint32_t full_end = std::min(tail, cells);
       take(r, point.cell / kRunCells, std::min(tail, cells - 1) / kRunCells);
       float* row = rows_.data() + r * pitch_;
       row[point.cell] += level * point.lead;

@@ -37,6 +37,10 @@ class FarLobes {
     std::uint32_t cell, full;  // first cell; cells filled wholly after it
     float power, lead, tail;   // shares of the first and the last cell
   };
+  struct Heard {
+    const Point* point = nullptr;
+    float level = 0.0f;
+  };
   void lay(const StrongEchoes& strong);
   void take(std::size_t row, std::size_t first_run, std::size_t last_run);
   void find_runs(std::uint32_t rows);
@@ -46,6 +50,7 @@ class FarLobes {
   std::uint32_t lobe_spokes_;  // spokes of 1.4 deg
   std::uint64_t laid_ = ~std::uint64_t{0};
   std::vector<Point> points_;  // of version laid_
+  std::vector<Heard> heard_;   // in a row
 
   std::uint64_t first_spoke_ = 0;
   std::uint32_t row_spokes_ = 16;  // spokes that share a row
