@@ -12,17 +12,16 @@
 #include "echo/artefacts/shadow_sectors.hpp"
 #include "echo/beacons/beacon_returns.hpp"
 #include "echo/beacons/far_echoes.hpp"
-#include "echo/clutter/rain_returns.hpp"
 #include "echo/clutter/sea_returns.hpp"
 #include "echo/kernel/aligned_floats.hpp"
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/power_stages.hpp"
 #include "echo/kernel/shelf.hpp"
 #include "echo/propagation/propagation.hpp"
-#include "echo/propagation/rain_path.hpp"
 #include "echo/returns/static_returns.hpp"
 #include "echo/scene/spoke_aim.hpp"
 #include "echo/spoke_land.hpp"
+#include "echo/spoke_rain.hpp"
 #include "echo/targets/echo_splat.hpp"
 #include "echo/targets/radial_speeds.hpp"
 #include "echo/targets/target_returns.hpp"
@@ -37,8 +36,9 @@ struct SpokeReturns::Sector {
 
   AlignedFloats rows, closing_rows;
   std::vector<Look> looks;
-  std::vector<LandShare> land;    // the first `shares` of them
-  std::vector<std::uint8_t> wet;  // for SeaReturns::prepare
+  std::vector<LandShare> land;      // the first `shares` of them
+  std::vector<std::uint8_t> wet;    // for SeaReturns::prepare
+  std::vector<SpokeAim> rain_aims;  // for SpokeRain::prepare
   std::vector<PointEcho> points, false_points;
 
   static Shelf<Sector>& shelf() {
@@ -81,6 +81,7 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   void prepare(const Scene& scene, std::uint64_t first, std::uint32_t count);
   void share_land(std::uint32_t count);
   void look_for_water();
+  void look_for_rain(const Scene& scene, std::uint32_t count);
   void add_sea(const SpokeAim& aim, std::span<const CellRun> no_water, std::span<float> row) const;
   void add_beacons(const SpokeAim& aim, std::span<float> row) const;
   // What comes to the land.  `closing`: empty where speeds are not wanted.
@@ -98,7 +99,7 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
 
   StaticReturns statics;
   SeaReturns sea;
-  RainReturns rain;
+  SpokeRain rain;
   TargetReturns targets;
   EchoSplat splat;
   FarEchoes far_echoes;
@@ -209,6 +210,16 @@ void SpokeReturns::Contributors::look_for_water() {
   }
 }
 
+void SpokeReturns::Contributors::look_for_rain(const Scene& scene, std::uint32_t count) {
+  rain_aims.clear();
+  bool sways = false;
+  for (const Look& look : std::span(looks).first(count)) {
+    rain_aims.push_back(look.aim);
+    sways = sways || look.motion.moves;
+  }
+  rain.prepare(scene, rain_aims, sways, parallel);
+}
+
 void SpokeReturns::Contributors::add_sea(const SpokeAim& aim, std::span<const CellRun> no_water,
                                          std::span<float> row) const {
   std::uint32_t from = 0;
@@ -240,16 +251,7 @@ void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
   if (targets.shadows().any()) targets.shadows().apply(aim, row);
   splat.add(aim, row);
   if (!closing.empty()) speeds->find(aim, row, closing);
-  if (!scene.rain.empty()) {
-    thread_local RainPath path;
-    path.trace(scene, model, aim);
-    if (path.any()) {
-      rain.pass(scene.seed, aim,
-                {path.knot_rates(), path.knot_transmissions(), path.step(), path.first_wet(),
-                 path.end_wet()},
-                row);
-    }
-  }
+  rain.pass(scene.seed, aim, row);
   if (look.motion.moves) motion.apply(look.motion, row);
   if (rig.any()) scale_row(row, rig.two_way(aim.relative_units));
   if (!false_points.empty() && rig.transmits(aim.relative_units)) false_splat.add(aim, row);
@@ -349,6 +351,7 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
   parallel(shares, [&](std::size_t s) { statics.find(land[s].aim, land[s].runs, land[s].dry); });
   look_for_water();
   sea.prepare(scene, looks[0].aim, looks[count - 1].aim, wet);
+  look_for_rain(scene, count);
   parallel(shares, [&](std::size_t s) {
     const LandShare& share = land[s];
     const std::uint32_t last = share.first + share.count - 1;
@@ -362,6 +365,7 @@ void SpokeReturns::Contributors::make_rows(const Scene& scene, std::uint64_t fir
     }
   });
   sea.release();
+  rain.release();
   splat.release();
   false_splat.release();
 }

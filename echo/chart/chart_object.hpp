@@ -22,6 +22,7 @@ enum class ObjectClass : std::uint8_t {
   rock,        // UWTROC and obstructions that stand out of the water
   reflector,   // RADRFL, and buoys charted radar conspicuous
   racon,       // RTPBCN
+  craft,       // moored craft, made up where a chart has berths (moored_craft.hpp)
 };
 
 // A point, a wall (an open line of vertical faces) or a block (a closed one).

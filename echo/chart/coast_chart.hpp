@@ -8,6 +8,7 @@
 
 #include "echo/chart/chart_object.hpp"
 #include "echo/chart/elevation_grid.hpp"
+#include "echo/chart/land_cover.hpp"
 #include "protocol/quantity/geo_point.hpp"
 
 namespace skerry::echo {
@@ -58,6 +59,7 @@ struct CoastChart {
   std::vector<Shore> shores;         // at most 65535; what CoastRing::shores points into
   std::vector<ChartObject> objects;  // what stands on land or in the water
   std::shared_ptr<const ElevationGrid> elevation;  // null: relief is synthesised
+  std::vector<CoverArea> covers = {};  // a later one lies over earlier ones; empty: no chart says
 };
 
 // The chart's facts about edge `i` of `ring`.

@@ -35,6 +35,10 @@ double rain_level(const RadarModel& model, double clutter_width, double range_m)
          (range * range * range * range);
 }
 
+void rain_echoes(std::span<const float> rate_mm_h, std::span<float> echoes) {
+  rain_losses(rate_mm_h, 0.0f, 1.6f, echoes);
+}
+
 RainReturns::RainReturns(const RadarModel& model)
     : radar_(model.radar), spokes_per_turn_(model.geometry.spokes_per_turn) {
   // Within the rain's top the level goes as R^-2, beyond as R^-3: one value of each is enough.
@@ -58,14 +62,11 @@ void RainReturns::pass(std::uint64_t seed, const SpokeAim& aim, const RainKnots&
                        std::span<float> power) const {
   const std::size_t end = std::min({rain.end, level_.size(), power.size()});
   if (rain.first >= end) return;
-  thread_local AlignedFloats echoes;
-  echoes.resize(rain.rate_mm_h.size());
-  rain_losses(rain.rate_mm_h, 0.0f, 1.6f, echoes);
   const auto speckle =
       speckle_->row({mixed(seed, radar_, 0x4A1A), aim.scan, aim.index, spokes_per_turn_},
                     static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(rain.first));
   const std::size_t count = end - rain.first;
-  pass_rain(echoes, rain.transmission, rain.step, std::span(level_).subspan(rain.first, count),
+  pass_rain(rain.echoes, rain.transmission, rain.step, std::span(level_).subspan(rain.first, count),
             speckle.subspan(rain.first, count), power.subspan(rain.first, count));
   const float behind = rain.transmission.back();
   for (float& p : power.subspan(end)) p *= behind;

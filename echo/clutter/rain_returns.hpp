@@ -25,10 +25,13 @@ inline constexpr double kRainTop = 4000.0;  // m, SOURCES.md "Rain"
 // `clutter_width`: that of the antenna's pattern, radians (antenna_pattern.hpp).
 double rain_level(const RadarModel& model, double clutter_width, double range_m);
 
+// Rates (mm/h) to the power of 1.6, as rain echoes.  As many echoes as rates.
+void rain_echoes(std::span<const float> rate_mm_h, std::span<float> echoes);
+
 // The rain along a spoke (echo/propagation/rain_path.hpp): from cell `first` on, every
 // `step` (1, 2, 4, 8 or 16) cells to one at or behind `end`.
 struct RainKnots {
-  std::span<const float> rate_mm_h, transmission;
+  std::span<const float> echoes, transmission;
   std::size_t step = 1, first = 0, end = 0;
 };
 
@@ -39,8 +42,7 @@ class RainReturns {
   explicit RainReturns(const RadarModel& model);
 
   // Adds the rain's echo to what the spoke has, and dims all that lies in the rain and behind it.
-  // Between knots the echo, which goes as the rate to the power of 1.6, goes straight.  `seed`: the
-  // scene's.  power holds the radar's cells.  Thread: any.
+  // Between knots the echo goes straight.  `seed`: the scene's.  power holds the radar's cells.  Thread: any.
   void pass(std::uint64_t seed, const SpokeAim& aim, const RainKnots& rain,
             std::span<float> power) const;
 

@@ -115,7 +115,11 @@ void SeaReturns::prepare(const Scene& scene, const SpokeAim& first, const SpokeA
             std::span(rows_).subspan(r * pitch_, profile_->reach()));
   }
   // The next sector continues from these.
-  std::erase_if(nodes_, [&](const Node& n) { return n.used_for != last_row * texture_spokes_; });
+  std::erase_if(nodes_, [&](Node& n) {
+    const bool done = n.used_for != last_row * texture_spokes_;
+    if (done) spare_ = std::move(n.values);
+    return done;
+  });
 }
 
 void SeaReturns::release() {
@@ -160,8 +164,9 @@ SeaReturns::Node& SeaReturns::node(const Scene& scene, std::uint32_t index, cons
   auto found = std::find_if(nodes_.begin(), nodes_.end(),
                             [&](const Node& n) { return n.index == index && n.spoke == spoke; });
   if (found == nodes_.end()) {
-    nodes_.push_back({index, spoke, near.spoke, {}, AlignedFloats(profile_->samples())});
+    nodes_.push_back({index, spoke, near.spoke, {}, std::move(spare_)});
     found = nodes_.end() - 1;
+    found->values.resize(profile_->samples());
   }
   found->used_for = near.spoke;
   sample_node(scene, *found);

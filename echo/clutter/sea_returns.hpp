@@ -113,6 +113,7 @@ class SeaReturns {
   std::shared_ptr<const SeaProfile> profile_ = std::make_shared<const SeaProfile>();
   std::optional<SeaField> field_;
   std::vector<Node> nodes_;  // of this sector and, at its end, of the next
+  AlignedFloats spare_;      // memory for a node's values
   struct Kept {
     std::uint32_t direction = 0;
     SeaProfile::Look look;

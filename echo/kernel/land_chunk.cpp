@@ -7,8 +7,9 @@
 namespace skerry::echo {
 namespace {
 
-SKERRY_KERNEL_BODY chunk_body(const LandChunk* __restrict chunk, float* __restrict shadow,
-                              LandChunkOut* __restrict out) {
+// `covered` is known where this is inlined: land without cover does not pay for it.
+SKERRY_KERNEL_BODY chunk_part(const LandChunk* __restrict chunk, float* __restrict shadow,
+                              LandChunkOut* __restrict out, const bool covered) {
   const LandChunk c = *chunk;
   constexpr auto kCells = static_cast<std::int32_t>(kLandChunk);
   float broad[kLandChunk], fine[kLandChunk], slope[kLandChunk];
@@ -30,7 +31,8 @@ SKERRY_KERNEL_BODY chunk_body(const LandChunk* __restrict chunk, float* __restri
     const float nearest = from_begin < from_end ? from_begin : from_end;
     const float height = natural_height(nearest > 0.0f ? nearest : 0.0f, broad[k], fine[k]);
     const float range = c.range + along;
-    const float rise = (height - c.antenna) / range - range * c.half_curvature;
+    const float top = covered ? height + c.objects[k] : height;
+    const float rise = (top - c.antenna) / range - range * c.half_curvature;
     out->height[k] = height;
     slope[k] = k >= c.begin && k < c.end ? rise : kHidesNothing;
   }
@@ -46,10 +48,19 @@ SKERRY_KERNEL_BODY chunk_body(const LandChunk* __restrict chunk, float* __restri
     const float sea = -c.antenna / sea_range - sea_range * c.half_curvature;
     const float below = out->shadow[k] < sea ? sea : out->shadow[k];
     const float over = (slope[k] - below) * range;
-    const float height = out->height[k];
+    const float height = covered ? out->height[k] + c.objects[k] : out->height[k];
+    const float gain = covered ? c.gain * c.gains[k] : c.gain;
     const float visible = over < height ? over : height;
     const float shown = visible > 0.0f ? visible : 0.0f;
-    out->power[k] = c.gain * cover_of(fine[k]) * shown / (range * range * range);
+    out->power[k] = gain * cover_of(fine[k]) * shown / (range * range * range);
+  }
+}
+SKERRY_KERNEL_BODY chunk_body(const LandChunk* __restrict chunk, float* __restrict shadow,
+                              LandChunkOut* __restrict out) {
+  if (chunk->objects) {
+    chunk_part(chunk, shadow, out, true);
+  } else {
+    chunk_part(chunk, shadow, out, false);
   }
 }
 SKERRY_KERNEL(chunk,
@@ -73,14 +84,16 @@ void make_land_chunk_reference(const LandChunk& c, const double* broad, const do
     const double range = static_cast<double>(c.range) + along;
     const double antenna = static_cast<double>(c.antenna),
                  curve = static_cast<double>(c.half_curvature);
-    const double slope = (height[k] - antenna) / range - range * curve;
+    const double top = height[k] + (c.objects ? static_cast<double>(c.objects[k]) : 0.0);
+    const double slope = (top - antenna) / range - range * curve;
     const double sea_range = std::min(range, static_cast<double>(c.horizon));
     const double below = std::max(shadow, -antenna / sea_range - sea_range * curve);
     power[k] = 0.0;
     if (slope > below) {
-      power[k] = static_cast<double>(c.gain) *
-                 std::exp2(static_cast<double>(kCoverOctaves) * fine[k]) *
-                 std::min(height[k], (slope - below) * range) / (range * range * range);
+      const double gain =
+          static_cast<double>(c.gain) * (c.gains ? static_cast<double>(c.gains[k]) : 1.0);
+      power[k] = gain * std::exp2(static_cast<double>(kCoverOctaves) * fine[k]) *
+                 std::min(top, (slope - below) * range) / (range * range * range);
     }
     shadow = std::max(shadow, slope);
   }

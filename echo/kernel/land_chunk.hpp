@@ -64,11 +64,15 @@ struct LandChunk {
   // Values of the fine noise between those.
   const OctavePath* octaves = nullptr;
   std::size_t octave_count = 0;
+  // By cell, where the land has a charted cover: heights of what stands on the ground, and factors
+  // on `gain`.  Null: none.  0 and 1 give the bits of none.
+  const float* objects = nullptr;
+  const float* gains = nullptr;
 };
 
 // The chunk's results, by cell.
 struct LandChunkOut {
-  float height[kLandChunk];  // over the water
+  float height[kLandChunk];  // of the ground over the water
   float shadow[kLandChunk];  // slope below which all nearer land hides, before the cell
   float power[kLandChunk];   // returned; 0 before begin and from end on
 };

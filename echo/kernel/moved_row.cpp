@@ -45,6 +45,14 @@ inline __attribute__((always_inline)) float moved(const PackedPower* row, const 
          gain;
 }
 
+// Cell i of a block where it counts, else 0.
+inline __attribute__((always_inline)) float if_counted(float value, std::int32_t i,
+                                                       std::int32_t count) {
+  // All ones where it counts: a branch here would keep the loop from the vector units.
+  const auto counts = static_cast<std::uint32_t>((i - count) >> 31);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & counts);
+}
+
 constexpr std::int32_t kRunLanes = 16;
 static_assert(kRunLanes <= static_cast<std::int32_t>(kRowPadding));
 
@@ -61,11 +69,7 @@ SKERRY_KERNEL_BODY add_mean_body(const MovedRun* __restrict runs, std::size_t ru
     for (; i < count && first + i + kRunLanes <= room; i += kRunLanes) {
       float sum[kRunLanes];
       for (std::int32_t k = 0; k < kRunLanes; ++k) {
-        const float value = moved(row, s, i + k);
-        // All ones where it counts: a branch here would keep the loop from the vector units.
-        const auto counts = static_cast<std::uint32_t>((i + k - count) >> 31);
-        sum[k] =
-            all[first + i + k] + std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & counts);
+        sum[k] = all[first + i + k] + if_counted(moved(row, s, i + k), i + k, count);
       }
       std::memcpy(all + first + i, sum, sizeof(sum));
     }
@@ -77,31 +81,25 @@ SKERRY_NARROW_KERNEL(add_mean,
                       float* __restrict power, std::int32_t room),
                      (runs, run_count, power, room))
 
-inline __attribute__((always_inline)) void clear_cells(float* power, std::size_t from,
-                                                       std::size_t to) {
-  if (from < to) std::memset(power + from, 0, (to - from) * sizeof(float));
-}
-
-// Whole blocks, of which what does not count is overwritten by what comes behind.
+// Over a row of zeros; whole blocks, and in the last of a run zeros behind it.
 SKERRY_KERNEL_BODY lay_runs_body(const MovedRun* __restrict runs, std::size_t run_count,
                                  const PackedPower* __restrict speckle, float share,
                                  float* __restrict power, std::size_t cells) {
+  for (std::size_t i = 0; i < cells; ++i) power[i] = 0.0f;
   const float steady = 1.0f - share;
-  std::size_t laid = 0;
   for (std::size_t r = 0; r < run_count; ++r) {
     const RowShift s = runs[r].shift;
     const PackedPower* __restrict row = runs[r].row;
-    const std::size_t first = runs[r].first;
-    clear_cells(power, laid, first);
-    const PackedPower* __restrict from = speckle + first;
-    float* __restrict to = power + first;
+    const PackedPower* __restrict from = speckle + runs[r].first;
+    float* __restrict to = power + runs[r].first;
     const auto count = static_cast<std::int32_t>(runs[r].count);
-    const std::int32_t blocks = (count + kRunLanes - 1) / kRunLanes;
-    for (std::int32_t i = 0; i < blocks * kRunLanes; ++i)
+    const std::int32_t whole = count / kRunLanes * kRunLanes;
+    for (std::int32_t i = 0; i < whole; ++i)
       to[i] = moved(row, s, i) * (steady + share * unpacked_value(from[i]));
-    laid = first + runs[r].count;
+    if (whole == count) continue;
+    for (std::int32_t i = whole; i < whole + kRunLanes; ++i)
+      to[i] = if_counted(moved(row, s, i) * (steady + share * unpacked_value(from[i])), i, count);
   }
-  clear_cells(power, laid, cells);
 }
 SKERRY_NARROW_KERNEL(lay_runs,
                      (const MovedRun* __restrict runs, std::size_t run_count,
@@ -114,29 +112,30 @@ SKERRY_KERNEL_BODY lay_runs_twice_body(const MovedRun* __restrict runs, std::siz
                                        const PackedPower* __restrict speckle_b, float share,
                                        float* __restrict a, float* __restrict b,
                                        std::size_t cells) {
+  for (std::size_t i = 0; i < cells; ++i) a[i] = b[i] = 0.0f;
   const float steady = 1.0f - share;
-  std::size_t laid = 0;
   for (std::size_t r = 0; r < run_count; ++r) {
     const RowShift s = runs[r].shift;
     const PackedPower* __restrict row = runs[r].row;
     const std::size_t first = runs[r].first;
-    clear_cells(a, laid, first);
-    clear_cells(b, laid, first);
     const PackedPower* __restrict from_a = speckle_a + first;
     const PackedPower* __restrict from_b = speckle_b + first;
     float* __restrict to_a = a + first;
     float* __restrict to_b = b + first;
     const auto count = static_cast<std::int32_t>(runs[r].count);
-    const std::int32_t blocks = (count + kRunLanes - 1) / kRunLanes;
-    for (std::int32_t i = 0; i < blocks * kRunLanes; ++i) {
+    const std::int32_t whole = count / kRunLanes * kRunLanes;
+    for (std::int32_t i = 0; i < whole; ++i) {
       const float mean = moved(row, s, i);
       to_a[i] = mean * (steady + share * unpacked_value(from_a[i]));
       to_b[i] = mean * (steady + share * unpacked_value(from_b[i]));
     }
-    laid = first + runs[r].count;
+    if (whole == count) continue;
+    for (std::int32_t i = whole; i < whole + kRunLanes; ++i) {
+      const float mean = moved(row, s, i);
+      to_a[i] = if_counted(mean * (steady + share * unpacked_value(from_a[i])), i, count);
+      to_b[i] = if_counted(mean * (steady + share * unpacked_value(from_b[i])), i, count);
+    }
   }
-  clear_cells(a, laid, cells);
-  clear_cells(b, laid, cells);
 }
 SKERRY_NARROW_KERNEL(lay_runs_twice,
                      (const MovedRun* __restrict runs, std::size_t run_count,

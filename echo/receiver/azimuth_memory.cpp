@@ -53,6 +53,9 @@ void AzimuthMemory::set_up(const AzimuthStages& stages, std::uint32_t cells, dou
   so_far_.resize(sums ? pitch_ : 0);
   shown_.resize(2 * std::size_t{stages.stretch} * cells);
   rough_.resize((2 * std::size_t{stages.smoothing} - 2) * cells);
+  octaves_.clear();
+  for (std::uint32_t n = 0; n <= stages.integrated; ++n)
+    octaves_.push_back(-static_cast<float>(exact_log2(static_cast<double>(std::max(1u, n)))));
   forget();
 }
 
@@ -88,7 +91,7 @@ void AzimuthMemory::receive(std::uint64_t spoke, std::uint32_t k, std::size_t be
   IntegrationRows integration;
   if (stages_.integrated > 1) {
     const std::uint64_t summed = std::min<std::uint64_t>(stages_.integrated, spokes_ + k + 1);
-    const auto octaves = -static_cast<float>(exact_log2(static_cast<double>(summed)));
+    const float octaves = octaves_[summed];
     const auto kept = [&](std::uint64_t number) {
       return group_.data() + number % stages_.integrated * pitch_ + begin;
     };

@@ -66,6 +66,8 @@ class AzimuthMemory {
                     std::size_t columns, const Show& show) const;
 
   AzimuthStages stages_;
+  std::vector<float>
+      octaves_;  // log2 of 1 / n, from n = 0, where it is of 1, to stages_.integrated
   std::size_t cells_ = 0, pitch_ = 0;
   float ratio_ = 1.0f, floor_ = 1.0f;
   AlignedFloats totals_;  // three spokes by number

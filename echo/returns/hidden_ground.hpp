@@ -31,6 +31,8 @@ class HiddenGround {
     const DryRuns& dry = dry_[ray];
     return {dry.runs.data(), dry.count};
   }
+  // Fetches what dry() first looks at of a ray.
+  void fetch(std::uint32_t ray) const { __builtin_prefetch(&dry_[ray]); }
   // Slope, from the antenna and less the Earth's drop, below which land hides what lies at that
   // cell; kNothingHidden where there is none.  Error: the slope of up to kStep - 1 cells nearer,
   // rounded down by at most 2^-15.

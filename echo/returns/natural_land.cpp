@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/returns/cover_echo.hpp"
+#include "echo/returns/cover_row.hpp"
 #include "echo/returns/shore_profile.hpp"
 #include "echo/returns/shore_returns.hpp"
 
@@ -71,7 +73,7 @@ double NaturalLand::highest_in(const LandChunk& chunk) const {
 }
 
 void NaturalLand::add(double begin_m, double end_m, const LandInterval& shore, LandRay& ray,
-                      GroundProfile* profile, std::span<float> power) {
+                      GroundProfile* profile, std::span<float> power, CoverRow* cover) {
   const auto first = static_cast<std::size_t>(begin_m / model_.cell_m);
   if (first >= power.size()) return;
   const std::size_t last =
@@ -95,7 +97,8 @@ void NaturalLand::add(double begin_m, double end_m, const LandInterval& shore, L
   for (std::size_t block = first / kBlock * kBlock; block <= last; block += kBlock) {
     const std::size_t block_first = std::max(block, first);
     const std::size_t block_last = std::min(last, block + kBlock - 1);
-    if (ray.hides(most_between(block_first, block_last), ray.middle_of(block_first),
+    const double tallest = cover ? static_cast<double>(kTallestObject) : 0.0;
+    if (ray.hides(most_between(block_first, block_last) + tallest, ray.middle_of(block_first),
                   ray.middle_of(block_last)))
       continue;
     make_coarse(block, block_first / kLandChunk * kLandChunk,
@@ -113,7 +116,26 @@ void NaturalLand::add(double begin_m, double end_m, const LandInterval& shore, L
       chunk.fine = fine_ + ((at - block) >> shift_);
       const std::size_t from = at + static_cast<std::size_t>(chunk.begin);
       const std::size_t to = at + static_cast<std::size_t>(chunk.end);
-      if (ray.hides(highest_in(chunk), ray.middle_of(from), ray.middle_of(to - 1))) continue;
+      const double highest = highest_in(chunk);
+      const auto hidden = [&](double objects) {
+        return ray.hides(highest + objects, ray.middle_of(from), ray.middle_of(to - 1));
+      };
+      if (hidden(tallest)) continue;
+      const bool covered = cover && cover->read(from, to - from);
+      if (cover && hidden(covered ? cover->most_objects(from, to - from) : 0.0)) continue;
+      float objects[kLandChunk], gains[kLandChunk];
+      chunk.objects = chunk.gains = nullptr;
+      if (covered) {
+        std::fill_n(objects, kLandChunk, 0.0f);
+        std::fill_n(gains, kLandChunk, 1.0f);
+        cover->objects(from, {objects + chunk.begin, to - from});
+        for (std::size_t cell = from; cell < to; ++cell) {
+          if (cover->at(cell) != LandCover::none)
+            gains[cell - at] = echo_of(cover->at(cell)).gamma / static_cast<float>(kLandGamma);
+        }
+        chunk.objects = objects;
+        chunk.gains = gains;
+      }
       auto shadow = static_cast<float>(ray.shadow());
       make_land_chunk(chunk, shadow, out);
       for (std::size_t cell = from; cell < to; ++cell) power[cell] += out.power[cell - at];

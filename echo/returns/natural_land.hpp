@@ -11,6 +11,7 @@
 
 namespace skerry::echo {
 
+class CoverRow;
 struct GroundProfile;
 
 // Goes from chunk to chunk of a stretch.  Chunks none of which can show are skipped: first by the
@@ -25,8 +26,9 @@ class NaturalLand {
 
   // Land from begin_m to end_m, whose distances inland count from `shore`'s two ends.
   // `profile`: null, or filled for the stretch's cells (shadow before each cell, height).
+  // `cover`: null, or what covers the stretch's cells; those without cover keep their bits.
   void add(double begin_m, double end_m, const LandInterval& shore, LandRay& ray,
-           GroundProfile* profile, std::span<float> power);
+           GroundProfile* profile, std::span<float> power, CoverRow* cover = nullptr);
 
   static constexpr double kPointsPerWave = 7.0;
 

@@ -18,8 +18,9 @@ double ramp(double x, double from, double to) {
   return std::clamp((x - from) / (to - from), 0.0, 1.0);
 }
 
-Ground artificial(double face, double inland, double broad, double fine) {
-  const double roofs = 6.0 * std::max(0.0, fine + 0.3) * ramp(inland, kApron, kApron + 20.0);
+Ground artificial(double face, double inland, double broad, double fine, bool built) {
+  const double roofs =
+      built ? 6.0 * std::max(0.0, fine + 0.3) * ramp(inland, kApron, kApron + 20.0) : 0.0;
   const double town = 1.0 - ramp(inland, kBuiltUp, 2.0 * kBuiltUp);
   const double rise = land_height(std::max(0.0, inland - kBuiltUp), broad, fine) - kBankHeight;
   const double built_up = ramp(inland, kApron, kApron + 20.0);
@@ -43,14 +44,20 @@ bool is(const ShoreState& state, CoastType type) { return state.shore.type == ty
 }  // namespace
 
 Ground ground_behind(const ShoreState& state, double inland_m, double broad_noise,
-                     double fine_noise) {
+                     double fine_noise, bool roofs) {
   if (is(state, CoastType::sandy))
     return sandy(state.foreshore_m, inland_m, broad_noise, fine_noise);
   if (is(state, CoastType::artificial))
-    return artificial(face_height(state), inland_m, broad_noise, fine_noise);
+    return artificial(face_height(state), inland_m, broad_noise, fine_noise, roofs);
   const double height = land_height(inland_m, broad_noise, fine_noise);
   if (state.shore.height_m <= 0.0f) return {height, kLandGamma};
   return {std::max(0.5, height + (bank_height(state) - kBankHeight)), kLandGamma};
+}
+
+double cover_share(const ShoreState& state, double inland_m) {
+  if (is(state, CoastType::sandy)) return ramp(inland_m, 0.0, kWetEdge);
+  if (is(state, CoastType::artificial)) return ramp(inland_m, kApron, kApron + 20.0);
+  return 1.0;
 }
 
 double greatest_height(const ShoreState& state, double inland_m) {

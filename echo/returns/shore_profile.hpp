@@ -41,8 +41,13 @@ struct ShoreState {
 //   III sand and mud: 1:50 to 150 m above high water, a gentle rise of 12 m behind; -20 dB, -15 dB
 //     beyond half a kilometre; the wet edge fades in over 30 m.
 // Continuous in `inland_m` for all three.
+// `roofs`: whether the low buildings of type I stand there; without, what is under them.
 Ground ground_behind(const ShoreState& state, double inland_m, double broad_noise,
-                     double fine_noise);
+                     double fine_noise, bool roofs = true);
+
+// How far a charted cover rules that far inland, 0 to 1: the apron of a quay and the wet edge of
+// sand stay what they are.
+double cover_share(const ShoreState& state, double inland_m);
 
 // The most ground_behind().height_m can be up to that far inland.
 double greatest_height(const ShoreState& state, double inland_m);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "echo/returns/cover_echo.hpp"
 #include "echo/returns/land_ray.hpp"
 #include "echo/returns/natural_land.hpp"
 #include "protocol/quantity/plane_geometry.hpp"
@@ -37,7 +38,8 @@ ShoreState state_of(const ShoreStretch& s, bool begin) {
 class ShoreRay {
  public:
   ShoreRay(const LandModel& model, const ShoreWater& water, const LatticePath& path,
-           const ChartedRelief* relief, GroundProfile* profile, std::span<float> power)
+           const ChartedRelief* relief, GroundProfile* profile, std::span<float> power,
+           const ChartedCover* cover)
       : model_(model),
         water_(water),
         path_(path),
@@ -45,6 +47,7 @@ class ShoreRay {
         profile_(profile),
         power_(power),
         ray_(model, power) {
+    if (cover) cover_.emplace(*cover, model, path, power.size());
     if (!relief) return;
     step_m_ = relief->grid.step_lat_deg * kMeanMetresPerDegree;
     const auto fine = fine_octaves(model.cell_m);
@@ -62,14 +65,15 @@ class ShoreRay {
     if (is_natural(stretch)) {
       if (!natural_) natural_.emplace(model_, path_);
       natural_->add(stretch.begin_m, stretch.end_m, {stretch.begin.at_m, stretch.end.at_m}, ray_,
-                    profile_, power_);
+                    profile_, power_, cover_ ? &*cover_ : nullptr);
       record_shadow(last + 1);
       return;
     }
     add_face(stretch, first);
     for (std::size_t cell = first; cell <= last; cell += kLandChunk) {
-      add_chunk(stretch, cell, std::min(last, cell + kLandChunk - 1));
-      record_shadow(std::min(last, cell + kLandChunk - 1) + 1);
+      const std::size_t end = std::min(last, cell + kLandChunk - 1);
+      add_chunk(stretch, cell, end);
+      record_shadow(end + 1);
     }
   }
 
@@ -109,12 +113,16 @@ class ShoreRay {
     double raster_most = 0.0;
     bool synthetic = true;
     if (relief_) synthetic = read_raster(first, {raster.data(), count}, raster_most);
-    if (ray_.hides(greatest_in(stretch, first, last, synthetic, raster_most), ray_.middle_of(first),
-                   ray_.middle_of(last)))
-      return;
+    const double greatest = greatest_in(stretch, first, last, synthetic, raster_most);
+    const auto hidden = [&](double objects) {
+      return ray_.hides(greatest + objects, ray_.middle_of(first), ray_.middle_of(last));
+    };
+    if (hidden(cover_ ? static_cast<double>(kTallestObject) : 0.0)) return;
+    const bool covered = cover_ && cover_->read(first, count);
+    if (cover_ && hidden(covered ? cover_->most_objects(first, count) : 0.0)) return;
 
     const auto first32 = static_cast<std::uint32_t>(first);
-    Chunk broad, fine, below_step{}, wash{};
+    Chunk broad, fine, below_step{}, wash{}, objects{};
     relief_noise(path_, broad_octaves(model_.cell_m), model_.seed, first32, {broad.data(), count});
     relief_noise(path_, fine_octaves(model_.cell_m), model_.seed ^ kFineSeed, first32,
                  {fine.data(), count});
@@ -124,12 +132,16 @@ class ShoreRay {
     const bool washed = water_.wave_height_m > 0.0 && is_sandy(stretch);
     if (washed) beach_noise(water_, path_, first32, {wash.data(), count});
 
+    if (covered) cover_->objects(first, {objects.data(), count});
+
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t cell = first + k;
       const double middle = ray_.middle_of(cell);
       const double range = std::clamp(middle, stretch.begin_m, stretch.end_m);
       const double fine_noise = static_cast<double>(fine[k]);
-      Ground ground = ground_at(stretch, range, static_cast<double>(broad[k]), fine_noise);
+      const LandCover cover = covered ? cover_->at(cell) : LandCover::none;
+      Ground ground = ground_at(stretch, range, static_cast<double>(broad[k]), fine_noise,
+                                cover == LandCover::none);
       if (relief_ && raster[k] == raster[k]) {
         ground.height_m = charted_height(stretch, range, static_cast<double>(raster[k]), step_m_,
                                          static_cast<double>(below_step[k]));
@@ -137,6 +149,14 @@ class ShoreRay {
       if (profile_) {
         record_shadow(cell + 1);
         profile_->height_m[cell] = static_cast<float>(ground.height_m);
+      }
+      if (cover != LandCover::none) {
+        const Inland inland = inland_at(stretch, range);
+        const double share =
+            cover_share(state_of(stretch, inland.begin_is_nearer()), inland.nearest());
+        const auto gamma = static_cast<double>(echo_of(cover).gamma);
+        ground.height_m += share * static_cast<double>(objects[k]);
+        ground.gamma += share * (gamma - ground.gamma);
       }
       const double shown = ray_.shown(ground.height_m, middle);
       if (shown <= 0.0) continue;
@@ -207,6 +227,7 @@ class ShoreRay {
   double step_m_ = 0.0;
   std::span<const NoiseOctave> below_step_;
   std::optional<NaturalLand> natural_;
+  std::optional<CoverRow> cover_;
 };
 
 }  // namespace
@@ -217,12 +238,13 @@ void GroundProfile::clear(std::size_t cells) {
   filled_ = 0;
 }
 
-Ground ground_at(const ShoreStretch& s, double range_m, double broad_noise, double fine_noise) {
+Ground ground_at(const ShoreStretch& s, double range_m, double broad_noise, double fine_noise,
+                 bool roofs) {
   const Inland inland = inland_at(s, range_m);
   const ShoreState begin = state_of(s, true), end = state_of(s, false);
-  const Ground by_begin = ground_behind(begin, inland.nearest(), broad_noise, fine_noise);
+  const Ground by_begin = ground_behind(begin, inland.nearest(), broad_noise, fine_noise, roofs);
   if (begin == end) return by_begin;
-  const Ground by_end = ground_behind(end, inland.nearest(), broad_noise, fine_noise);
+  const Ground by_end = ground_behind(end, inland.nearest(), broad_noise, fine_noise, roofs);
   const double near = std::max(0.0, inland.from_begin), far = std::max(0.0, inland.from_end);
   const double to_end = near + far > 0.0 ? near / (near + far) : 0.0;
   return {by_begin.height_m + to_end * (by_end.height_m - by_begin.height_m),
@@ -242,8 +264,8 @@ double charted_height(const ShoreStretch& s, double range_m, double raster_m, do
 
 void add_shores(std::span<const ShoreStretch> land, const LandModel& model, const ShoreWater& water,
                 const LatticePath& path, const ChartedRelief* relief, GroundProfile* profile,
-                std::span<float> power) {
-  ShoreRay ray(model, water, path, relief, profile, power);
+                std::span<float> power, const ChartedCover* cover) {
+  ShoreRay ray(model, water, path, relief, profile, power, cover);
   for (const ShoreStretch& stretch : land) ray.add(stretch);
   ray.finish();
 }

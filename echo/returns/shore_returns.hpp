@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "echo/chart/elevation_grid.hpp"
+#include "echo/returns/cover_row.hpp"
 #include "echo/returns/ground_track.hpp"
 #include "echo/returns/land_returns.hpp"
 #include "echo/returns/shore_stretch.hpp"
@@ -47,15 +48,19 @@ struct GroundProfile {
 // Land that is_plain() comes out with the bits of add_land(), unless there is `relief`.
 // With `relief`, the raster's height is the ground's where it has data, and the synthetic one
 // elsewhere; below its step roughness and bank stay synthetic.
-// `profile`: null, or cleared for as many cells as `power` has.
+// With `cover`, covered cells echo as kCoverEchoes has it, objects and gaps on the bare relief, but
+// on the apron of a quay and the wet edge of sand.  Land without cover keeps its bits where no
+// covered land stands before it.
+// `profile`: null, or cleared for as many cells as `power` has; its heights are without objects.
 void add_shores(std::span<const ShoreStretch> land, const LandModel& model, const ShoreWater& water,
                 const LatticePath& path, const ChartedRelief* relief, GroundProfile* profile,
-                std::span<float> power);
+                std::span<float> power, const ChartedCover* cover = nullptr);
 
 // The ground `range_m` along the ray, between the two shores of the stretch: by the nearer one
 // where they are alike, from one type to the other in proportion to nearness where not.
-Ground ground_at(const ShoreStretch& stretch, double range_m, double broad_noise,
-                 double fine_noise);
+// `roofs` as ground_behind() has it.
+Ground ground_at(const ShoreStretch& stretch, double range_m, double broad_noise, double fine_noise,
+                 bool roofs = true);
 
 // The ground where a raster says `raster_m`: at least 0.5 m, and within one step of the shore at
 // least what is left of the bank; `below_step_noise` in [-1, 1] roughens it.

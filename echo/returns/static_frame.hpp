@@ -98,6 +98,11 @@ class StaticFrame {
 
   // Finds as PackedRows::find() does.
   void find(const RowPart& part, std::vector<MovedRun>& runs) const { rows_.find(part, runs); }
+  // Fetches what find() and dry() first look at of a row.
+  void fetch(std::uint32_t row) const {
+    rows_.fetch(row);
+    ground_.fetch(ray_of(row));
+  }
 
   // Both of the ray nearest to that row, as HiddenGround has them.
   std::span<const CellRun> dry(std::uint32_t row) const { return ground_.dry(ray_of(row)); }

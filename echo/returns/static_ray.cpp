@@ -11,7 +11,7 @@ namespace {
 
 // Land of which no more is known than where it is.
 bool is_plain_land(const StaticView& view, const std::vector<LandInterval>& land) {
-  if (view.coast->elevation) return false;
+  if (view.coast->elevation || view.coast->cover) return false;
   if (view.coast->edge_shores.empty()) return true;
   return std::all_of(land.begin(), land.end(),
                      [&](const LandInterval& l) { return is_plain(l, view.coast->shores); });
@@ -23,12 +23,14 @@ void add_typed_land(const StaticView& view, const LandModel& model, const Ray& r
   lay_shores(scratch.land, *view.coast, ray, model.ray_radians, model.cell_m, range_m, view.water,
              path, scratch.shores);
   std::optional<ChartedRelief> relief;
-  if (view.coast->elevation) {
-    relief.emplace(
-        ChartedRelief{*view.coast->elevation,
-                      GroundTrack(view.geo, view.sailed, ray.bearing_units - view.north_units)});
+  std::optional<ChartedCover> cover;
+  if (view.coast->elevation || view.coast->cover) {
+    const GroundTrack track(view.geo, view.sailed, ray.bearing_units - view.north_units);
+    if (view.coast->elevation) relief.emplace(ChartedRelief{*view.coast->elevation, track});
+    if (view.coast->cover) cover.emplace(ChartedCover{*view.coast->cover, track});
   }
-  add_shores(scratch.shores, model, view.water, path, relief ? &*relief : nullptr, profile, power);
+  add_shores(scratch.shores, model, view.water, path, relief ? &*relief : nullptr, profile, power,
+             cover ? &*cover : nullptr);
 }
 
 }  // namespace

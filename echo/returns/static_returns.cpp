@@ -17,8 +17,9 @@ namespace {
 
 // Shares of a frame's making that are its crossings, and the rays before its first row.
 constexpr double kCrossingsShare = 0.15, kLeadInShare = 0.03;
-// Rows are made so many at a time: what they need is then near at hand.
-constexpr std::uint32_t kBatch = 8;
+// Rows are made so many at a time, radars at different times: each needs the rays of a beam to
+// either side, which lie in no near cache where radars take turns.
+constexpr std::uint32_t kBatch = 16;
 // How far off its bearing a spoke may look as the antenna sways: a little, and with roll and pitch
 // of phi and psi at most (phi + psi)^2, four times what either alone would make it.
 double sway_radians(const AntennaMotion& motion) {
@@ -139,6 +140,8 @@ class StaticReturns::Frames {
   // Places the parts of each group of spokes once.
   void lay_groups(const Scene& scene, std::uint64_t first, std::uint32_t count) {
     first_group_ = first / together_;
+    const auto half_spoke =
+        static_cast<std::uint32_t>(0x80000000u / model_.geometry.spokes_per_turn);
     group_starts_.clear();
     group_bearings_.clear();
     parts_.clear();
@@ -146,7 +149,12 @@ class StaticReturns::Frames {
       const SpokeAim aim = aim_of(scene, model_.clock, g * together_ + together_ / 2);
       group_starts_.push_back(parts_.size());
       group_bearings_.push_back(aim.plane_units);
-      lay(aim, [&](const PlacedPart& part) { parts_.push_back(part); });
+      // A turn's rows are larger than the near caches, and these are wanted in a while.
+      const std::uint32_t middle = aim.plane_units - turn_units_ - half_spoke;
+      lay(aim, [&](const PlacedPart& part) {
+        parts_.push_back(part);
+        now_->fetch(part.at(middle, detail_.rows).row);
+      });
     }
     group_starts_.push_back(parts_.size());
   }
@@ -289,7 +297,7 @@ class StaticReturns::Frames {
     const double before = kCrossingsShare + kLeadInShare;
     const double done = std::clamp((share_ - before) / (1.0 - before), 0.0, 1.0);
     auto rows = static_cast<std::uint32_t>(done * detail_.rows);
-    rows -= rows % kBatch;
+    if (rows < detail_.rows) rows -= std::min(rows, (rows + 5 * model_.radar) % kBatch);
     while (next_row_ < rows) {
       const std::uint32_t step = std::min(rows - next_row_, StaticFrame::kMostRows);
       next_->make_rows(next_row_, step, parallel_);

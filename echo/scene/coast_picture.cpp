@@ -20,6 +20,7 @@ struct CoastPreparer::Laid {
   Laid(const CoastChart& chart, const LocalPlane& plane, const CoastRules& rules)
       : coast(lay_edges(chart, plane, rules)),
         objects(chart.objects, plane),
+        cover(CoverGrid::of(chart)),
         clearance(coast.edges),
         refiners(coast.all_styles.size()) {
     for (const CoastStyle& style : coast.all_styles) require_valid(style);
@@ -33,6 +34,7 @@ struct CoastPreparer::Laid {
 
   CoastEdges coast;
   LaidObjects objects;
+  std::shared_ptr<const CoverGrid> cover;
   Clearance clearance;
   std::vector<std::shared_ptr<const EdgeRefiner>> refiners;  // by style
   std::size_t most_vertices = 0;                             // of any picture
@@ -77,7 +79,8 @@ CoastPicturePtr CoastPreparer::prepare(GeoPoint own_ship, const RadarResolution&
                    .edge_shores = {},
                    .structures = laid_->objects.within(centre, reach),
                    .racons = laid_->objects.racons_within(centre, reach),
-                   .elevation = chart_.elevation});
+                   .elevation = chart_.elevation,
+                   .cover = laid_->cover});
   const DetailLimit limit{centre, slack, resolution.range_m, resolution.cell_m,
                           resolution.spoke_degrees * kRadiansPerDegree};
   const std::vector<ShoreEdge>& edges = laid_->coast.edges;

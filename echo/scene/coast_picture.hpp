@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "echo/chart/coast_chart.hpp"
+#include "echo/chart/cover_grid.hpp"
 #include "echo/chart/local_plane.hpp"
 #include "echo/scene/beacons.hpp"
 #include "echo/scene/coast_rules.hpp"
@@ -28,6 +29,7 @@ struct CoastPicture {
   std::shared_ptr<const Structures> structures = nullptr;    // null: none in range
   std::vector<Racon> racons = {};                            // charted ones in range
   std::shared_ptr<const ElevationGrid> elevation = nullptr;  // null: relief is synthesised
+  std::shared_ptr<const CoverGrid> cover = nullptr;          // null: no chart tells
   std::uint8_t shore_of(std::uint32_t edge) const {
     return edge_shores.empty() ? std::uint8_t{0} : edge_shores[edge];
   }

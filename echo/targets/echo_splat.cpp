@@ -7,6 +7,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/shared_tables.hpp"
+#include "echo/kernel/splat_row.hpp"
 #include "echo/radar/beam.hpp"
 #include "echo/targets/point_echo.hpp"
 #include "echo/targets/sector_view.hpp"
@@ -72,7 +73,7 @@ EchoSplat::EchoSplat(const RadarModel& model)
 }
 
 // Two-way voltage is one-way power.
-float EchoSplat::voltage(std::uint32_t off_units) const {
+inline __attribute__((always_inline)) float EchoSplat::voltage(std::uint32_t off_units) const {
   if (off_units < null_units_) {
     const float place = static_cast<float>(off_units) * to_place_;
     const auto k = static_cast<std::uint32_t>(place);
@@ -93,11 +94,15 @@ bool EchoSplat::lay(const PointEcho& echo, Point& point) {
   point.units = echo.bearing_units;
   point.cell = cell + before - lead;
   point.cells = std::min(response_->cells() - before, model_.geometry.cells - point.cell);
-  point.shares = static_cast<std::uint32_t>(laid_.shares.size()) + before;
-  laid_.shares.resize(laid_.shares.size() + before + point.cells);
+  point.shares =
+      static_cast<std::uint32_t>(laid_.shares.size()) + point.cell % kSplatLanes + before;
+  // Zeros from the beginning of a block, and to the end of one.
+  const std::uint32_t into_block = point.cell % kSplatLanes;
+  laid_.shares.resize(laid_.shares.size() + into_block + before + point.cells);
   const std::span<float> shares = std::span(laid_.shares).last(before + point.cells);
   response_->shares_of(start - cell, shares);
   for (float& share : shares) share = root_of_share(share);
+  laid_.shares.resize(laid_.shares.size() + (0u - into_block - point.cells) % kSplatLanes);
   const float amplitude = std::sqrt(std::min(echo.power, kMaxPointPower));
   const auto turn = static_cast<std::uint32_t>(
       static_cast<std::int32_t>(echo.phase * static_cast<float>(kPhases)));
@@ -195,27 +200,22 @@ void EchoSplat::add_power(const Point& point, float factor, std::span<float> pow
 
 void EchoSplat::add_body(const Body& body, std::uint32_t axis_units, std::span<float> power) const {
   thread_local std::vector<float> voltages;
-  const std::size_t width = body.cell_end - body.cell;
-  if (voltages.size() < 2 * width) voltages.resize(2 * width);
-  float* __restrict const in_phase = voltages.data();
-  float* __restrict const quadrature = in_phase + width;
-  std::fill(in_phase, in_phase + 2 * width, 0.0f);
-  bool any = false;
+  thread_local std::vector<SplatPoint> seen;
+  const std::uint32_t first = body.cell / kSplatLanes * kSplatLanes;
+  const std::size_t width = body.cell_end - first;
+  if (voltages.size() < 2 * (width + kSplatLanes)) voltages.resize(2 * (width + kSplatLanes));
+  if (seen.size() < body.end - body.begin) seen.resize(body.end - body.begin);
+  std::size_t count = 0;
   for (std::uint32_t i = body.begin; i < body.end; ++i) {
     const Point& point = laid_.points[i];
     const float g = voltage(units_apart(point.units, axis_units));
     if (g < kNull) continue;
-    any = true;
-    const float re = g * point.in_phase, im = g * point.quadrature;
-    const float* const shares = laid_.shares.data() + point.shares;
-    float* __restrict const is = in_phase + (point.cell - body.cell);
-    float* __restrict const qs = quadrature + (point.cell - body.cell);
-    for (std::size_t c = 0; c < point.cells; ++c) is[c] += shares[c] * re, qs[c] += shares[c] * im;
+    const std::uint32_t into_block = point.cell % kSplatLanes;
+    seen[count++] = {laid_.shares.data() + (point.shares - into_block),
+                     point.cell - into_block - first, point.cells + into_block, g * point.in_phase,
+                     g * point.quadrature};
   }
-  if (!any) return;
-  float* row = power.data() + body.cell;
-  for (std::size_t c = 0; c < width; ++c)
-    row[c] += in_phase[c] * in_phase[c] + quadrature[c] * quadrature[c];
+  if (count > 0) add_voltages(std::span(seen).first(count), voltages, power.subspan(first, width));
 }
 
 bool EchoSplat::add_one(const Body& body, const SpokeAim& aim, std::span<float> power) const {

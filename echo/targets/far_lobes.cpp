@@ -68,7 +68,7 @@ void FarLobes::prepare(const AntennaPattern& pattern, const StrongEchoes& strong
   const std::uint32_t rows = (spokes + row_spokes_ - 1) / row_spokes_;
   first_spoke_ = first.spoke;
   pitch_ = (cells + kRunCells - 1) / kRunCells * kRunCells;
-  rows_.assign(rows * pitch_, 0.0f);
+  if (rows_.size() < rows * pitch_) rows_.resize(rows * pitch_);
   taken_.assign(rows * pitch_ / kRunCells, 0);
   const std::int64_t turned = static_cast<std::int32_t>(last.plane_units - first.plane_units);
   const std::uint32_t middle = first.plane_units + static_cast<std::uint32_t>(turned / 2);
@@ -87,35 +87,58 @@ void FarLobes::prepare(const AntennaPattern& pattern, const StrongEchoes& strong
     for (std::uint32_t r = 0; r < rows; ++r) {
       const float level = point.power * pattern.two_way(units_apart(point.units, axes[r]));
       if (level < kLeastLevel) continue;
-      const std::size_t first_run = point.cell / kRunCells;
-      const std::size_t last_run = std::min(tail, cells - 1) / kRunCells;
-      std::fill_n(taken_.begin() + static_cast<std::ptrdiff_t>(r * pitch_ / kRunCells + first_run),
-                  last_run - first_run + 1, std::uint8_t{1});
+      take(r, point.cell / kRunCells, std::min(tail, cells - 1) / kRunCells);
       float* row = rows_.data() + r * pitch_;
       row[point.cell] += level * point.lead;
       for (std::uint32_t c = point.cell + 1; c < full_end; ++c) row[c] += level;
       if (tail < cells) row[tail] += level * point.tail;
     }
   }
+  find_runs(rows);
 }
 
-// Run by run: most of a row is empty.
-void FarLobes::add(const SpokeAim& aim, std::span<float> power) const {
-  if (rows_.empty() || aim.spoke < first_spoke_) return;
-  const std::size_t r = static_cast<std::size_t>(aim.spoke - first_spoke_) / row_spokes_;
-  if ((r + 1) * pitch_ > rows_.size()) return;
+// Zeros where nothing was yet.
+void FarLobes::take(std::size_t row, std::size_t first_run, std::size_t last_run) {
+  std::uint8_t* const taken = taken_.data() + row * (pitch_ / kRunCells);
+  for (std::size_t b = first_run; b <= last_run; ++b) {
+    if (taken[b] != 0) continue;
+    taken[b] = 1;
+    std::fill_n(rows_.begin() + static_cast<std::ptrdiff_t>(row * pitch_ + b * kRunCells),
+                kRunCells, 0.0f);
+  }
+}
+
+// Once for all spokes of a row: most of it is empty.
+void FarLobes::find_runs(std::uint32_t rows) {
+  runs_.clear();
   const std::size_t runs = pitch_ / kRunCells;
-  const std::uint8_t* const taken = taken_.data() + r * runs;
-  for (std::size_t b = 0; b < runs;) {
-    const void* const found = std::memchr(taken + b, 1, runs - b);
-    if (found == nullptr) return;
-    b = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - taken);
-    std::size_t end = b + 1;
-    while (end < runs && taken[end] != 0) ++end;
-    const std::size_t first = b * kRunCells;
-    const std::size_t count = std::min(end * kRunCells, power.size()) - first;
-    add_row(power.subspan(first, count), std::span(rows_).subspan(r * pitch_ + first, count));
-    b = end;
+  for (std::uint32_t r = 0; r < rows; ++r) {
+    begins_.push_back(runs_.size());
+    const std::uint8_t* const taken = taken_.data() + r * runs;
+    for (std::size_t b = 0; b < runs;) {
+      const void* const found = std::memchr(taken + b, 1, runs - b);
+      if (found == nullptr) break;
+      b = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - taken);
+      std::size_t end = b + 1;
+      while (end < runs && taken[end] != 0) ++end;
+      const std::size_t first = b * kRunCells;
+      const std::size_t last = std::min<std::size_t>(end * kRunCells, model_.geometry.cells);
+      runs_.push_back(
+          {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first)});
+      b = end;
+    }
+  }
+  begins_.push_back(runs_.size());
+}
+
+void FarLobes::add(const SpokeAim& aim, std::span<float> power) const {
+  if (begins_.empty() || aim.spoke < first_spoke_) return;
+  const std::size_t r = static_cast<std::size_t>(aim.spoke - first_spoke_) / row_spokes_;
+  if (r + 1 >= begins_.size()) return;
+  const float* const row = rows_.data() + r * pitch_;
+  for (std::size_t i = begins_[r]; i < begins_[r + 1]; ++i) {
+    const Run& run = runs_[i];
+    add_row(power.subspan(run.first, run.count), {row + run.first, run.count});
   }
 }
 

@@ -26,7 +26,7 @@ class FarLobes {
   void prepare(const AntennaPattern& pattern, const StrongEchoes& strong,
                std::span<const std::uint32_t> met, std::uint32_t near_units, const SpokeAim& first,
                const SpokeAim& last);
-  void clear() { rows_.clear(); }
+  void clear() { begins_.clear(); }
 
   // Thread: any.
   void add(const SpokeAim& aim, std::span<float> power) const;
@@ -38,6 +38,8 @@ class FarLobes {
     float power, lead, tail;   // shares of the first and the last cell
   };
   void lay(const StrongEchoes& strong);
+  void take(std::size_t row, std::size_t first_run, std::size_t last_run);
+  void find_runs(std::uint32_t rows);
 
   RadarModel model_;
   float least_power_;
@@ -48,8 +50,14 @@ class FarLobes {
   std::uint64_t first_spoke_ = 0;
   std::uint32_t row_spokes_ = 16;  // spokes that share a row
   std::size_t pitch_ = 0;
+  // What lies outside the runs that are not empty is never read.
+  struct Run {
+    std::uint32_t first, count;  // cells
+  };
   AlignedFloats rows_;
   std::vector<std::uint8_t> taken_;  // sixteen cells each: whether any is not empty
+  std::vector<Run> runs_;            // of all rows
+  std::vector<std::size_t> begins_;  // of a row's runs, and the end of the last's
 };
 
 }  // namespace skerry::echo

@@ -1,4 +1,4 @@
-// HDT, THS, ROT, VHW and VBW: heading, rate of turn and the log.
+// HDT, THS, HDG, ROT, VHW and VBW: heading, rate of turn and the log.
 // Source: IEC 61162-1:2010 clause 8; Furuno GP-170 manual AP-15 (THS, VBW).
 #pragma once
 
@@ -23,6 +23,15 @@ struct Ths {
 std::string encode(const Ths& ths, std::string_view talker = "HE");
 Result<Ths, WireError> decode_ths(const Sentence& sentence);
 
+// A magnetic compass.  True heading is the sum of the three.
+struct Hdg {
+  std::optional<double> sensor_deg = {};     // [0, 360]
+  std::optional<double> deviation_deg = {};  // east positive, within 180
+  std::optional<double> variation_deg = {};  // east positive, within 180
+};
+std::string encode(const Hdg& hdg, std::string_view talker = "HC");
+Result<Hdg, WireError> decode_hdg(const Sentence& sentence);
+
 struct Rot {
   std::optional<double> rate_deg_min = {};  // starboard positive, within 10000
   bool valid = true;
@@ -37,12 +46,14 @@ struct Vhw {
 std::string encode(const Vhw& vhw, std::string_view talker = "VW");
 Result<Vhw, WireError> decode_vhw(const Sentence& sentence);
 
-// Ahead and to starboard positive.  What is not valid is absent.
+// Ahead and to starboard positive, within kMostSpeedKn.  What is not valid is absent.
 struct Vbw {
   std::optional<double> water_ahead_kn = {};
   std::optional<double> water_starboard_kn = {};
   std::optional<double> ground_ahead_kn = {};
   std::optional<double> ground_starboard_kn = {};
+  std::optional<double> water_stern_starboard_kn = {};  // at the stern
+  std::optional<double> ground_stern_starboard_kn = {};
 };
 std::string encode(const Vbw& vbw, std::string_view talker = "VD");
 Result<Vbw, WireError> decode_vbw(const Sentence& sentence);

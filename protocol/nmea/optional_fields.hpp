@@ -16,5 +16,13 @@ inline SentenceWriter& optional_angle(SentenceWriter& out, std::optional<double>
                                       int decimals) {
   return value ? out.angle(*value, decimals) : out.empty();
 }
+// As SentenceWriter::time() and position() do; without a value one or four empty fields.
+inline SentenceWriter& optional_time(SentenceWriter& out, std::optional<Duration> of_day) {
+  return of_day ? out.time(*of_day) : out.empty();
+}
+inline SentenceWriter& optional_position(SentenceWriter& out, std::optional<GeoPoint> point,
+                                         int decimals = 5) {
+  return point ? out.position(*point, decimals) : out.empty().empty().empty().empty();
+}
 
 }  // namespace skerry::nmea

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "protocol/nmea/field_reader.hpp"
 #include "protocol/nmea/optional_fields.hpp"
+#include "protocol/nmea/ranged_fields.hpp"
 
 namespace skerry::nmea {
 namespace {
@@ -15,11 +17,9 @@ using std::chrono::year_month_day;
 
 year_month_day date_of(UtcTime utc) { return year_month_day(std::chrono::floor<days>(utc)); }
 
-bool is_valid_mode(char mode) { return mode == 'A' || mode == 'D'; }
+constexpr Range kGroundSpeed{0.0, kMostSpeedKn};
 
-SentenceWriter& optional_position(SentenceWriter& out, std::optional<GeoPoint> point) {
-  return point ? out.position(*point) : out.empty().empty().empty().empty();
-}
+bool is_valid_mode(char mode) { return mode == 'A' || mode == 'D'; }
 
 std::optional<UtcTime> utc_of(std::optional<Duration> of_day, year_month_day date) {
   if (!of_day || !date.ok()) return std::nullopt;
@@ -50,14 +50,10 @@ Duration time_of_day(UtcTime utc) { return utc - std::chrono::floor<days>(utc); 
 
 std::string encode(const Rmc& rmc, std::string_view talker) {
   SentenceWriter out('$', talker, "RMC");
-  if (rmc.utc) {
-    out.time(time_of_day(*rmc.utc));
-  } else {
-    out.empty();
-  }
+  optional_time(out, rmc.utc ? std::optional(time_of_day(*rmc.utc)) : std::nullopt);
   out.letter(is_valid_mode(rmc.mode) && rmc.valid ? 'A' : 'V');
   optional_position(out, rmc.position);
-  optional_number(out, rmc.speed_kn, 2);
+  add_number(out, rmc.speed_kn, 2, kGroundSpeed);
   optional_angle(out, rmc.course_deg, 1);
   if (rmc.utc) {
     const year_month_day date = date_of(*rmc.utc);
@@ -88,14 +84,11 @@ Result<Rmc, WireError> decode_rmc(const Sentence& sentence) {
 
 std::string encode(const Gga& gga, std::string_view talker) {
   SentenceWriter out('$', talker, "GGA");
-  if (gga.time_of_day) {
-    out.time(*gga.time_of_day);
-  } else {
-    out.empty();
-  }
+  optional_time(out, gga.time_of_day);
   optional_position(out, gga.position);
-  out.whole(gga.quality).whole(gga.satellites, 2).number(gga.dilution, 1);
-  return out.number(gga.altitude_m, 1)
+  out.whole(std::min(gga.quality, 9u)).whole(std::min(gga.satellites, 99u), 2);
+  add_number(out, gga.dilution, 1, {0.0, 99.9});
+  return add_number(out, gga.altitude_m, 1, {-9999.9, 99999.9})
       .letter('M')
       .number(0, 1)
       .letter('M')
@@ -116,22 +109,31 @@ Result<Gga, WireError> decode_gga(const Sentence& sentence) {
   return answer(in, gga);
 }
 
+std::string encode(const Gll& gll, std::string_view talker) {
+  SentenceWriter out('$', talker, "GLL");
+  optional_time(optional_position(out, gll.position), gll.time_of_day);
+  return add_status(out, is_valid_mode(gll.mode) && gll.valid).letter(gll.mode).finish();
+}
+
 Result<Gll, WireError> decode_gll(const Sentence& sentence) {
   FieldReader in(sentence);
   Gll gll;
   gll.position = in.position(0);
-  const char status = in.letter(5);
+  gll.time_of_day = in.time(4);
+  const char status = in.letter(5), mode = in.letter(6);
   gll.valid = status == 'A' || status == '\0';
-  if (in.letter(6) == 'N') gll.valid = false;
+  if (mode != '\0') gll.mode = mode;
+  if (gll.mode == 'N') gll.valid = false;
   return answer(in, gll);
 }
 
 std::string encode(const Vtg& vtg, std::string_view talker) {
   SentenceWriter out('$', talker, "VTG");
   optional_angle(out, vtg.course_deg, 1).letter('T').empty().letter('M');
-  optional_number(out, vtg.speed_kn, 2).letter('N');
-  if (vtg.speed_kn) {
-    out.number(*vtg.speed_kn * kKmhPerKnot, 2);
+  add_number(out, vtg.speed_kn, 2, kGroundSpeed).letter('N');
+  const auto speed_kn = within(vtg.speed_kn, kGroundSpeed);
+  if (speed_kn) {
+    out.number(*speed_kn * kKmhPerKnot, 2);
   } else {
     out.empty();
   }

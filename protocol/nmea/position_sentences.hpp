@@ -30,16 +30,19 @@ struct Gga {
   std::optional<GeoPoint> position = {};
   unsigned quality = 1;  // 0 none, 1 GPS, 2 differential, .. 8 simulated
   unsigned satellites = 12;
-  double dilution = 0.8;    // of precision, horizontal
-  double altitude_m = 0.0;  // above mean sea level
+  double dilution = 0.8;    // of precision, horizontal; 0 .. 99.9
+  double altitude_m = 0.0;  // above mean sea level; -9999.9 .. 99999.9
 };
 std::string encode(const Gga& gga, std::string_view talker = "GP");
 Result<Gga, WireError> decode_gga(const Sentence& sentence);
 
 struct Gll {
   std::optional<GeoPoint> position = {};
-  bool valid = true;
+  std::optional<Duration> time_of_day = {};
+  char mode = 'A';
+  bool valid = true;  // as in Rmc
 };
+std::string encode(const Gll& gll, std::string_view talker = "GP");
 Result<Gll, WireError> decode_gll(const Sentence& sentence);
 
 struct Vtg {

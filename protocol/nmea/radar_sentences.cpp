@@ -12,10 +12,6 @@ namespace {
 constexpr double kMostRangeNm = 10'000.0, kMostMinutes = 100'000.0;
 constexpr unsigned kMostTargetNumber = 1023;  // some radars count further than 99
 
-SentenceWriter& optional_time(SentenceWriter& out, std::optional<Duration> of_day) {
-  return of_day ? out.time(*of_day) : out.empty();
-}
-
 TargetStatus status_field(FieldReader& in, std::size_t index) {
   switch (in.letter(index)) {
     case 'L':

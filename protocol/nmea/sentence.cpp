@@ -26,13 +26,15 @@ int hex_digit(char c) {
   return -1;
 }
 
-// Degrees and minutes in units of 1e-5 minute.
-std::string angle_text(double degrees, int degree_digits) {
-  constexpr long long kMinute = 100'000, kDegree = 60 * kMinute;
-  const long long units = std::llround(std::abs(degrees) * static_cast<double>(kDegree));
-  const long long minutes = units % kDegree;
-  return fmt::format("{:0{}}{:02}.{:05}", units / kDegree, degree_digits, minutes / kMinute,
-                     minutes % kMinute);
+// Degrees and minutes, the minutes with `decimals`.
+std::string angle_text(double degrees, int degree_digits, int decimals) {
+  long long minute = 1;
+  for (int i = 0; i < decimals; ++i) minute *= 10;
+  const long long degree = 60 * minute;
+  const long long units = std::llround(std::abs(degrees) * static_cast<double>(degree));
+  const long long rest = units % degree;
+  return fmt::format("{:0{}}{:02}.{:0{}}", units / degree, degree_digits, rest / minute,
+                     rest % minute, decimals);
 }
 
 }  // namespace
@@ -139,14 +141,15 @@ SentenceWriter& SentenceWriter::angle(double degrees, int decimals) {
   return number(units / scale, decimals);
 }
 
-SentenceWriter& SentenceWriter::position(GeoPoint point) {
+SentenceWriter& SentenceWriter::position(GeoPoint point, int decimals) {
   if (!std::isfinite(point.latitude_deg) || !std::isfinite(point.longitude_deg)) {
     return empty().empty().empty().empty();
   }
   const double latitude = std::clamp(point.latitude_deg, -90.0, 90.0);
   const double longitude = std::remainder(point.longitude_deg, 360.0);
-  between_ += fmt::format(",{},{},{},{}", angle_text(latitude, 2), latitude < 0 ? 'S' : 'N',
-                          angle_text(longitude, 3), longitude < 0 ? 'W' : 'E');
+  between_ +=
+      fmt::format(",{},{},{},{}", angle_text(latitude, 2, decimals), latitude < 0 ? 'S' : 'N',
+                  angle_text(longitude, 3, decimals), longitude < 0 ? 'W' : 'E');
   return *this;
 }
 

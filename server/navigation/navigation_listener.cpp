@@ -47,6 +47,15 @@ HeardLine NavigationListener::hear(std::string_view line, ScenarioTime now) {
     heard.fault = sentence.error().text;
     return heard;
   }
+  const auto command = nmea::decode_con_command(*sentence);
+  if (!command) {
+    heard.fault = command.error().text;
+    return heard;
+  }
+  if (nmea::says_something(*command)) {
+    heard.command = *command;
+    return heard;
+  }
   Fix fix = read(*sentence, now, heard.fault);
   if (!fix || !says_something(*fix) || !heard.fault.empty()) return heard;
   if (fix->speed_mps && *fix->speed_mps > kMostSpeedMps) {

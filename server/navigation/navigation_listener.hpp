@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/nmea/con_command.hpp"
 #include "protocol/nmea/sentence.hpp"
 #include "protocol/quantity/time.hpp"
 #include "server/core/traffic.hpp"
@@ -15,12 +16,15 @@ namespace skerry::server {
 // The result of one line.
 struct HeardLine {
   std::optional<OwnShipFix> fix;  // only what the sentence said
+  // What it orders of the con.
+  std::optional<nmea::ConCommand> command = {};
   // The position is so many metres from the last one, further than her speed explains.
   std::optional<double> jump_m;
   std::string fault = {};  // why the line could not be read; empty: it could
 };
 
-// Takes RMC, GGA, GLL, VTG, HDT, THS, VBW, VHW and ROT of any talker.  What says of itself that it
+// Takes RMC, GGA, GLL, VTG, HDT, THS, VBW, VHW and ROT of any talker, and orders to the con: HTC,
+// HSC, ROR, PRC, ETL and TRC (nmea/con_command.hpp).  What says of itself that it
 // is not valid, and all other sentences, are passed over without a fault.
 //
 // Course and speed over ground are RMC's, VTG's and the ground part of VBW; speed through the water

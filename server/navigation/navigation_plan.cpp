@@ -10,8 +10,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::array<std::string_view, kNavigationSentences> kNames = {
-    "rmc", "gga", "vtg", "zda", "hdt", "ths", "rot", "vhw",
-    "vbw", "rsd", "osd", "vdm", "vdo", "ttm", "tll", "ttd"};
+    "rmc", "gga", "vtg", "zda", "hdt", "ths", "rot", "vhw", "vbw", "rsd", "osd", "vdm",
+    "vdo", "ttm", "tll", "ttd", "rsa", "rpm", "dpt", "mwv", "mwd", "vdr", "xte"};
 constexpr std::uint32_t kMostMmsi = 999'999'999;
 
 bool is_ais(NavigationSentence sentence) {
@@ -37,9 +37,10 @@ std::optional<NavigationSentence> find_navigation_sentence(std::string_view name
 
 std::map<NavigationSentence, Duration> NavigationPlan::usual_periods() {
   using enum NavigationSentence;
-  return {{rmc, 1s},    {gga, 1s},         {vtg, 1s}, {zda, 1s}, {hdt, 100ms},
-          {ths, 100ms}, {rot, 500ms},      {vhw, 1s}, {vbw, 1s}, {rsd, 1s},
-          {osd, 1s},    {vdm, kAsAisDoes}, {vdo, 1s}, {ttm, 2s}, {tll, 2s}};
+  return {{rmc, 1s},    {gga, 1s}, {vtg, 1s}, {zda, 1s},    {hdt, 100ms}, {ths, 100ms},
+          {rot, 500ms}, {vhw, 1s}, {vbw, 1s}, {rsd, 1s},    {osd, 1s},    {vdm, kAsAisDoes},
+          {vdo, 1s},    {ttm, 2s}, {tll, 2s}, {rsa, 500ms}, {rpm, 1s},    {dpt, 1s},
+          {mwv, 1s},    {mwd, 1s}, {vdr, 1s}, {xte, 1s}};
 }
 
 std::optional<std::string> fault_in(const NavigationPlan& plan) {

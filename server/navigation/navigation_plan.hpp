@@ -35,8 +35,16 @@ enum class NavigationSentence : std::uint8_t {
   ttm,
   tll,
   ttd,
+  // The con of a ship that has a class: rudder, shaft, depth, wind felt and true, current, track.
+  rsa,
+  rpm,
+  dpt,
+  mwv,
+  mwd,
+  vdr,
+  xte,
 };
-inline constexpr std::size_t kNavigationSentences = 16;
+inline constexpr std::size_t kNavigationSentences = 23;
 
 // "rmc".
 std::string_view name_of(NavigationSentence sentence);

@@ -9,6 +9,7 @@
 #include "protocol/quantity/speed.hpp"
 #include "protocol/wire/own_ship_place.hpp"
 #include "server/navigation/ais_reports.hpp"
+#include "server/navigation/con_sentences.hpp"
 #include "server/navigation/own_ship_sentences.hpp"
 
 namespace skerry::server {
@@ -94,6 +95,10 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
       } else {
         for (std::string& line : lines) out.push_back({sentence, {std::move(line)}});
       }
+      continue;
+    }
+    if (is_of_con(sentence)) {
+      if (the_own().has_con()) out.push_back({sentence, {con_sentence(sentence, the_own())}});
       continue;
     }
     const wire::Settings settings =

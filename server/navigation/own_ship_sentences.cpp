@@ -25,6 +25,12 @@ std::optional<double> known(double value, bool is_known) {
 }
 
 nmea::Vbw log_of(const wire::OwnShip& ship) {
+  if (ship.has_con()) {
+    return {.water_ahead_kn = ship.con().water_ahead_kn(),
+            .water_starboard_kn = ship.con().water_starboard_kn(),
+            .ground_ahead_kn = ship.con().ground_ahead_kn(),
+            .ground_starboard_kn = ship.con().ground_starboard_kn()};
+  }
   const double drift = degrees(ship.course_over_ground_deg() - ship.heading_deg()).in_radians();
   return {.water_ahead_kn = ship.speed_kn(),
           .water_starboard_kn = 0.0,

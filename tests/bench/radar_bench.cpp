@@ -3,6 +3,7 @@
 //   radar_bench                 scenes, contributors, views and how cost grows
 //   radar_bench --turns 8       longer
 //   radar_bench --full          the full scene alone, to be profiled
+//   radar_bench --full --isa avx2   the same with a lesser instruction set (baseline, avx2)
 //   radar_bench --fleet [N]     N radars by turns against one after the other
 //   radar_bench --memory        whose memory a radar is made of
 //   radar_bench --stages        what each stage costs, and its share of memory's speed
@@ -380,6 +381,10 @@ int main(int argc, char** argv) {
     } else if (word == "--full" || word == "--memory" || word == "--stages" ||
                word == "--changes") {
       part = word;
+    } else if (word == "--isa" && i + 1 < argc) {
+      const std::string_view name = argv[++i];
+      for (const auto isa : {skerry::echo::Isa::baseline, skerry::echo::Isa::avx2})
+        if (name == skerry::echo::name_of(isa)) skerry::echo::force_isa(isa);
     } else if (word == "--fleet") {
       part = word;
       if (i + 1 < argc && std::atoi(argv[i + 1]) > 0)
@@ -389,7 +394,7 @@ int main(int argc, char** argv) {
     } else {
       fmt::print(stderr,
                  "radar_bench: unknown argument '{}'; usage: radar_bench [--turns N]\n"
-                 "  [--full | --stages | --memory | --changes | --fleet [RADARS]]\n",
+                 "  [--full [--isa NAME] | --stages | --memory | --changes | --fleet [RADARS]]\n",
                  word);
       return 2;
     }

@@ -1,11 +1,23 @@
 // Readers of NMEA 0183 and IEC 61162-450, the listener that obeys them, and the way there and back
 // of AIS messages made from the input.
 #include "protocol/nmea/ais_sentences.hpp"
+#include "protocol/nmea/con_command.hpp"
+#include "protocol/nmea/depth_sentences.hpp"
+#include "protocol/nmea/engine_sentences.hpp"
+#include "protocol/nmea/gnss_sentences.hpp"
+#include "protocol/nmea/heading_control_sentences.hpp"
+#include "protocol/nmea/log_sentences.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 #include "protocol/nmea/radar_sentences.hpp"
+#include "protocol/nmea/rudder_sentences.hpp"
+#include "protocol/nmea/thruster_sentences.hpp"
+#include "protocol/nmea/track_sentences.hpp"
 #include "protocol/nmea/tracked_target_data.hpp"
+#include "protocol/nmea/transducer_sentences.hpp"
 #include "protocol/nmea/udp450.hpp"
+#include "protocol/nmea/waypoint_sentences.hpp"
+#include "protocol/nmea/wind_sentences.hpp"
 #include "server/navigation/navigation_listener.hpp"
 #include "tests/fuzz/fuzz_require.hpp"
 
@@ -20,18 +32,113 @@ void check(const Result<T, WireError>& result, std::size_t most) {
   fuzz::require(result.error().offset <= most, "a refusal's place is in the line");
 }
 
+// What was read can be written within the standard's length, and read back.  Once rounded it stays
+// the same.
+template <typename Decode>
+void check_reader(Decode decode, const nmea::Sentence& sentence, std::size_t size) {
+  const auto written = [&](const auto& value) {
+    const std::string line = encode(value, "II");
+    fuzz::require(line.size() <= nmea::kMaxSentence, "a line is as long as it may be");
+    return line;
+  };
+  const auto reread = [&](const std::string& line) {
+    const auto again = nmea::parse_sentence(line);
+    fuzz::require(again.ok(), "our own line is a sentence");
+    auto back = decode(*again);
+    fuzz::require(back.ok(), "and is understood");
+    return back;
+  };
+  const auto value = decode(sentence);
+  check(value, size);
+  if (!value) return;
+  const std::string rounded = written(*reread(written(*value)));
+  fuzz::require(written(*reread(rounded)) == rounded, "it comes back the same");
+}
+
+void check_transducers(const nmea::Sentence& sentence, std::size_t size) {
+  const auto transducers = nmea::decode_xdr(sentence);
+  check(transducers, size);
+  if (!transducers) return;
+  fuzz::require(transducers->size() <= size, "transducers are bounded by the line");
+  std::size_t back = 0;
+  for (const std::string& line : nmea::encode_xdr(*transducers)) {
+    fuzz::require(line.size() <= nmea::kMaxSentence, "a line is as long as it may be");
+    const auto read = nmea::decode_xdr(*nmea::parse_sentence(line));
+    fuzz::require(read.ok(), "our own transducers are understood");
+    back += read->size();
+  }
+  fuzz::require(back == transducers->size(), "and all of them");
+}
+
+void check_in(std::optional<double> value, double least, double most) {
+  fuzz::require(!value || (*value >= least && *value <= most), "a command in its range");
+}
+
+void check_command(const nmea::Sentence& sentence, std::size_t size) {
+  const auto command = nmea::decode_con_command(sentence);
+  check(command, size);
+  if (!command) return;
+  check_in(command->rudder_deg, -90, 90);
+  check_in(command->rudder_limit_deg, 0, 90);
+  for (const auto& angle : {command->heading_deg, command->track_deg}) {
+    check_in(angle, 0, 360);
+    fuzz::require(angle != 360.0, "north is 0");
+  }
+  check_in(command->turn_radius_nm, 0, 100);
+  check_in(command->turn_rate_deg_min, 0, 1000);
+  check_in(command->revolutions, -10'000, 10'000);
+  for (const auto& percent : {command->lever_percent, command->pitch_percent,
+                              command->bow_thruster_percent, command->stern_thruster_percent}) {
+    check_in(percent, -100, 100);
+  }
+  fuzz::require(!command->shaft || *command->shaft <= 99, "a shaft");
+}
+
+// The command of a sentence of another name, so that each reader is reached.
+void check_commands(nmea::Sentence sentence, std::size_t size) {
+  check_command(sentence, size);
+  for (const char* name : {"HTC", "HSC", "ROR", "PRC", "ETL", "TRC"}) {
+    sentence.formatter = name;
+    check_command(sentence, size);
+  }
+}
+
 // Every reader, whatever the sentence calls itself.
 void check_readers(const nmea::Sentence& sentence, std::size_t size) {
-  check(nmea::decode_rmc(sentence), size);
-  check(nmea::decode_gga(sentence), size);
-  check(nmea::decode_gll(sentence), size);
-  check(nmea::decode_vtg(sentence), size);
-  check(nmea::decode_zda(sentence), size);
-  check(nmea::decode_hdt(sentence), size);
-  check(nmea::decode_ths(sentence), size);
-  check(nmea::decode_rot(sentence), size);
-  check(nmea::decode_vhw(sentence), size);
-  check(nmea::decode_vbw(sentence), size);
+  check_reader(nmea::decode_rmc, sentence, size);
+  check_reader(nmea::decode_gga, sentence, size);
+  check_reader(nmea::decode_gll, sentence, size);
+  check_reader(nmea::decode_vtg, sentence, size);
+  check_reader(nmea::decode_zda, sentence, size);
+  check_reader(nmea::decode_hdt, sentence, size);
+  check_reader(nmea::decode_ths, sentence, size);
+  check_reader(nmea::decode_hdg, sentence, size);
+  check_reader(nmea::decode_rot, sentence, size);
+  check_reader(nmea::decode_vhw, sentence, size);
+  check_reader(nmea::decode_vbw, sentence, size);
+  check_reader(nmea::decode_rsa, sentence, size);
+  check_reader(nmea::decode_ror, sentence, size);
+  check_reader(nmea::decode_rpm, sentence, size);
+  check_reader(nmea::decode_prc, sentence, size);
+  check_reader(nmea::decode_etl, sentence, size);
+  check_reader(nmea::decode_trc, sentence, size);
+  check_reader(nmea::decode_trd, sentence, size);
+  check_reader(nmea::decode_htc, sentence, size);
+  check_reader(nmea::decode_htd, sentence, size);
+  check_reader(nmea::decode_hsc, sentence, size);
+  check_reader(nmea::decode_vlw, sentence, size);
+  check_reader(nmea::decode_vdr, sentence, size);
+  check_reader(nmea::decode_dpt, sentence, size);
+  check_reader(nmea::decode_dbt, sentence, size);
+  check_reader(nmea::decode_mwv, sentence, size);
+  check_reader(nmea::decode_mwd, sentence, size);
+  check_reader(nmea::decode_gns, sentence, size);
+  check_reader(nmea::decode_dtm, sentence, size);
+  check_reader(nmea::decode_xte, sentence, size);
+  check_reader(nmea::decode_apb, sentence, size);
+  check_reader(nmea::decode_rmb, sentence, size);
+  check_reader(nmea::decode_bwc, sentence, size);
+  check_reader(nmea::decode_bod, sentence, size);
   check(nmea::decode_rsd(sentence), size);
   check(nmea::decode_osd(sentence), size);
   check(nmea::decode_ttm(sentence), size);
@@ -39,6 +146,8 @@ void check_readers(const nmea::Sentence& sentence, std::size_t size) {
   const auto targets = nmea::decode_ttd(sentence);
   check(targets, size);
   if (targets) fuzz::require(targets->size() <= size / 15, "targets are bounded by the line");
+  check_transducers(sentence, size);
+  check_commands(sentence, size);
 }
 
 void check_position(const std::optional<GeoPoint>& point) {

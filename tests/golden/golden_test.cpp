@@ -17,7 +17,7 @@ const std::map<std::string, std::uint64_t> kHashes = {
     {"traffic", 0x15FA21E612653BB7ull},      {"coarse", 0x28BFCD185B415E80ull},
     {"fine", 0xF0DD05D14394380Bull},         {"four bits", 0x47FAAD112AB4FDADull},
     {"rain control", 0x4DF31A3CE9FF0EE2ull}, {"kinds", 0x1F31109940FA5649ull},
-    {"rain", 0x81E8EEB3C825BF4Cull},         {"koch", 0x895A62F001E511DCull},
+    {"rain", 0x9D5AEF64B1A46E94ull},         {"koch", 0x895A62F001E511DCull},
     {"midpoint", 0x9553403E86B99DB0ull},     {"weierstrass", 0x83E5A23EC4E36509ull},
     {"Bergen", 0x9B08747F976D7B87ull},
 };

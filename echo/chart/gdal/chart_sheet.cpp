@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "echo/kernel/hash.hpp"
 
@@ -51,6 +53,20 @@ void ChartSheet::index() {
   object_boxes_.clear();
   for (const CoastRing& ring : rings) ring_boxes_.push_back(box_around(ring.vertices));
   for (const ChartObject& object : objects) object_boxes_.push_back(box_around(object.outline));
+  const auto size = [](const CoverArea& area) {
+    const GeoBox box = box_around(area.rings.front());
+    return (box.north_deg - box.south_deg) * box.width_deg;
+  };
+  std::vector<std::pair<double, CoverArea>> by_size;
+  for (CoverArea& area : covers) by_size.emplace_back(size(area), std::move(area));
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  covers.clear();
+  cover_boxes_.clear();
+  for (auto& [_, area] : by_size) {
+    cover_boxes_.push_back(box_around(area.rings.front()));
+    covers.push_back(std::move(area));
+  }
 }
 
 CoastChart ChartSheet::window(GeoPoint centre, Length radius) const {
@@ -71,6 +87,9 @@ CoastChart ChartSheet::window(GeoPoint centre, Length radius) const {
   }
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (overlap(object_boxes_[i], box)) chart.objects.push_back(objects[i]);
+  }
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    if (overlap(cover_boxes_[i], box)) chart.covers.push_back(covers[i]);
   }
   return chart;
 }

@@ -40,15 +40,17 @@ class ChartSheet {
   std::vector<CoastRing> rings;
   std::vector<Shore> shores;
   std::vector<ChartObject> objects;
+  std::vector<CoverArea> covers;
 
-  // To be called once all is in.
+  // To be called once all is in.  Puts covers in order: the larger an area's box, the lower it
+  // lies.
   void index();
-  // All rings and objects of which any part is within the window, whole.
+  // All rings, objects and covers of which any part is within the window, whole.
   // Error: std::invalid_argument for a centre off the globe or a radius below 0.
   CoastChart window(GeoPoint centre, Length radius) const;
 
  private:
-  std::vector<GeoBox> ring_boxes_, object_boxes_;
+  std::vector<GeoBox> ring_boxes_, object_boxes_, cover_boxes_;
 };
 
 // An edge by the identities of its ends, either way round.

@@ -11,6 +11,7 @@
 #include "echo/chart/gdal/polygons/clip_area.hpp"
 #include "echo/chart/gdal/polygons/cut_lines.hpp"
 #include "echo/chart/gdal/polygons/seam_lines.hpp"
+#include "echo/chart/moored_craft.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -57,6 +58,16 @@ void merge_shores(const CoastChart& from, std::size_t first_ring, CoastChart& in
     else
       for (std::uint16_t& shore : ring.shores) shore = index[shore];
   }
+}
+
+// Lays the covers of `chart`, which answers for `coverage`, over those of charts below it.
+void lay_covers(const CoastChart& chart, const Coverage& coverage, std::vector<CoverArea>& covers) {
+  if (!covers.empty()) {
+    if (coverage.everywhere()) covers.clear();
+    for (const CoveragePolygon& polygon : coverage.polygons)
+      covers.push_back({LandCover::none, polygon});
+  }
+  covers.insert(covers.end(), chart.covers.begin(), chart.covers.end());
 }
 
 }  // namespace
@@ -141,7 +152,13 @@ CoastChart LayeredChart::load(GeoPoint centre, Length radius) const {
     if (is_asked || chart.objects.size() > objects_before)
       chart.source += (chart.source.empty() ? "" : " over ") + own.source;
   }
+  for (std::size_t i = charts_.size(), k = asked.size(); i-- > 0;) {
+    const bool is_asked = k > 0 && asked[k - 1] == i;
+    if (is_asked) --k;
+    lay_covers(is_asked ? loaded[k] : aside[i], coverages_[i], chart.covers);
+  }
   if (asked.size() > 1) settle_seams(CutLines(limits), chart.rings);
+  remove_craft_ashore(chart);
   return chart;
 }
 

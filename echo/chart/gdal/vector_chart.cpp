@@ -4,7 +4,6 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <memory>
@@ -12,11 +11,15 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "echo/chart/gdal/cover_areas.hpp"
+#include "echo/chart/gdal/cover_tags.hpp"
 #include "echo/chart/gdal/gdal_session.hpp"
 #include "echo/chart/gdal/polygons/cut_lines.hpp"
 #include "echo/chart/gdal/polygons/land_polygon.hpp"
 #include "echo/chart/gdal/polygons/shared_edges.hpp"
 #include "echo/chart/gdal/s57/object_defaults.hpp"
+#include "echo/chart/gdal/vector_kinds.hpp"
+#include "echo/chart/moored_craft.hpp"
 #include "echo/kernel/hash.hpp"
 
 namespace skerry::echo {
@@ -30,38 +33,9 @@ constexpr double kGreatestCrossSection = 1e6;
 // A complaint for which append_polygon() has a better text.
 constexpr const char* kToldByFeature = "Non closed ring";
 
-struct Kind {
-  std::string_view name;
-  ObjectClass is;
-  std::string_view as;  // S57 class whose default it takes
-  int category;
-};
-constexpr std::array kKinds = {
-    Kind{"pier", ObjectClass::pier, "SLCONS", 4},
-    Kind{"breakwater", ObjectClass::breakwater, "SLCONS", 1},
-    Kind{"bridge", ObjectClass::bridge, "BRIDGE", 0},
-    Kind{"pontoon", ObjectClass::pontoon, "PONTON", 0},
-    Kind{"pile", ObjectClass::pile, "PILPNT", 0},
-    Kind{"building", ObjectClass::building, "BUISGL", 0},
-    Kind{"landmark", ObjectClass::landmark, "LNDMRK", 0},
-    Kind{"buoy", ObjectClass::buoy, "BOYLAT", 0},
-    Kind{"beacon", ObjectClass::beacon, "BCNLAT", 0},
-    Kind{"rock", ObjectClass::rock, "UWTROC", 0},
-    Kind{"reflector", ObjectClass::reflector, "RADRFL", 0},
-    Kind{"racon", ObjectClass::racon, "RTPBCN", 0},
-};
-
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-std::optional<CoastType> type_named(std::string_view name) {
-  if (name == "artificial") return CoastType::artificial;
-  if (name == "rocky") return CoastType::rocky;
-  if (name == "sandy") return CoastType::sandy;
-  if (name == "unknown" || name.empty()) return CoastType::unknown;
-  return std::nullopt;
 }
 
 struct DestroyTransformation {
@@ -79,7 +53,8 @@ class VectorReader {
         file_(file.filename().string()),
         sheet_(sheet),
         table_(sheet.shores),
-        warnings_(warnings) {
+        warnings_(warnings),
+        covers_(sheet, warnings, budget_) {
     wgs84_.SetWellKnownGeogCS("WGS84");
     wgs84_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   }
@@ -92,9 +67,10 @@ class VectorReader {
     for (int i = 0; i < layers; ++i) {
       if (OGRLayer* layer = dataset_.GetLayer(i)) read_layer(*layer);
     }
-    if (sheet_.rings.empty() && sheet_.objects.empty())
+    moor_craft();
+    if (sheet_.rings.empty() && sheet_.objects.empty() && sheet_.covers.empty())
       throw std::runtime_error(fmt::format(
-          "chart file {}: no land and no objects that can be used{}", file_,
+          "chart file {}: no land and no objects or land cover that can be used{}", file_,
           warnings_.texts().empty() ? std::string() : "; first fault: " + warnings_.texts()[0]));
     finish();
   }
@@ -163,17 +139,68 @@ class VectorReader {
     const std::string kind = lower(text(feature, "kind"));
     if (kind == "coverage") {
       read_coverage(geometry, name);
+    } else if (kind == "cover") {
+      const std::string stated = lower(text(feature, "cover"));
+      if (const auto cover = cover_named(stated)) {
+        read_cover(geometry, *cover, name);
+      } else {
+        warnings_.add(fmt::format("{}: unknown cover \"{}\"; left out", name, stated));
+      }
+    } else if (kind == "marina" || (kind.empty() && lower(text(feature, "leisure")) == "marina")) {
+      read_marina(geometry, name);
     } else if (kind.empty()) {
-      read_land(feature, geometry, name);
+      read_untold(feature, geometry, name);
     } else {
-      const auto found =
-          std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.name == kind; });
-      if (found == kKinds.end()) {
+      const auto found = std::find_if(kVectorKinds.begin(), kVectorKinds.end(),
+                                      [&](const VectorKind& k) { return k.name == kind; });
+      if (found == kVectorKinds.end()) {
         warnings_.add(fmt::format("{}: unknown kind \"{}\"; left out", name, kind));
       } else {
         read_object(feature, geometry, *found, name);
       }
     }
+  }
+
+  // Without `kind`: a cover where OpenStreetMap's keys say so, else land.
+  void read_untold(const OGRFeature& feature, const OGRGeometry& geometry,
+                   const std::string& name) {
+    const TaggedCover tagged =
+        cover_tagged([&](const char* key) { return lower(text(feature, key)); });
+    if (tagged.tag.empty() || tagged.land) {
+      read_land(feature, geometry, name);
+    } else if (tagged.known) {
+      read_cover(geometry, tagged.cover, name);
+    } else {
+      warnings_.add(fmt::format("{}: {} is no known land cover; left out", name, tagged.tag));
+    }
+  }
+
+  void read_cover(const OGRGeometry& geometry, LandCover cover, const std::string& name) {
+    if (polygons_in(geometry).empty()) {
+      warnings_.add(fmt::format("{}: a {} has no area to cover; left out", name,
+                                lower(geometry.getGeometryName())));
+      return;
+    }
+    covers_.add(geometry, cover, name);
+  }
+
+  void read_marina(const OGRGeometry& geometry, const std::string& name) {
+    for (auto& rings : areas_in(geometry, name, warnings_, budget_))
+      moorings_.areas.push_back({std::move(rings), false, name});
+    if (wkbFlatten(geometry.getGeometryType()) != wkbPoint) return;
+    OGRLineString one;
+    one.addPoint(geometry.toPoint()->getX(), geometry.toPoint()->getY());
+    std::string fault;
+    const std::vector<GeoPoint> places = places_on(one, fault);
+    if (!fault.empty()) warnings_.add(fmt::format("{}: {}; left out", name, fault));
+    if (!places.empty()) moorings_.places.push_back({places.front(), false});
+  }
+
+  void moor_craft() {
+    std::vector<std::string> reports;
+    for (ChartObject& craft : moored_craft(moorings_, sheet_.objects, sheet_.rings, file_, reports))
+      sheet_.objects.push_back(std::move(craft));
+    warnings_.add(reports);
   }
 
   void read_land(const OGRFeature& feature, const OGRGeometry& geometry, const std::string& name) {
@@ -220,7 +247,7 @@ class VectorReader {
     }
   }
 
-  void read_object(const OGRFeature& feature, const OGRGeometry& geometry, const Kind& kind,
+  void read_object(const OGRFeature& feature, const OGRGeometry& geometry, const VectorKind& kind,
                    const std::string& name) {
     const ObjectDefault usual = default_of(kind.as, kind.category).value_or(ObjectDefault{});
     ChartObject object;
@@ -339,6 +366,8 @@ class VectorReader {
   GdalErrors errors_{kToldByFeature};
   OGRSpatialReference wgs84_;
   TangleBudget budget_;
+  CoverAreas covers_;
+  Moorings moorings_;
   std::size_t vertices_ = 0, outline_vertices_ = 0;
 };
 

@@ -7,7 +7,6 @@
 #include "protocol/quantity/angle.hpp"
 #include "server/app/control/control_ranges.hpp"
 #include "server/world/artefact_switches.hpp"
-#include "server/world/class_ship.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/ship_units.hpp"
@@ -102,11 +101,10 @@ wire::World world_message(const Environment& environment, ScenarioTime now) {
   world.set_swell_period_s(environment.sea.swell.period_s);
   world.set_swell_from_deg(environment.sea.swell.from_deg);
   world.set_wave_height_m(environment.wave_height_m);
-  const Surroundings around = surroundings_of(environment, {}, 0);
-  world.set_wind_kn(around.wind_mps / knots_in_mps(1.0));
-  world.set_current_set_deg(around.current_set_deg);
-  world.set_current_kn(around.current_mps / knots_in_mps(1.0));
-  world.set_depth_m(around.depth_m);
+  if (environment.wind_mps) world.set_wind_kn(*environment.wind_mps / knots_in_mps(1.0));
+  world.set_current_set_deg(environment.current_set_deg);
+  world.set_current_kn(environment.current_mps / knots_in_mps(1.0));
+  world.set_depth_m(environment.depth_m);
   world.set_k_factor(environment.atmosphere.k_factor);
   world.set_ducting(environment.atmosphere.ducting);
   for (const RainCloud& cloud : environment.rain) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "protocol/nmea/udp450.hpp"
+#include "server/navigation/con_orders.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/output_socket.hpp"
 #include "server/net/common/tcp_peer.hpp"
@@ -202,8 +203,22 @@ bool NavigationInput::take_line(std::string_view line, const std::string& source
     refuse("nmea input fault", fmt::format("{}: {}", source, heard.fault));
   } else if (heard.fix) {
     drive(heard, source);
+  } else if (heard.command) {
+    command(*heard.command, source);
   }
   return true;
+}
+
+void NavigationInput::command(const nmea::ConCommand& command, const std::string& source) {
+  wire::Set set;
+  set.set_radar(config_.radar);
+  *set.mutable_con() = con_order_of(command);
+  if (set.con().ByteSizeLong() == 0) return;
+  const wire::Reply reply = context_.host.apply(set, "NMEA " + source);
+  if (reply.code() != wire::Reply::OK) {
+    return refuse("nmea input refused", fmt::format("{}: {}", source, reply.text()));
+  }
+  counters_->set_last_display(source);
 }
 
 void NavigationInput::drive(const HeardLine& heard, const std::string& source) {

@@ -44,6 +44,7 @@ void for_each_number(Visit visit) {
      *wire::BlankedSectors::Sector::descriptor());
   of([](wire::Set& set) -> Message* { return set.mutable_world(); },
      *wire::WorldChange::descriptor());
+  of([](wire::Set& set) -> Message* { return set.mutable_con(); }, *wire::ConOrder::descriptor());
   of([](wire::Set& set) -> Message* { return set.mutable_world()->add_rain(); },
      *wire::RainChange::descriptor());
 }
@@ -60,7 +61,7 @@ TEST(ControlRanges, EveryNumberHasARange) {
       EXPECT_THAT(reply->text(), HasSubstr("allowed: ")) << field.full_name();
     }
   });
-  EXPECT_EQ(numbers, 39);
+  EXPECT_EQ(numbers, 45);
 }
 
 TEST(ControlRanges, BothEndsOfARangeAreAllowed) {

@@ -46,11 +46,12 @@ TEST(RainReturns, AreThoseOfProbertJones) {
 
 // Rain at one rate from cell `first` on, that dims nothing.
 struct EvenRain {
-  std::vector<float> rates, left;
-  EvenRain(double rate, float transmission = 1.0f)
-      : rates(300, static_cast<float>(rate)), left(300, transmission) {}
+  std::vector<float> echoes, left;
+  EvenRain(double rate, float transmission = 1.0f) : echoes(300), left(300, transmission) {
+    rain_echoes(std::vector<float>(300, static_cast<float>(rate)), echoes);
+  }
   RainKnots knots(std::size_t first, std::size_t end) const {
-    return {rates, left, 16, first, end};
+    return {echoes, left, 16, first, end};
   }
 };
 

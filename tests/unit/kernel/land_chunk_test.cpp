@@ -15,6 +15,33 @@ namespace {
 
 constexpr double kTwiceEarth = 2.0 * 6371000.0 * 4.0 / 3.0;
 
+TEST(LandChunk, NoObjectsAndAGainOfOneAreNoCover) {
+  LandChunk c;
+  c.first = 64;
+  c.end = 32;
+  c.cell = 10.0f;
+  c.range = 645.0f;
+  c.from_end = 2000.0f;
+  c.horizon = 18'000.0f;
+  std::array<float, kLandChunk + 1> noise;
+  for (std::size_t k = 0; k < noise.size(); ++k) noise[k] = std::sin(static_cast<float>(k));
+  c.broad = c.fine = noise.data();
+  LandChunkOut bare{}, covered{};
+  float bare_shadow = -1e9f, covered_shadow = -1e9f;
+  make_land_chunk(c, bare_shadow, bare);
+  std::array<float, kLandChunk> objects{}, gains;
+  gains.fill(1.0f);
+  c.objects = objects.data();
+  c.gains = gains.data();
+  make_land_chunk(c, covered_shadow, covered);
+  EXPECT_EQ(bare_shadow, covered_shadow);
+  for (std::size_t k = 0; k < kLandChunk; ++k) {
+    EXPECT_EQ(bare.power[k], covered.power[k]);
+    EXPECT_EQ(bare.shadow[k], covered.shadow[k]);
+    EXPECT_EQ(bare.height[k], covered.height[k]);
+  }
+}
+
 TEST(LandChunk, MatchesItsReference) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -47,6 +74,14 @@ TEST(LandChunk, MatchesItsReference) {
       const OctavePath octave = octave_path(path, {52.0, 0.2f}, 9, 2);
       c.octaves = &octave;
       c.octave_count = 1;
+      // Every third round under a cover.
+      std::array<float, kLandChunk> objects, gains;
+      for (float& v : objects) v = static_cast<float>(15.0 * unit(random));
+      for (float& v : gains) v = static_cast<float>(0.1 + 2.0 * unit(random));
+      if (round % 3 == 0) {
+        c.objects = objects.data();
+        c.gains = gains.data();
+      }
 
       double all_broad[kLandChunk], all_fine[kLandChunk], height[kLandChunk], power[kLandChunk];
       const int step = 1 << c.coarse_shift;
@@ -74,8 +109,9 @@ TEST(LandChunk, MatchesItsReference) {
         worst_height =
             std::max(worst_height, std::fabs(static_cast<double>(out.height[k]) - height[k]));
         const double cover = std::exp2(static_cast<double>(kCoverOctaves) * all_fine[k]);
-        const double shown =
-            (static_cast<double>(out.power[k]) - power[k]) * range * range * range / 1e9 / cover;
+        const double shown = (static_cast<double>(out.power[k]) - power[k]) * range * range *
+                             range / 1e9 / cover /
+                             (c.gains ? static_cast<double>(c.gains[k]) : 1.0);
         worst_shown = std::max(worst_shown, std::fabs(shown) / range);
       }
       EXPECT_NEAR(static_cast<double>(shadow), exact_shadow, 1e-6);

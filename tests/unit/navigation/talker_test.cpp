@@ -139,6 +139,7 @@ TEST(NavigationTalker, SaysWhenItHasSomethingToSayAgain) {
 TEST(NavigationTalker, TheUsualPlanSaysAllTheSentencesButTtd) {
   TestWorld world;
   world.add(1, 3);
+  world.own.mutable_con()->set_rudder_deg(5.0);
   EXPECT_FALSE(fault_in(NavigationPlan{}));
   NavigationTalker talker{NavigationPlan{}};
   const auto said = listen(talker, world, 70.0);
@@ -152,6 +153,42 @@ TEST(NavigationTalker, TheUsualPlanSaysAllTheSentencesButTtd) {
   }
   EXPECT_EQ(kinds.size(), kNavigationSentences - 1);
   EXPECT_FALSE(kinds.contains(ttd));
+}
+
+// A ship with a class, at 10 kn into a wind of 20 kn that comes from her starboard bow.
+TEST(NavigationTalker, TheConOfAShipWithAClassSpeaks) {
+  TestWorld world;
+  world.own.set_heading_deg(0.0);
+  wire::ConState& con = *world.own.mutable_con();
+  con.set_rudder_deg(-12.5);
+  con.set_shaft_rpm(-80.0);
+  con.set_draught_m(8.0);
+  con.set_depth_below_keel_m(12.0);
+  con.set_wind_from_deg(90.0);
+  con.set_wind_kn(10.0);
+  con.set_ground_ahead_kn(10.0);
+  con.set_water_ahead_kn(9.0);
+  con.set_water_starboard_kn(-1.0);
+  con.set_current_set_deg(45.0);
+  con.set_current_kn(1.5);
+  NavigationTalker talker(plan_of(
+      {{rsa, 1s}, {rpm, 1s}, {dpt, 1s}, {mwv, 1s}, {mwd, 1s}, {vdr, 1s}, {xte, 1s}, {vbw, 1s}}));
+  std::map<NavigationSentence, std::string> lines;
+  for (const Said& one : listen(talker, world, 0.0)) {
+    lines[one.message.sentence] = one.message.lines.front();
+  }
+  EXPECT_EQ(lines[rsa].substr(0, 13), "$AGRSA,-12.5,");
+  EXPECT_EQ(lines[rpm].substr(0, 18), "$RCRPM,S,0,-80.0,1");
+  EXPECT_EQ(lines[dpt].substr(0, 17), "$SDDPT,15.0,-3.0,");
+  EXPECT_EQ(lines[mwv].substr(0, 21), "$WIMWV,45.0,R,14.1,N,");
+  EXPECT_EQ(lines[mwd].substr(0, 14), "$WIMWD,90.0,T,");
+  EXPECT_EQ(lines[vdr].substr(0, 14), "$IIVDR,45.0,T,");
+  EXPECT_EQ(lines[xte].substr(0, 11), "$IIXTE,V,V,");
+  EXPECT_EQ(lines[vbw].substr(0, 20), "$VDVBW,9.00,-1.00,A,");
+  // Without a class she has no con.
+  world.own.clear_con();
+  NavigationTalker silent(plan_of({{rsa, 1s}, {xte, 1s}}));
+  EXPECT_TRUE(listen(silent, world, 3.0).empty());
 }
 
 TEST(NavigationTalker, TheLogHasTheDriftAcross) {

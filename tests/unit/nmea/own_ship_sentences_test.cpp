@@ -14,16 +14,6 @@ using namespace std::chrono_literals;
 constexpr UtcTime kUtc{Duration(1'795'252'087'060'000'000)};
 constexpr GeoPoint kBergen{60.39, 5.32};
 
-// Decodes a line with `decode`; an exception where it cannot.
-template <typename Decode>
-auto decoded(const std::string& line, Decode decode) {
-  const auto sentence = parse_sentence(line);
-  if (!sentence) throw std::runtime_error(sentence.error().text);
-  auto result = decode(*sentence);
-  if (!result) throw std::runtime_error(result.error().text);
-  return std::move(result).value();
-}
-
 TEST(Rmc, HasTheDateAsDdmmyy) {
   const std::string line =
       encode(Rmc{.utc = kUtc, .position = kBergen, .speed_kn = 12.34, .course_deg = 270.06});

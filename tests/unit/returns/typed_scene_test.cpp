@@ -64,7 +64,7 @@ std::shared_ptr<const Structures> harbour() {
 }
 
 NamedScene scene(With with, bool relief, std::shared_ptr<const Structures> structures,
-                 double level = 0.0, double waves = 0.0) {
+                 double level = 0.0, double waves = 0.0, std::vector<CoverArea> covers = {}) {
   const RangeScale scale = *RangeScale::find(3.0);
   const ScanGeometry geometry{1024, 512, 8};
   const GeoPoint at = scenes::kBergen;
@@ -72,7 +72,9 @@ NamedScene scene(With with, bool relief, std::shared_ptr<const Structures> struc
       *scenes::scene_at(CoastChart{at, 1e5, "", {}, {}, {}, {}}, at, scale, geometry, {}, 31.0));
   CoastRules rules{.seed = 1};
   rules.guess_types = false;
-  made->coast = CoastPreparer(chart(with, relief), at, rules)
+  CoastChart all = chart(with, relief);
+  all.covers = std::move(covers);
+  made->coast = CoastPreparer(std::move(all), at, rules)
                     .prepare(at, {scale.length().in_metres(), geometry.cell_size(scale).in_metres(),
                                   360.0 / geometry.spokes_per_turn});
   made->index = std::make_shared<const PolarIndex>(*made->coast, made->own_ship, 50.0);
@@ -91,8 +93,49 @@ std::uint64_t video_of(const NamedScene& named, const ParallelFor& parallel = se
   return scenes::hash_of(scenes::render_scans(named, 1, parallel));
 }
 
-TEST(TypedScene, GivesTheSameVideoOnEveryInstructionSetAndInAnyOrder) {
-  const NamedScene all = scene(With::types, true, harbour(), -2.0, 1.5);
+// Woods in quarters of a minute of arc, a town in the midst of them.
+std::vector<CoverArea> woods() {
+  std::vector<CoverArea> covers;
+  const auto box = [&](LandCover cover, double south, double west, double size) {
+    const GeoPoint at{scenes::kBergen.latitude_deg + south, scenes::kBergen.longitude_deg + west};
+    covers.push_back({cover,
+                      {{at,
+                        {at.latitude_deg, at.longitude_deg + size},
+                        {at.latitude_deg + size, at.longitude_deg + size},
+                        {at.latitude_deg + size, at.longitude_deg}}}});
+  };
+  for (int i = 0; i < 200; ++i)
+    box(static_cast<LandCover>(1 + i % (kLandCovers - 1)), -0.1 + 0.01 * (i / 14),
+        -0.1 + 0.02 * (i % 14), 0.007);
+  box(LandCover::built_up, -0.03, -0.05, 0.02);
+  return covers;
+}
+
+// Not a place within 6 km is covered.
+std::vector<CoverArea> far_woods() {
+  const GeoPoint at = scenes::kBergen;
+  return {{LandCover::forest,
+           {{{at.latitude_deg + 0.06, at.longitude_deg},
+             {at.latitude_deg + 0.06, at.longitude_deg + 0.1},
+             {at.latitude_deg + 0.1, at.longitude_deg}}}}};
+}
+
+TEST(TypedScene, CoverChangesNothingButWhereItLies) {
+  for (const bool relief : {false, true}) {
+    for (const With with : {With::nothing, With::types}) {
+      const auto plain = video_of(scene(with, relief, harbour()));
+      EXPECT_EQ(video_of(scene(with, relief, harbour(), 0.0, 0.0, far_woods())), plain);
+      EXPECT_NE(video_of(scene(with, relief, harbour(), 0.0, 0.0, woods())), plain);
+    }
+  }
+}
+
+class TypedScenes : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Covered, TypedScenes, testing::Bool());
+
+TEST_P(TypedScenes, GiveTheSameVideoOnEveryInstructionSetAndInAnyOrder) {
+  const NamedScene all = scene(With::types, true, harbour(), -2.0, 1.5,
+                               GetParam() ? woods() : std::vector<CoverArea>{});
   ASSERT_FALSE(all.scene->ashore);
   const std::uint64_t expected = video_of(all);
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
