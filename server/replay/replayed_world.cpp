@@ -53,7 +53,10 @@ void ReplayedWorld::give(const WorldInput& given) {
       timeline_.order(order.own_ship(),
                       order.has_course_deg() ? std::optional(order.course_deg()) : std::nullopt,
                       order.has_speed_kn() ? std::optional(order.speed_kn()) : std::nullopt);
-      if (order.has_con()) timeline_.order(order.own_ship(), order.con());
+      if (order.has_con()) {
+        const auto ordered = timeline_.order(order.own_ship(), order.con());
+        if (ordered.fault) throw std::invalid_argument(*ordered.fault);
+      }
     } else if (given.input.has_fix()) {
       const recording::Input::Fix& fix = given.input.fix();
       timeline_.drive(fix.own_ship(), fix_of(fix), near(given.tick, fix.scenario_ns()));

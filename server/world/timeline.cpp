@@ -45,10 +45,11 @@ std::uint64_t Timeline::order(std::size_t own_ship, std::optional<double> course
   return world_.tick() + 1;
 }
 
-std::uint64_t Timeline::order(std::size_t own_ship, const wire::ConOrder& order) {
+Timeline::ConOrdered Timeline::order(std::size_t own_ship, const wire::ConOrder& order) {
   const std::lock_guard lock(mutex_);
+  if (auto fault = world_.fault_of(own_ship, order)) return {.fault = std::move(fault)};
   world_.order(own_ship, order);
-  return world_.tick() + 1;
+  return {.tick = world_.tick() + 1};
 }
 
 std::optional<std::string> Timeline::fault_of(std::size_t own_ship,

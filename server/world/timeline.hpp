@@ -38,7 +38,13 @@ class Timeline {
   std::uint64_t order(std::size_t own_ship, std::optional<double> course_deg,
                       std::optional<double> speed_kn);
 
-  std::uint64_t order(std::size_t own_ship, const wire::ConOrder& order);
+  // Says instead what is wrong, and then orders nothing: a ship may have come to the end of her
+  // route since fault_of() was asked.
+  struct ConOrdered {
+    std::uint64_t tick = 0;
+    std::optional<std::string> fault = std::nullopt;
+  };
+  ConOrdered order(std::size_t own_ship, const wire::ConOrder& order);
   std::optional<std::string> fault_of(std::size_t own_ship, const wire::ConOrder& order) const;
 
   // Takes effect with the next tick not yet made, which is named; otherwise as World::drive().

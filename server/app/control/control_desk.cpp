@@ -77,7 +77,7 @@ wire::Reply ControlDesk::apply(const wire::Set& set, const std::string& origin) 
   Next next;
   if (const auto wrong = plan(set, next)) return *wrong;
   if (const auto wrong = refusal_by_lock(set, next)) return *wrong;
-  carry_out(set, origin, next);
+  if (const auto wrong = carry_out(set, origin, next)) return *wrong;
   log(set, origin, next);
   return {};
 }
@@ -241,18 +241,25 @@ void ControlDesk::give_orders(const wire::Set& set) {
     const std::uint64_t tick = timeline_.order(ship, course, speed);
     if (inputs_ != nullptr) inputs_->ordered(tick, ship, course, speed);
   }
-  if (!set.has_con()) return;
+}
+
+std::optional<wire::Reply> ControlDesk::give_con_orders(const wire::Set& set) {
   wire::ConOrder order = set.con();
   order.clear_take();
   order.clear_release();
-  if (order.ByteSizeLong() == 0) return;
-  const std::uint64_t tick = timeline_.order(ship, order);
-  if (inputs_ != nullptr) inputs_->ordered(tick, ship, order);
+  if (order.ByteSizeLong() == 0) return std::nullopt;
+  const std::size_t ship = units_[set.radar()]->config().own_ship;
+  const Timeline::ConOrdered ordered = timeline_.order(ship, order);
+  if (ordered.fault) return refusal(wire::Reply::REFUSED, *ordered.fault);
+  if (inputs_ != nullptr) inputs_->ordered(ordered.tick, ship, order);
+  return std::nullopt;
 }
 
-void ControlDesk::carry_out(const wire::Set& set, const std::string& origin, Next& next) {
+std::optional<wire::Reply> ControlDesk::carry_out(const wire::Set& set, const std::string& origin,
+                                                  Next& next) {
   RadarUnit& unit = *units_[set.radar()];
   const auto giving = inputs_ != nullptr ? inputs_->giving() : std::unique_lock<std::mutex>();
+  if (const auto wrong = give_con_orders(set)) return wrong;  // before anything has changed
   if (next.environment) {
     const std::uint64_t tick = timeline_.set_environment(*std::move(next.environment));
     if (inputs_ != nullptr) inputs_->changed(tick, set.world(), next.environment_time);
@@ -284,6 +291,7 @@ void ControlDesk::carry_out(const wire::Set& set, const std::string& origin, Nex
     changed = true;
   }
   if (changed) settings_version_.fetch_add(1);
+  return std::nullopt;
 }
 
 void ControlDesk::put_view(RadarUnit& unit, RadarView& view, const echo::ViewControls& controls) {

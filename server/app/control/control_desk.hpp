@@ -59,8 +59,9 @@ class ControlDesk {
   void plan_orders(const wire::Set& set, Next& next) const;
   std::optional<wire::Reply> plan_world(const wire::Set& set, Next& next) const;
   std::optional<wire::Reply> refusal_by_lock(const wire::Set& set, const Next& next) const;
-  void carry_out(const wire::Set& set, const std::string& origin, Next& next);
+  std::optional<wire::Reply> carry_out(const wire::Set& set, const std::string& origin, Next& next);
   void give_orders(const wire::Set& set);
+  std::optional<wire::Reply> give_con_orders(const wire::Set& set);
   // Views that follow it keep their instrumented range as a multiple of the range scale.
   static void put_view(RadarUnit& unit, RadarView& view, const echo::ViewControls& controls);
   void log(const wire::Set& set, const std::string& origin, const Next& next);

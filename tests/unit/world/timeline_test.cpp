@@ -96,6 +96,24 @@ TEST(Timeline, AnOrderTakesEffectInTheTickItNames) {
   EXPECT_THROW(timeline.order(2, 90.0, std::nullopt), std::invalid_argument);
 }
 
+TEST(Timeline, AnOrderThatCannotBeGivenIsToldAndOrdersNothing) {
+  scenario::Scenario scenario = default_scenario();
+  scenario.mutable_own_ships(0)->set_ship_class("pilot");
+  Timeline timeline{World(scenario)};
+  timeline.at(at_tick(10));
+  wire::ConOrder order;
+  order.set_steering(wire::STEERING_TRACK);
+  order.set_engine_percent(-100.0);
+  const Timeline::ConOrdered refused = timeline.order(0, order);
+  EXPECT_EQ(refused.fault, timeline.fault_of(0, order));
+  ASSERT_TRUE(refused.fault);
+  EXPECT_TRUE(timeline.at(at_tick(12))->own_ships[0].con->keeps_speed);
+  order.clear_steering();
+  EXPECT_EQ(timeline.order(0, order).fault, std::nullopt);
+  EXPECT_EQ(timeline.order(0, order).tick, 13u);
+  EXPECT_EQ(timeline.at(at_tick(14))->own_ships[0].con->engine_percent, -100.0);
+}
+
 // Meant for TSan; the invariants are what each thread may rely on meanwhile.
 TEST(Timeline, ServesManyThreadsAtOnce) {
   Timeline timeline{World(default_scenario())};
