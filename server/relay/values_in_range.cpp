@@ -22,8 +22,8 @@ struct Range {
   double min, max;
 };
 
-// The numbers of Settings, OwnShip, World, Traffic and RadarInfo that are no controls; as in a Set,
-// and wider where radars and ships of other makers are.
+// The numbers of Settings, OwnShip, ConState, World, Traffic and RadarInfo that are no controls; as
+// in a Set, and wider where radars and ships of other makers are.
 constexpr double kLast = 359.999999;  // [0, 360)
 constexpr Range kRanges[] = {
     {"radar_range_nm", 0.0, 96.0},
@@ -58,6 +58,32 @@ constexpr Range kRanges[] = {
     {"beam_m", 0.0, 100.0},
     {"rpm", 0.0, 60.0},
     {"beam_width_deg", 0.0, 90.0},
+    // Of the water and the con.
+    {"wind_kn", 0.0, 100.0},
+    {"current_set_deg", 0.0, kLast},
+    {"current_kn", 0.0, 12.0},
+    {"depth_m", 0.0, 12'000.0},
+    {"rudder_deg", -90.0, 90.0},
+    {"rudder_order_deg", -90.0, 90.0},
+    {"engine_percent", -100.0, 100.0},
+    {"shaft_rpm", -10'000.0, 10'000.0},
+    {"bow_thruster_percent", -100.0, 100.0},
+    {"stern_thruster_percent", -100.0, 100.0},
+    {"heading_order_deg", 0.0, kLast},
+    {"water_ahead_kn", -100.0, 100.0},
+    {"water_starboard_kn", -100.0, 100.0},
+    {"ground_ahead_kn", -100.0, 100.0},
+    {"ground_starboard_kn", -100.0, 100.0},
+    {"roll_deg", -180.0, 180.0},
+    {"depth_below_keel_m", -100.0, 12'000.0},
+    {"draught_m", 0.0, 100.0},
+    {"turn_rate_deg_min", 0.0, 720.0},
+    {"full_ahead_rpm", 0.0, 10'000.0},
+    {"full_astern_rpm", 0.0, 10'000.0},
+    {"service_speed_kn", 0.0, 100.0},
+    {"rudder_limit_deg", 0.0, 90.0},
+    {"waypoint_m", 0.0, 2e7},
+    {"cross_track_m", -2e7, 2e7},
 };
 
 // Controls may be 0 as well: of radars of other makers they are not known.
@@ -104,6 +130,7 @@ void visit(Message& message, const Reflection& at, const FieldDescriptor& field)
       if (at.HasField(message, &field)) bring_into_range(*at.MutableMessage(&message, &field));
       break;
     case FieldDescriptor::CPPTYPE_DOUBLE:
+      if (field.has_presence() && !at.HasField(message, &field)) break;
       at.SetDouble(&message, &field, in_range(field, at.GetDouble(message, &field)));
       break;
     case FieldDescriptor::CPPTYPE_ENUM:

@@ -334,8 +334,8 @@ TEST(RelayedState, WhatNobodyToldIsNotKnown) {
 
 TEST(RecordedValues, EveryNumberHasARange) {
   for (const google::protobuf::Descriptor* message :
-       {wire::Settings::descriptor(), wire::OwnShip::descriptor(), wire::World::descriptor(),
-        wire::RainCell::descriptor(), wire::RadarInfo::descriptor(),
+       {wire::Settings::descriptor(), wire::OwnShip::descriptor(), wire::ConState::descriptor(),
+        wire::World::descriptor(), wire::RainCell::descriptor(), wire::RadarInfo::descriptor(),
         wire::BlankedSectors::Sector::descriptor(), recording::Traffic::Item::descriptor()}) {
     for (int i = 0; i < message->field_count(); ++i) {
       const auto& field = *message->field(i);
