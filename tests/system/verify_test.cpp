@@ -116,7 +116,8 @@ INSTANTIATE_TEST_SUITE_P(Of, RecordedExercise, testing::Values(false, true),
 // Recordings that version 0.1 made, and the SHA-256 of the video that is made of them now.  Spokes
 // at the end of a turn are others since turns fade into each other, and rain has another shape
 // (echo/MODEL.md, section 8); the last bits of own ship's place are others since every machine
-// steps her by the same arithmetic (server/world/short_way.hpp); verify says so of recordings whose checkpoints cover such spokes.
+// steps her by the same arithmetic (server/world/short_way.hpp); verify says so of recordings
+// whose checkpoints cover such spokes.
 TEST(Verify, MakesTheVideoOfFormerRecordingsAgain) {
   struct Former {
     const char* name;
