@@ -42,7 +42,8 @@ class RainReturns {
   explicit RainReturns(const RadarModel& model);
 
   // Adds the rain's echo to what the spoke has, and dims all that lies in the rain and behind it.
-  // Between knots the echo goes straight.  `seed`: the scene's.  power holds the radar's cells.  Thread: any.
+  // Between knots the echo goes straight.  `seed`: the scene's.  power holds the radar's cells.
+  // Thread: any.
   void pass(std::uint64_t seed, const SpokeAim& aim, const RainKnots& rain,
             std::span<float> power) const;
 

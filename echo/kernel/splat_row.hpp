@@ -23,7 +23,8 @@ inline constexpr std::uint32_t kSplatLanes = 8;
 // power[c] += |sum over points of voltage share[c - cell]|^2.  `scratch` holds both sums, each as
 // long as power and kSplatLanes more.  Requires cell + cells <= power.size(), cell a multiple of
 // kSplatLanes, and shares that go on with zeros to a multiple of it.
-// Error: 1e-6 of the power that all points in phase would have.  Held by SplatRow.MatchesItsReference.
+// Error: 1e-6 of the power that all points in phase would have.  Held by
+// SplatRow.MatchesItsReference.
 void add_voltages(std::span<const SplatPoint> points, std::span<float> scratch,
                   std::span<float> power) noexcept;
 
