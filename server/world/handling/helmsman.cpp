@@ -49,11 +49,12 @@ double Helmsman::rudder_for(const ShipClass& ship, const DynamicState& state, do
   const double swing = std::max(time, 0.5 * ship.gear.limit_deg / ship.gear.rate_deg_s);
   const double wanted = std::clamp(left_rad / (2.5 * swing), -most_rate_rad, most_rate_rad);
   const double missing = wanted - state.motion.r;
-  // Near the ordered course the integral takes out what stays.
-  if (std::fabs(left_rad) < 0.1 && std::fabs(state.motion.r) < 0.5 * most_rate_rad) {
-    integral_deg_ += left_rad * kDegreesPerRadian * tick_s / (10.0 * swing);
-    integral_deg_ = std::clamp(integral_deg_, -15.0, 15.0);
-  }
+  // Near the ordered course the integral takes out what stays.  It comes in smoothly: a threshold
+  // would make a bit of difference in her motion a different track.
+  const double steady = (1.0 - smooth_step(std::fabs(left_rad), 0.05, 0.15)) *
+                        (1.0 - smooth_step(std::fabs(state.motion.r) / most_rate_rad, 0.25, 0.75));
+  integral_deg_ += steady * left_rad * kDegreesPerRadian * tick_s / (10.0 * swing);
+  integral_deg_ = std::clamp(integral_deg_, -15.0, 15.0);
   const double order = swing * (2.5 * missing + 0.8 * wanted) * kDegreesPerRadian + integral_deg_;
   // With sternway a rudder works the other way.
   const double sign = state.motion.u < -0.2 ? -1.0 : 1.0;
@@ -69,10 +70,9 @@ double Helmsman::shaft_order(const ShipClass& ship, const DynamicState& state,
   const double full = helm.speed_mps < 0.0 ? ship.astern_rps : ship.ahead_rps;
   const double missing = helm.speed_mps - state.motion.u;
   const double scale = full / ship.service_speed_mps;
-  if (std::fabs(missing) < 0.1 * ship.service_speed_mps) {
-    trim_rps_ += scale * missing * tick_s / 60.0;
-    trim_rps_ = std::clamp(trim_rps_, -0.4 * full, 0.4 * full);
-  }
+  const double near = 1.0 - smooth_step(std::fabs(missing) / ship.service_speed_mps, 0.05, 0.15);
+  trim_rps_ += near * scale * missing * tick_s / 60.0;
+  trim_rps_ = std::clamp(trim_rps_, -0.4 * full, 0.4 * full);
   if (helm.speed_mps == 0.0 && std::fabs(state.motion.u) < 0.05) return 0.0;
   const double order = scale * helm.speed_mps + 2.0 * scale * missing + trim_rps_;
   return std::clamp(order, -ship.astern_rps, ship.ahead_rps);
