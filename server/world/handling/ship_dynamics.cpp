@@ -66,7 +66,7 @@ class Rates {
     }
     if (around_.wave_height_m > 0.0) {
       all += wave_load(ship_.wave_shape(), around_.wave_height_m,
-                       around_.waves_from_deg * kRadiansPerDegree - s.heading, s.u,
+                       around_.waves_from_deg * kRadiansPerDegree - s.heading,
                        around_.time_s + after_s, around_.seed);
     }
     const double fade = 1.0 / (1.0 + squared(s.u / kThrusterFade_mps));

@@ -12,8 +12,8 @@ constexpr int kSines = 4;
 
 }  // namespace
 
-Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double speed_mps,
-                double time_s, std::uint64_t seed) {
+Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double time_s,
+                std::uint64_t seed) {
   if (height_m <= 0.0) return {};
   const echo::SinCos from = sin_cos(from_rad);
   const double weight = kSeaWater_kg_m3 * kGravity_mps2;
@@ -28,9 +28,8 @@ Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double
   double sines = 0.0;
   for (int i = 0; i < kSines; ++i) {
     const double wave = kRadiansPerTurn / period * (0.7 + 0.2 * i);
-    const double met = wave + squared(wave) / kGravity_mps2 * speed_mps * from.cos;
     const auto phase = echo::as_unit(echo::mixed(seed, static_cast<std::uint64_t>(i)));
-    const double turns = met * time_s / kRadiansPerTurn + phase;
+    const double turns = wave * time_s / kRadiansPerTurn + phase;
     sines += echo::sin_cos_degrees(360.0 * (turns - std::floor(turns))).sin;
   }
   loads.n = 0.1 * weight * 0.5 * felt * squared(shape.length_m) * shape.draught_m *

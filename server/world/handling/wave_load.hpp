@@ -17,8 +17,10 @@ struct WaveShape {
 // rho g h/2 L^2 d sin(2 mu) / (1 + (L / wavelength)^2), as a sum of four sines around the mean
 // period 3.6 sqrt(H); a ship of 100 m yaws some 1 to 2 deg in seas of 4 m on her bow.
 // `height_m`: H, significant.  `from_rad`: whence, off the bow.  `time_s`: since the scenario
-// began.  Nothing in a calm.  The same seed and time give the same loads.
-Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double speed_mps,
-                double time_s, std::uint64_t seed);
+// began.  Waves meet her as often as they
+// pass a fixed point, whatever her way.  Nothing in a calm.  The same seed and time give the same
+// loads.
+Loads wave_load(const WaveShape& shape, double height_m, double from_rad, double time_s,
+                std::uint64_t seed);
 
 }  // namespace skerry::server
