@@ -35,9 +35,9 @@ Surroundings surroundings_of(const Environment& environment, Duration since_star
   const echo::SeaSurface& sea = environment.sea;
   Surroundings around;
   around.wind_from_deg = sea.wind_from_deg;
-  around.wind_mps = environment.wind_mps ? *environment.wind_mps : wind_of(sea.state);
+  around.wind_mps = environment.wind_kn ? knots_in_mps(*environment.wind_kn) : wind_of(sea.state);
   around.current_set_deg = environment.current_set_deg;
-  around.current_mps = environment.current_mps;
+  around.current_mps = knots_in_mps(environment.current_kn);
   around.depth_m = environment.depth_m;
   const double wind_waves = wave_height_of(sea.state);
   const bool swell = sea.swell.height_m > wind_waves;

@@ -47,8 +47,6 @@ class ClassShip {
   // Over a pole.
   void reverse_course();
 
-  double length_m() const { return class_.hull->length_m(); }
-
  private:
   TrackView track_from(GeoPoint position);
   void tell(const Surroundings& around, ShipState& ship) const;
@@ -59,8 +57,8 @@ class ClassShip {
   DynamicState state_;
   HelmOrders helm_;
   Helmsman helmsman_;
-  ConnOrders conn_;  // in force in this tick
-  WayMade ground_;   // per second, in the last tick
+  ActuatorOrders conn_;  // in force in this tick
+  WayMade ground_;       // per second, in the last tick
   std::vector<GeoPoint> route_;
   std::size_t leg_ = 0;  // makes for route_[leg_]; at the end: its size
   GeoPoint leg_from_;

@@ -17,9 +17,9 @@ Environment environment_of(const scenario::Scenario& scenario) {
   environment.sea.swell = {sea.swell().height_m(), sea.swell().period_s(),
                            wrapped_degrees(sea.swell().from_deg())};
   environment.wave_height_m = sea.wave_height_m();
-  if (sea.has_wind_kn()) environment.wind_mps = knots_in_mps(sea.wind_kn());
+  if (sea.has_wind_kn()) environment.wind_kn = sea.wind_kn();
   environment.current_set_deg = wrapped_degrees(sea.current_set_deg());
-  environment.current_mps = knots_in_mps(sea.current_kn());
+  environment.current_kn = sea.current_kn();
   environment.depth_m = sea.depth_m();
   for (const scenario::RainCell& cell : scenario.rain()) {
     RainCloud cloud;

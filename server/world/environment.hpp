@@ -31,10 +31,10 @@ struct RainCloud {
 struct Environment {
   echo::Atmosphere atmosphere;
   echo::SeaSurface sea;
-  double wave_height_m = 0.0;      // significant, on the beaches
-  std::optional<double> wind_mps;  // absent: the wind that raises the sea state
-  double current_set_deg = 0.0;    // whither
-  double current_mps = 0.0;
+  double wave_height_m = 0.0;     // significant, on the beaches
+  std::optional<double> wind_kn;  // absent: the wind that raises the sea state
+  double current_set_deg = 0.0;   // whither
+  double current_kn = 0.0;
   double depth_m = 1000.0;
   std::vector<RainCloud> rain;
   std::uint32_t next_rain_id = 1;

@@ -20,7 +20,7 @@ double canonical_longitude(double degrees) {
 
 RhumbEnd advanced(GeoPoint from, double course_deg, double distance_m) {
   if (distance_m == 0.0) return {{from.latitude_deg, canonical_longitude(from.longitude_deg)}};
-  if (std::fabs(distance_m) <= kShortest_m &&
+  if (std::fabs(distance_m) <= kShortWay_m &&
       std::fabs(from.latitude_deg) < kShortWayLatitude_deg) {
     const echo::SinCos course = echo::sin_cos_degrees(course_deg);
     return {advanced(from, ShortWay{distance_m * course.cos, distance_m * course.sin})};

@@ -14,7 +14,7 @@ struct ShortWay {
 // 50 m within 80 deg of latitude: off by less than 1e-8 m; longer ones by the cube of their length.
 // Held by ShortWay.IsARhumbLine.
 GeoPoint advanced(GeoPoint from, ShortWay way);
-inline constexpr double kShortest_m = 50.0, kShortWayLatitude_deg = 80.0;
+inline constexpr double kShortWay_m = 50.0, kShortWayLatitude_deg = 80.0;
 
 // The way from one place to another along a rhumb line, the shorter way round.  Off by 1e-4 of its
 // length at 100 NM in 60 deg of latitude, less when shorter: for steering by.

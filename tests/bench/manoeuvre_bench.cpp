@@ -46,7 +46,7 @@ void print_table() {
 // An hour of rudder orders that change every minute; the place at its end.
 ShortWay wandered(const ShipClass& ship, double step_s) {
   DynamicState state = under_way(ship, 0.0, 0.8 * ship.service_speed_mps);
-  ConnOrders orders{.shaft_rps = state.shaft_rps};
+  ActuatorOrders orders{.shaft_rps = state.shaft_rps};
   ShortWay at;
   std::uint64_t chance = 7;
   const auto steps = static_cast<int>(std::lround(60.0 / step_s));
@@ -92,7 +92,7 @@ GeoPoint day(const ShipClass& ship, int steps_per_tick) {
   environment.sea.state = 4.0;
   environment.sea.wind_from_deg = 290.0;
   environment.current_set_deg = 40.0;
-  environment.current_mps = 0.8;
+  environment.current_kn = 1.6;
   ShipState state;
   state.position = {60.0, 4.0};
   constexpr Duration kTick = std::chrono::milliseconds(100);

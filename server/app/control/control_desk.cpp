@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "protocol/quantity/angle.hpp"
+#include "protocol/wire/schema.hpp"
 #include "server/app/control/control_ranges.hpp"
 #include "server/app/control/controls_message.hpp"
 #include "server/app/control/world_change.hpp"
@@ -174,15 +175,20 @@ void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
   if (set.has_con() && ship.con) {
     const ConState& con = *ship.con;
     const wire::ConOrder& order = set.con();
-    const auto steers = [](SteeringMode mode) { return static_cast<double>(mode); };
+    const auto steers = [&](int mode) {
+      const auto before = static_cast<int>(con.steering);
+      if (mode == before) return;
+      next.changes.push_back({"con.steering", wire::word_of(*wire::Steering_descriptor(), before),
+                              wire::word_of(*wire::Steering_descriptor(), mode)});
+    };
     if (order.has_rudder_deg()) {
       add("con.rudder_deg", con.rudder_order_deg, order.rudder_deg());
-      add("con.steering", steers(con.steering), steers(SteeringMode::hand));
+      steers(wire::STEERING_HAND);
     } else if (order.has_heading_deg()) {
       add("con.heading_deg", con.heading_order_deg, wrapped_degrees(order.heading_deg()));
-      add("con.steering", steers(con.steering), steers(SteeringMode::heading));
+      steers(wire::STEERING_HEADING);
     } else if (order.has_steering()) {
-      add("con.steering", steers(con.steering), order.steering());
+      steers(order.steering());
     }
     if (order.has_engine_percent()) {
       add("con.engine_percent", con.engine_percent, order.engine_percent());

@@ -76,11 +76,11 @@ std::optional<wire::Reply> change_environment(const wire::WorldChange& change, S
   if (change.has_swell_period_s()) sea.swell.period_s = change.swell_period_s();
   if (change.has_swell_from_deg()) sea.swell.from_deg = wrapped_degrees(change.swell_from_deg());
   if (change.has_wave_height_m()) environment.wave_height_m = change.wave_height_m();
-  if (change.has_wind_kn()) environment.wind_mps = knots_in_mps(change.wind_kn());
+  if (change.has_wind_kn()) environment.wind_kn = change.wind_kn();
   if (change.has_current_set_deg()) {
     environment.current_set_deg = wrapped_degrees(change.current_set_deg());
   }
-  if (change.has_current_kn()) environment.current_mps = knots_in_mps(change.current_kn());
+  if (change.has_current_kn()) environment.current_kn = change.current_kn();
   if (change.has_depth_m()) environment.depth_m = change.depth_m();
   if (change.has_k_factor()) environment.atmosphere.k_factor = change.k_factor();
   if (change.has_ducting()) environment.atmosphere.ducting = change.ducting();
@@ -101,9 +101,9 @@ wire::World world_message(const Environment& environment, ScenarioTime now) {
   world.set_swell_period_s(environment.sea.swell.period_s);
   world.set_swell_from_deg(environment.sea.swell.from_deg);
   world.set_wave_height_m(environment.wave_height_m);
-  if (environment.wind_mps) world.set_wind_kn(*environment.wind_mps / knots_in_mps(1.0));
+  if (environment.wind_kn) world.set_wind_kn(*environment.wind_kn);
   world.set_current_set_deg(environment.current_set_deg);
-  world.set_current_kn(environment.current_mps / knots_in_mps(1.0));
+  world.set_current_kn(environment.current_kn);
   world.set_depth_m(environment.depth_m);
   world.set_k_factor(environment.atmosphere.k_factor);
   world.set_ducting(environment.atmosphere.ducting);

@@ -78,11 +78,11 @@ double Helmsman::shaft_order(const ShipClass& ship, const DynamicState& state,
   return std::clamp(order, -ship.astern_rps, ship.ahead_rps);
 }
 
-ConnOrders Helmsman::orders(const ShipClass& ship, const DynamicState& state,
-                            const HelmOrders& helm, const WayMade& ground, const TrackView* track,
-                            double tick_s, bool& over) {
+ActuatorOrders Helmsman::orders(const ShipClass& ship, const DynamicState& state,
+                                const HelmOrders& helm, const WayMade& ground,
+                                const TrackView* track, double tick_s, bool& over) {
   over = false;
-  ConnOrders conn;
+  ActuatorOrders conn;
   conn.shaft_rps = shaft_order(ship, state, helm, tick_s);
   conn.bow = helm.bow;
   conn.stern = helm.stern;

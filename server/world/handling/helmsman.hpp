@@ -53,8 +53,8 @@ class Helmsman {
   // The orders to wheel, shaft and thrusters for the coming tick of `tick_s`.  `ground`: her way
   // over ground in the last tick, per second.  `track` only in mode track; sets `over` where the
   // leg's end is so near that the wheel is put over for the next.
-  ConnOrders orders(const ShipClass& ship, const DynamicState& state, const HelmOrders& helm,
-                    const WayMade& ground, const TrackView* track, double tick_s, bool& over);
+  ActuatorOrders orders(const ShipClass& ship, const DynamicState& state, const HelmOrders& helm,
+                        const WayMade& ground, const TrackView* track, double tick_s, bool& over);
   // Where the autopilot takes over, or after a jump.
   void reset() { *this = Helmsman(); }
 

@@ -56,4 +56,8 @@ class Hull {
   virtual double draught_m() const = 0;
 };
 
+// The shaft's turns, 1/s, that hold a speed ahead or astern in calm, deep water; found by halving,
+// for the hull's way grows with them.
+double shaft_for(const Hull& hull, double speed_mps);
+
 }  // namespace skerry::server

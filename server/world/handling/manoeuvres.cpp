@@ -35,7 +35,7 @@ class Run {
   double time_at(double share) const { return time_s + (share - 1.0) * step_s_; }
 
   DynamicState state;
-  ConnOrders orders;
+  ActuatorOrders orders;
   double north_m = 0.0, east_m = 0.0, run_m = 0.0, time_s = 0.0;
   double before_deg = 0.0, before_north_m = 0.0, before_east_m = 0.0;
 

@@ -149,16 +149,4 @@ double MmgHull::shaft_change(const Actuators& by, double ordered_rps) const {
   return std::clamp(left / kLag_s, -p_.shaft_rate_rps2, p_.shaft_rate_rps2);
 }
 
-double MmgHull::shaft_for(double speed_mps) const {
-  // Thrust grows with the shaft's turns, so halving finds them.
-  double slow = 0.0, fast = 3.0 * speed_mps / p_.propeller_m + 0.1;
-  for (int i = 0; i < 60; ++i) {
-    const double n = 0.5 * (slow + fast);
-    const BodyMotion straight{.u = speed_mps};
-    const double balance = hull_forces(straight, {1.0, 1.0}).x + aft_forces(straight, {0.0, n}).x;
-    (balance < 0.0 ? slow : fast) = n;
-  }
-  return 0.5 * (slow + fast);
-}
-
 }  // namespace skerry::server

@@ -68,9 +68,6 @@ class MmgHull final : public Hull {
   double length_m() const override { return p_.length_m; }
   double draught_m() const override { return p_.draught_m; }
 
-  // The shaft's turns, 1/s, at which she makes `speed_mps` ahead in deep, calm water.
-  double shaft_for(double speed_mps) const;
-
  private:
   // How much the bottom adds.
   struct Shallow {

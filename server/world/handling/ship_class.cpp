@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/quantity/speed.hpp"
 #include "server/world/handling/container_hull.hpp"
 #include "server/world/handling/mariner_hull.hpp"
 #include "server/world/handling/mmg_ships.hpp"
@@ -12,14 +13,12 @@
 namespace skerry::server {
 namespace {
 
-constexpr double kKnot_mps = 1852.0 / 3600.0;
-
 // 0.15 kN of force for each kW.
 constexpr Thruster thruster(double power_kw, double ahead_m) { return {150.0 * power_kw, ahead_m}; }
 
 // Derived from sizes alone: areas above the water, thrusters and gear are assumed.
 struct Derived {
-  std::string_view key, title;
+  std::string_view key;
   MainSizes sizes;
   double height_m, service_kn, astern;  // astern: of the ahead shaft's turns
   SteeringGear gear;
@@ -29,10 +28,9 @@ struct Derived {
 
 ShipClass made(const Derived& d) {
   auto hull = std::make_shared<const MmgHull>(from_sizes(d.sizes));
-  const double service = d.service_kn * kKnot_mps;
-  const double ahead = hull->shaft_for(service);
+  const double service = d.service_kn * kKnot;
+  const double ahead = shaft_for(*hull, service);
   return {.key = d.key,
-          .title = d.title,
           .source = "derived",
           .beam_m = d.sizes.beam_m,
           .height_m = d.height_m,
@@ -51,22 +49,20 @@ std::vector<ShipClass> all_classes() {
   std::vector<ShipClass> classes;
   {
     auto hull = std::make_shared<const MmgHull>(kvlcc2());
-    const double service = 15.5 * kKnot_mps;
+    const double service = 15.5 * kKnot;
     classes.push_back({.key = "vlcc",
-                       .title = "VLCC of 300 000 t (KVLCC2)",
                        .source = "Yasukawa and Yoshimura 2015",
                        .beam_m = 58.0,
                        .height_m = 30.0,
                        .service_speed_mps = service,
-                       .ahead_rps = hull->shaft_for(service),
-                       .astern_rps = 0.7 * hull->shaft_for(service),
+                       .ahead_rps = shaft_for(*hull, service),
+                       .astern_rps = 0.7 * shaft_for(*hull, service),
                        .gear = {.rate_deg_s = 2.34},
                        .wind = {WindType::tanker_loaded, 1150.0, 3500.0, -15.0, 8.0},
                        .block = 0.81,
                        .hull = hull});
   }
   classes.push_back({.key = "tanker",
-                     .title = "Tanker of 190 000 t (Esso)",
                      .source = "van Berlekom and Goddard 1972",
                      .beam_m = 47.17,
                      .height_m = 28.0,
@@ -78,7 +74,6 @@ std::vector<ShipClass> all_classes() {
                      .block = 0.83,
                      .hull = std::make_shared<const TankerHull>()});
   classes.push_back({.key = "container",
-                     .title = "Container ship of 175 m (S175)",
                      .source = "Son and Nomoto 1982",
                      .beam_m = 25.4,
                      .height_m = 26.0,
@@ -91,7 +86,6 @@ std::vector<ShipClass> all_classes() {
                      .block = 0.572,
                      .hull = std::make_shared<const ContainerHull>()});
   classes.push_back({.key = "mariner",
-                     .title = "Cargo ship of 161 m (Mariner)",
                      .source = "Chislett and Stroem-Tejsen 1965",
                      .beam_m = 23.17,
                      .height_m = 22.0,
@@ -104,7 +98,6 @@ std::vector<ShipClass> all_classes() {
                      .hull = std::make_shared<const MarinerHull>()});
   const std::array<Derived, 6> derived = {{
       {"ferry",
-       "Passenger and car ferry of 120 m",
        {120.0, 20.0, 5.5, 0.60, 0.0060, 4.2, 19.0, 0.05},
        24.0,
        20.0,
@@ -114,7 +107,6 @@ std::vector<ShipClass> all_classes() {
        {},
        {WindType::ferry, 420.0, 2100.0, 2.0, 10.0}},
       {"coaster",
-       "Coaster of 80 m",
        {80.0, 13.0, 5.2, 0.72, 0.0060, 3.0, 9.2, 0.05},
        14.0,
        12.0,
@@ -124,7 +116,6 @@ std::vector<ShipClass> all_classes() {
        {},
        {WindType::cargo_loaded, 140.0, 480.0, -4.0, 4.0}},
       {"fast_craft",
-       "Patrol craft of 38 m",
        {38.0, 7.2, 1.6, 0.42, 0.0100, 1.15, 2.4, 0.6},
        10.0,
        28.0,
@@ -134,7 +125,6 @@ std::vector<ShipClass> all_classes() {
        {},
        {WindType::speedboat, 40.0, 160.0, 1.0, 2.8}},
       {"fishing",
-       "Fishing vessel of 30 m",
        {30.0, 8.0, 3.2, 0.58, 0.0120, 2.1, 3.2, 0.2},
        11.0,
        11.0,
@@ -144,7 +134,6 @@ std::vector<ShipClass> all_classes() {
        {},
        {WindType::fishing, 50.0, 150.0, 1.0, 2.8}},
       {"tug",
-       "Tug of 28 m",
        {28.0, 10.0, 3.8, 0.52, 0.0160, 2.4, 4.3, 0.3},
        12.0,
        12.5,
@@ -154,7 +143,6 @@ std::vector<ShipClass> all_classes() {
        {},
        {WindType::offshore_supply, 70.0, 160.0, 3.0, 3.5}},
       {"pilot",
-       "Pilot boat of 14 m",
        {14.0, 4.4, 1.1, 0.42, 0.0120, 0.8, 0.7, 1.0},
        5.0,
        22.0,

@@ -21,7 +21,6 @@ struct Thruster {
 
 struct ShipClass {
   std::string_view key;     // "kvlcc2", as a scenario names it
-  std::string_view title;   // "VLCC, 300 000 t (KVLCC2)"
   std::string_view source;  // of her coefficients; "derived" where from her sizes alone
   double beam_m, height_m;  // height: of hull and superstructure above the water
   double service_speed_mps;

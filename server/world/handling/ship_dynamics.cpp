@@ -2,12 +2,13 @@
 
 #include <array>
 
+#include "protocol/quantity/speed.hpp"
 #include "server/world/handling/hull_math.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kThrusterFade_mps = 2.5 * 1852.0 / 3600.0;
+constexpr double kThrusterFade_mps = 2.5 * kKnot;
 
 // All that Runge and Kutta integrate.
 struct Vector {
@@ -22,7 +23,8 @@ struct Vector {
 
 class Rates {
  public:
-  Rates(const ShipClass& ship, const ConnOrders& orders, const Surroundings& around, double rudder)
+  Rates(const ShipClass& ship, const ActuatorOrders& orders, const Surroundings& around,
+        double rudder)
       : ship_(ship), orders_(orders), around_(around), rudder_deg_(rudder) {
     const echo::SinCos wind = echo::sin_cos_degrees(around.wind_from_deg);
     wind_north_ = -around.wind_mps * wind.cos;
@@ -80,7 +82,7 @@ class Rates {
   }
 
   const ShipClass& ship_;
-  const ConnOrders& orders_;
+  const ActuatorOrders& orders_;
   const Surroundings& around_;
   double rudder_deg_;
   double wind_north_, wind_east_, current_north_, current_east_;
@@ -88,7 +90,7 @@ class Rates {
 
 }  // namespace
 
-WayMade advance(const ShipClass& ship, const ConnOrders& orders, const Surroundings& around,
+WayMade advance(const ShipClass& ship, const ActuatorOrders& orders, const Surroundings& around,
                 double step_s, DynamicState& state) {
   const Rates rates(ship, orders, around, state.rudder_deg);
   const BodyMotion& m = state.motion;
@@ -107,23 +109,11 @@ WayMade advance(const ShipClass& ship, const ConnOrders& orders, const Surroundi
   return {end.north, end.east};
 }
 
-double shaft_for(const ShipClass& ship, double speed_mps) {
-  if (speed_mps == 0.0) return 0.0;
-  // What drives her at this speed, by halving: her way's change grows with the shaft's turns.
-  double low = -2.0 * ship.astern_rps, high = 2.0 * ship.ahead_rps;
-  const BodyMotion straight{.u = speed_mps};
-  for (int i = 0; i < 60; ++i) {
-    const double n = 0.5 * (low + high);
-    (ship.hull->change(straight, {0.0, n}, 1e6, {}).u < 0.0 ? low : high) = n;
-  }
-  return 0.5 * (low + high);
-}
-
 DynamicState under_way(const ShipClass& ship, double heading_deg, double speed_mps) {
   DynamicState state;
   state.motion.u = speed_mps;
   state.heading_rad = heading_deg * kRadiansPerDegree;
-  state.shaft_rps = shaft_for(ship, speed_mps);
+  state.shaft_rps = shaft_for(*ship.hull, speed_mps);
   return state;
 }
 

@@ -18,7 +18,7 @@ struct Surroundings {
 };
 
 // What her wheel, telegraph and thrusters are set to.
-struct ConnOrders {
+struct ActuatorOrders {
   double rudder_deg = 0.0;  // starboard positive
   double shaft_rps = 0.0;   // astern negative
   double bow = 0.0;         // -1 .. 1 of its force, to starboard positive
@@ -41,13 +41,10 @@ struct WayMade {
 // 10 m height (no gradient).  Current moves the water she is in: forces know the water alone.
 // The same bits on every machine.  Steps of 0.05 s against steps of 0.005 s: at most 0.05 m off
 // after an hour of wild rudder orders; held by ShipDynamics.TwoStepsATickAreAsGoodAsTwenty.
-WayMade advance(const ShipClass& ship, const ConnOrders& orders, const Surroundings& around,
+WayMade advance(const ShipClass& ship, const ActuatorOrders& orders, const Surroundings& around,
                 double step_s, DynamicState& state);
 
 // Under way at `speed_mps` with the shaft that holds it in calm deep water, rudder amidships.
 DynamicState under_way(const ShipClass& ship, double heading_deg, double speed_mps);
-
-// The shaft's turns, 1/s, for a speed ahead or astern; found by running the hull straight on.
-double shaft_for(const ShipClass& ship, double speed_mps);
 
 }  // namespace skerry::server

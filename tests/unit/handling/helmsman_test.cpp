@@ -22,7 +22,7 @@ struct Sailor {
   }
   bool tick(const TrackView* track = nullptr) {
     bool over = false;
-    const ConnOrders conn = helmsman.orders(
+    const ActuatorOrders conn = helmsman.orders(
         ship, state, helm, {way.north_m / kTick_s, way.east_m / kTick_s}, track, kTick_s, over);
     way = {};
     for (int i = 0; i < 2; ++i) {

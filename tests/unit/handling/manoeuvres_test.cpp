@@ -185,7 +185,7 @@ TEST(Manoeuvres, RegressionsAreNearThePublishedShip) {
   made.thrust_2 = own.thrust_2;
   ship.hull = std::make_shared<const MmgHull>(made);
   Trial trial = trial_at_service(ship);
-  trial.shaft_rps = trial.ordered_rps = MmgHull(made).shaft_for(ship.service_speed_mps);
+  trial.shaft_rps = trial.ordered_rps = shaft_for(*ship.hull, ship.service_speed_mps);
   const TurningCircle circle = turning_circle(ship, trial, 35.0);
   std::printf("from sizes: advance %.2f L, tactical diameter %.2f L; published 3.04, 3.03\n",
               circle.advance_m / 320, circle.tactical_diameter_m / 320);

@@ -22,7 +22,7 @@ Place wandered(const ShipClass& ship, double seconds, int substeps, std::uint64_
                double wind_mps = 0.0) {
   Place at;
   at.state = under_way(ship, 30.0, 0.8 * ship.service_speed_mps);
-  ConnOrders orders{.shaft_rps = at.state.shaft_rps};
+  ActuatorOrders orders{.shaft_rps = at.state.shaft_rps};
   Surroundings around{.wind_from_deg = 250.0, .wind_mps = wind_mps, .depth_m = 60.0};
   std::uint64_t chance = seed;
   const double step = 0.1 / substeps;
@@ -70,7 +70,7 @@ TEST(ShipDynamics, ACurrentMovesTheWaterAndNothingElse) {
   const ShipClass& ship = *find_ship_class("coaster");
   const Surroundings still, stream{.current_set_deg = 90.0, .current_mps = 1.5};
   DynamicState a = under_way(ship, 0.0, 5.0), b = a;
-  const ConnOrders orders{.rudder_deg = 15.0, .shaft_rps = a.shaft_rps};
+  const ActuatorOrders orders{.rudder_deg = 15.0, .shaft_rps = a.shaft_rps};
   double north_a = 0, east_a = 0, north_b = 0, east_b = 0;
   for (int tick = 0; tick < 6000; ++tick) {
     const WayMade wa = advance(ship, orders, still, 0.1, a);
@@ -105,7 +105,7 @@ TEST(ShipDynamics, AStoppedShipDriftsDownwind) {
 TEST(ShipDynamics, EveryClassStartsStopsAndGoesAstern) {
   for (const ShipClass& ship : ship_classes()) {
     DynamicState state;
-    ConnOrders orders{.shaft_rps = ship.ahead_rps};
+    ActuatorOrders orders{.shaft_rps = ship.ahead_rps};
     for (int tick = 0; tick < 36000; ++tick) advance(ship, orders, {}, 0.1, state);
     // Those that do not keep their course by themselves have begun to turn, and are slower.
     EXPECT_GT(state.motion.u, 0.5 * ship.service_speed_mps) << ship.key;
@@ -129,10 +129,10 @@ TEST(ShipDynamics, NothingMakesHerMotionWild) {
         for (const double rudder : {-35.0, 0.0, 35.0}) {
           DynamicState state;
           state.motion = {.u = u, .v = v, .r = 0.05};
-          const ConnOrders orders{.rudder_deg = rudder,
-                                  .shaft_rps = u > 0 ? -ship.astern_rps : ship.ahead_rps,
-                                  .bow = 1.0,
-                                  .stern = -1.0};
+          const ActuatorOrders orders{.rudder_deg = rudder,
+                                      .shaft_rps = u > 0 ? -ship.astern_rps : ship.ahead_rps,
+                                      .bow = 1.0,
+                                      .stern = -1.0};
           const Surroundings storm{.wind_from_deg = 30.0,
                                    .wind_mps = 35.0,
                                    .depth_m = 1.01 * ship.hull->draught_m(),
