@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
@@ -68,6 +69,25 @@ std::optional<std::string> OwnShip::fault_of(const wire::ConOrder& order) const 
 }
 
 void OwnShip::order(const wire::ConOrder& order) { class_ship_->order(order); }
+
+void OwnShip::set_faults(const wire::Faults& faults) {
+  if (faults.ByteSizeLong() == 0) {
+    state_.faults = nullptr;
+    return;
+  }
+  auto next = std::make_shared<FaultState>(
+      FaultState{.faults = faults, .gyro_drifts_since = now_, .gnss_drifts_since = now_});
+  if (const FaultState* const was = state_.faults.get()) {
+    if (was->faults.gyro_drift_deg_min() == faults.gyro_drift_deg_min()) {
+      next->gyro_drifts_since = was->gyro_drifts_since;
+    }
+    if (was->faults.gnss_drift_kn() == faults.gnss_drift_kn() &&
+        was->faults.gnss_drift_deg() == faults.gnss_drift_deg()) {
+      next->gnss_drifts_since = was->gnss_drifts_since;
+    }
+  }
+  state_.faults = std::move(next);
+}
 
 void OwnShip::step(const Environment& environment) {
   const ShipPlace place = position_at(state_, tick_);

@@ -55,6 +55,10 @@ class OwnShip {
   // values within their ranges.  True if she was not driven until now.
   bool drive(const OwnShipFix& fix, Duration now);
 
+  // What is wrong aboard her from now on, instead of what was.
+  void set_faults(const wire::Faults& faults);
+  wire::Faults faults() const { return state_.faults ? state_.faults->faults : wire::Faults{}; }
+
   // The present tick: motion means from its begin to its end, orders as they took effect.
   ShipState state() const { return state_; }
   void step(const Environment& environment);

@@ -10,6 +10,7 @@
 #include "echo/radar/radar_set.hpp"
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
+#include "protocol/wire/exercise.pb.h"
 #include "server/world/environment.hpp"
 #include "server/world/handling/helmsman.hpp"
 #include "server/world/scenario.pb.h"
@@ -36,6 +37,12 @@ struct ConState {
   double waypoint_m = 0.0, cross_track_m = 0.0;
 };
 
+// What is wrong aboard an own ship.  Times are on the exercise's clock.
+struct FaultState {
+  wire::Faults faults;
+  Duration gyro_drifts_since{}, gnss_drifts_since{};
+};
+
 // Motion is straight or a steady turn from `time` of the WorldState on: good for one tick.
 struct ShipState {
   std::string name;
@@ -57,6 +64,10 @@ struct ShipState {
   std::size_t number = 0;            // in the scenario's list of own ships or targets
   RadarSetPtr radar = nullptr;       // of a target that has one on, else null
   std::optional<ConState> con = {};  // of an own ship that has a class
+  // Seconds of the exercise a second on the air: 0 while it is frozen.  Speeds and rates of turn
+  // are those of the exercise.
+  double pace = 1.0;
+  std::shared_ptr<const FaultState> faults = nullptr;  // of an own ship that has any, else null
 };
 
 // A target other than a ship: smaller than a radar can resolve.
