@@ -20,7 +20,7 @@ constexpr double kMostOfService = 1.2;  // of the class's speed
 Length distance_between(GeoPoint from, GeoPoint to) {
   double distance_m = 0.0;
   GeographicLib::Geodesic::WGS84().Inverse(from.latitude_deg, from.longitude_deg, to.latitude_deg,
-                                          to.longitude_deg, distance_m);
+                                           to.longitude_deg, distance_m);
   return metres(distance_m);
 }
 

@@ -13,8 +13,8 @@
 #include "server/config/yaml_message.hpp"
 #include "server/world/ais_identities.hpp"
 #include "server/world/board_registers.hpp"
-#include "server/world/radar_sets.hpp"
 #include "server/world/exercise_events.hpp"
+#include "server/world/radar_sets.hpp"
 #include "server/world/route_checks.hpp"
 #include "server/world/ship_units.hpp"
 

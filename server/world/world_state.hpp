@@ -109,11 +109,11 @@ struct ExerciseLog {
 };
 
 struct WorldState {
-  ScenarioTime time{};   // on the air
-  Duration exercise{};   // on the exercise's clock
-  double pace = 1.0;     // of that clock, as ShipState has it
+  ScenarioTime time{};  // on the air
+  Duration exercise{};  // on the exercise's clock
+  double pace = 1.0;    // of that clock, as ShipState has it
   bool frozen = false;
-  double rate = 1.0;     // its pace when it is not frozen
+  double rate = 1.0;                       // its pace when it is not frozen
   std::shared_ptr<const ExerciseLog> log;  // never null
   std::vector<ShipState> own_ships;
   std::vector<ShipState> targets;  // the ships among them
