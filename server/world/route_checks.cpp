@@ -24,9 +24,11 @@ Length distance_between(GeoPoint from, GeoPoint to) {
   return metres(distance_m);
 }
 
+bool is_leg(Length length) { return length >= kShortestLeg && length <= kLongestLeg; }
+
 void check_leg(GeoPoint from, GeoPoint to, const std::string& path, YamlSource& source) {
   const Length leg = distance_between(from, to);
-  if (leg >= kShortestLeg && leg <= kLongestLeg) return;
+  if (is_leg(leg)) return;
   source.refuse(path, fmt::format("the leg to it is {:.3f} NM long; allowed: {} m to {} NM",
                                   leg.in_nautical_miles(), kShortestLeg.in_metres(),
                                   kLongestLeg.in_nautical_miles()));

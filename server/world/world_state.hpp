@@ -61,6 +61,10 @@ struct ShipState {
   bool driven = false;  // an own ship whose motion comes from outside
   bool sart = false;    // carries one that is on
   std::uint32_t mmsi = 0;
+  // Faults of a target's AIS: it is silent, adds to the heading, tells a place so far ahead.
+  bool ais_off = false;
+  double ais_heading_error_deg = 0.0;
+  double ais_position_error_m = 0.0;
   std::size_t number = 0;            // in the scenario's list of own ships or targets
   RadarSetPtr radar = nullptr;       // of a target that has one on, else null
   std::optional<ConState> con = {};  // of an own ship that has a class
