@@ -94,9 +94,8 @@ std::string controls_page(const Descriptor& controls, const Descriptor& artefact
 }
 
 const std::string& controls_page() {
-  static const std::string page =
-      controls_page(*wire::Controls::descriptor(), *wire::Artefacts::descriptor(),
-                    *wire::Faults::descriptor());
+  static const std::string page = controls_page(
+      *wire::Controls::descriptor(), *wire::Artefacts::descriptor(), *wire::Faults::descriptor());
   return page;
 }
 
