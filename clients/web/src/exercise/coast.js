@@ -7,8 +7,8 @@ const RAD = Math.PI / 180;
 export const MAX_RADIUS_NM = 60, MIN_RADIUS_NM = 0.5;
 // More than is shown, so that a small move asks for nothing.
 const ROOM = 1.7;
-// A coast of which points were left out is asked for again when less than this part of it is shown.
-const FINER = 0.45;
+// A coast that is so much coarser than a pixel is asked for again when less than this part of it is shown.
+const COARSE_PX = 2, FINER = 0.45;
 const WAIT_MS = 250, SILENCE_MS = 8000, REFUSED_MS = 5000;
 // Of Path2D: single precision, so it has Mercator's plane in units that suit it.
 export const PATH_UNIT = 1e-5;
@@ -36,7 +36,8 @@ export class Coast {
   forget() {
     clearTimeout(this.timer);
     this.shown = this.asked = this.timer = this.waiting = null;
-    this.land = this.shore = null;
+    this.areas = [];     // { path, water }, in the order in which they lie over each other
+    this.shore = null;   // of lines that are no areas
   }
 
   // The circle to ask for, or null if what is there, or on its way, will do.
@@ -46,7 +47,7 @@ export class Coast {
     if (have) {
       const offNm = fromTo(have, view).metres / NAUTICAL_MILE_M;
       const covers = whole ? offNm + needNm <= have.radiusNm * 1.001 : have.radiusNm >= MAX_RADIUS_NM && offNm < MAX_RADIUS_NM / 3;
-      if (covers && !(have.cut && needNm < FINER * have.radiusNm)) return null;
+      if (covers && !(have.detailM > COARSE_PX * view.metresPerPixel && needNm < FINER * have.radiusNm)) return null;
     }
     return { latitudeDeg: view.latitudeDeg, longitudeDeg: view.longitudeDeg, radiusNm: Math.min(MAX_RADIUS_NM, needNm * ROOM) };
   }
@@ -71,13 +72,13 @@ export class Coast {
   take(coastline) {
     clearTimeout(this.waiting);
     this.asked = null;
-    const { latitudeDeg, longitudeDeg, radiusNm, cut, chart } = coastline;
-    this.shown = { latitudeDeg, longitudeDeg, radiusNm, cut, chart };
-    this.land = new Path2D();
+    const { latitudeDeg, longitudeDeg, radiusNm, detailM, chart } = coastline;
+    this.shown = { latitudeDeg, longitudeDeg, radiusNm, detailM, chart };
+    this.areas = [];
     this.shore = new Path2D();
     this.lines = coastline.lines.length;
     this.points = 0;
-    for (const line of coastline.lines) this.#draw(decodeLine(line, this.shown), line.closed);
+    for (const line of coastline.lines) this.#draw(decodeLine(line, this.shown), line);
     this.changed();
     if (this.view) this.look(this.view);
   }
@@ -89,15 +90,21 @@ export class Coast {
     return true;
   }
 
-  #draw(line, closed) {
+  #pathOf({ closed, water }) {
+    if (!closed) return this.shore;
+    if (this.areas.at(-1)?.water !== water) this.areas.push({ path: new Path2D(), water });
+    return this.areas.at(-1).path;
+  }
+
+  #draw(line, kind) {
     const middle = mercator(this.shown.latitudeDeg);
-    const path = closed ? this.land : this.shore;
+    const path = this.#pathOf(kind);
     for (let i = 0; i < line.length; i += 2) {
       const x = ((line[i] - this.shown.longitudeDeg) * RAD) / PATH_UNIT, y = (middle - mercator(line[i + 1])) / PATH_UNIT;
       if (i === 0) path.moveTo(x, y);
       else path.lineTo(x, y);
     }
-    if (closed) path.closePath();
+    if (kind.closed) path.closePath();
     this.points += line.length / 2;
   }
 

@@ -7,16 +7,18 @@ const GRID_PX = 110, BAR_PX = 150;
 export function paintCoast(context, view, coast, colours, pixelRatio) {
   context.fillStyle = colours.water;
   context.fillRect(0, 0, view.width, view.height);
-  if (!coast.land) return;
+  if (!coast.shown) return;
   const { scale, x, y } = coast.transform(view);
   context.save();
   context.setTransform(scale * pixelRatio, 0, 0, scale * pixelRatio, x * pixelRatio, y * pixelRatio);
-  context.fillStyle = colours.land;
-  context.fill(coast.land);
   context.strokeStyle = colours.shore;
   context.lineWidth = 1.1 / scale;
   context.lineJoin = 'round';
-  context.stroke(coast.land);
+  for (const { path, water } of coast.areas) {
+    context.fillStyle = water ? colours.water : colours.land;
+    context.fill(path);
+    context.stroke(path);
+  }
   context.stroke(coast.shore);
   context.restore();
 }

@@ -17,10 +17,10 @@ const SHIP_FIELDS = {
   23: ['radars', ['uint32']], 25: ['gyroErrorDeg', 'double'], 26: ['gnssErrorM', 'double'], 27: ['con', 'string'], 28: ['onCourse', 'bool'],
 };
 const ExerciseMark = message({ 1: ['exerciseS', 'double'], 2: ['text', 'string'], 3: ['kind', 'string'] });
-const CoastLine = message({ 1: ['points', ['sint32']], 2: ['closed', 'bool'] });
+const CoastLine = message({ 1: ['points', ['sint32']], 2: ['closed', 'bool'], 3: ['water', 'bool'] });
 export const Coastline = message({
   1: ['latitudeDeg', 'double'], 2: ['longitudeDeg', 'double'], 3: ['radiusNm', 'double'], 4: ['lines', [CoastLine]],
-  5: ['chart', 'string'], 6: ['cut', 'bool'],
+  5: ['chart', 'string'], 6: ['detailM', 'double'],
 });
 
 // faults: the table's, of /controls.json.
