@@ -43,9 +43,11 @@ export class ChartView {
     this.longitudeDeg = wrapLongitude(longitudeDeg);
   }
 
-  // The chart is moved along with a finger.
+  // The chart is moved along with a finger, as a sheet: its scale at the centre follows the latitude.
   panBy(dx, dy) {
+    const { scale } = this;
     this.centreOn(this.fromPixel(this.width / 2 - dx, this.height / 2 - dy));
+    this.metresPerPixel = (EARTH_M * Math.cos(this.latitudeDeg * RAD)) / scale;
   }
 
   // What is under the pixel stays there; factor above 1 shows more detail.

@@ -124,7 +124,7 @@ function paintNames(context, placed, view, colours) {
   for (const { ship, at, chosen } of placed) {
     const marks = [ship.givesWayNow && 'gives way', ship.removed && 'removed', ship.sart && 'SART', ship.aisOff && 'no AIS'].filter(Boolean);
     const text = [ship.name, ...marks].join(' · ');
-    const clear = Math.max(13, (ship.beamM / view.metresPerPixel) / 2 + 6);
+    const clear = Math.max(ship.givesWayNow ? 21 : chosen ? 17 : 13, (ship.beamM / view.metresPerPixel) / 2 + 6);
     const box = { x: at.x + clear, y: at.y + 9, width: context.measureText(text).width, height: 14 };
     const hit = taken.some((t) => box.x < t.x + t.width && t.x < box.x + box.width && box.y < t.y + t.height && t.y < box.y + box.height);
     if (hit && !chosen && !ship.givesWayNow) continue;
