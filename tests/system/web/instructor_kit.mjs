@@ -15,29 +15,45 @@ export async function openInstructor(browser, { exercise = {}, server: options =
 function kitOf(server, page) {
   const sets = () => server.received.filter((m) => m.kind === 'set').map((m) => m.set);
   const orders = () => sets().filter((set) => set.exercise).map((set) => set.exercise);
+  // What has changed is on the screen.
+  const settled = () => page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+  // The order after so many, as a plain object without what is absent.
+  const ordered = async (before, kind) => {
+    for (let i = 0; i < 250 && orders().length <= before; ++i) await page.waitForTimeout(20);
+    const order = orders()[before];
+    if (order?.kind !== kind) throw new Error(`${order?.kind ?? 'no order'} instead of ${kind}`);
+    return order.constructor.toObject(order)[kind];
+  };
   return {
-    sets, orders,
-    // The n-th order from now on, as a plain object without what is absent.
+    sets, orders, ordered,
+    // The order that an action gives.
     async next(kind, action) {
       const before = orders().length;
       await action();
-      return this.ordered(before, kind);
+      const order = await ordered(before, kind);
+      await settled();
+      return order;
     },
-    async ordered(before, kind) {
-      for (let i = 0; i < 100 && orders().length <= before; ++i) await page.waitForTimeout(20);
-      const order = orders()[before];
-      if (order?.kind !== kind) throw new Error(`${order?.kind ?? 'no order'} instead of ${kind}`);
-      return order.constructor.toObject(order)[kind];
+    async choose(key) {
+      await page.locator(`#ship-list [data-key=${key}]`).click();
+      await settled();
     },
-    choose: (key) => page.locator(`#ship-list [data-key=${key}]`).click(),
     async pixel(name) {
       const ship = (await state(page)).exercise.ships.find((each) => each.name === name);
       return page.evaluate(([lat, lon]) => window.skerry.pixelOf(lat, lon), [ship.latitudeDeg, ship.longitudeDeg]);
     },
     async middle() {
       const { x, y, width, height } = await page.locator('#chart').boundingBox();
-      return { x: x + width / 2, y: y + height / 2 };
+      return { x: Math.round(x + width / 2), y: Math.round(y + height / 2) };
     },
-    until: (text, argument) => page.waitForFunction(([t, value]) => new Function('s', 'value', `return ${t}`)(window.skerry.state(), value), [text, argument ?? null], { timeout: 10000 }),
+    // Waits until the condition holds of the page's state.
+    async until(condition, argument) {
+      const holds = new Function('s', 'value', `return ${condition}`);
+      for (let i = 0; !holds(await state(page), argument); ++i) {
+        if (i > 400) throw new Error(`never: ${condition}`);
+        await page.waitForTimeout(25);
+      }
+      await settled();
+    },
   };
 }
