@@ -69,6 +69,7 @@ export class Chart {
     const radiusPx = tools.rainRadiusM() / view.metresPerPixel;
     if (radiusPx > 0 && this.pointer) {
       context.strokeStyle = colours.plan;
+      context.lineWidth = 1.3;
       context.setLineDash([6, 4]);
       context.beginPath();
       context.arc(this.pointer.x, this.pointer.y, radiusPx, 0, 2 * Math.PI);

@@ -79,7 +79,7 @@ function target(ship, name, nowMin) {
   if (ship.sart) lines.push('    sart: true');
   if (sails) {
     lines.push('    waypoints:', ...ship.route.map((each) => `      - ${waypoint(each, nowMin)}`));
-    if (ship.routeEnd > 0) lines.push(`    route_end: ${ROUTE_END[ship.routeEnd]}`);
+    if (ROUTE_END[ship.routeEnd] !== undefined && ship.routeEnd > 0) lines.push(`    route_end: ${ROUTE_END[ship.routeEnd]}`);
   }
   return lines;
 }
