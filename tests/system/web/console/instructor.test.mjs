@@ -470,7 +470,7 @@ for (const [width, height] of [[1180, 820], [820, 1180]]) {
     near(there.x, at.x + 40, 1);
     for (const tab of ['weather', 'faults', 'exercise', 'ships']) {
       await page.locator(`#to-${tab}`).tap();
-      assert.equal(await page.locator(`#tab-${tab}`).isVisible(), true);
+      await page.locator(`#tab-${tab}`).waitFor();  // the click comes after the tap
     }
     const { scrollX, scrollY, scrollWidth, scrollHeight } = await page.evaluate(() => ({ scrollX, scrollY, scrollWidth: document.documentElement.scrollWidth, scrollHeight: document.documentElement.scrollHeight }));
     assert.deepEqual([scrollX, scrollY, scrollWidth, scrollHeight], [0, 0, width, height]);
