@@ -13,7 +13,6 @@
 #include "echo/chart/gshhg_reader.hpp"
 #include "protocol/digest/digest.hpp"
 #include "server/app/control/control_ranges.hpp"
-#include "server/app/control/world_change.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
 #include "server/config/yaml_message.hpp"
@@ -161,11 +160,7 @@ ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& 
     }
   }
   plan.coast = coast_rules(plan.scenario);
-  plan.changer = [](const wire::WorldChange& change, ScenarioTime now, Environment& environment) {
-    wire::Set set;
-    *set.mutable_world() = change;
-    return !refusal_of(set) && !change_environment(change, now, environment);
-  };
+  plan.in_range = [](const wire::Set& set) { return !refusal_of(set); };
   return plan;
 }
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "protocol/quantity/angle.hpp"
-#include "server/app/control/world_change.hpp"
+#include "server/app/coastline.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
 #include "server/app/told_ship.hpp"
@@ -204,7 +204,34 @@ std::uint64_t RadarServer::settings_version() const {
 void RadarServer::leave(const std::string& origin) { desk_->leave(origin); }
 
 wire::World RadarServer::world() const {
-  return world_message(*timeline_.environment(), timeline_.latest()->time);
+  const WorldStatePtr state = timeline_.latest();
+  wire::World world = world_message(*timeline_.environment(), state->exercise);
+  world.set_scenario_s(in_seconds(state->time.time_since_epoch()));
+  world.set_exercise_s(in_seconds(state->exercise));
+  world.set_frozen(state->frozen);
+  world.set_rate(state->rate);
+  return world;
+}
+
+std::optional<wire::ExerciseState> RadarServer::exercise_state() const {
+  wire::ExerciseState state;
+  instant();  // so that the newest tick is that of now
+  timeline_.tell(state);
+  for (wire::ExerciseShip& ship : *state.mutable_ships()) {
+    if (!ship.own()) continue;
+    for (std::uint32_t radar = 0; radar < radars_.size(); ++radar) {
+      if (radars_[radar]->unit.config().own_ship == ship.number()) ship.add_radars(radar);
+    }
+    if (!ship.radars().empty()) ship.set_con(desk_->con_of(ship.radars(0)));
+  }
+  return state;
+}
+
+void RadarServer::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
+  coast_->survey({place.latitude_deg(), place.longitude_deg()}, nautical_miles(place.radius_nm()),
+                 [place, done = std::move(done)](std::optional<echo::CoastChart> chart) {
+                   done(chart ? std::optional(coastline_of(*chart, place)) : std::nullopt);
+                 });
 }
 
 wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
@@ -217,6 +244,9 @@ wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
   out.set_radar(radar);
   out.set_name(mount.own_ship);
   out.set_utc_ns(static_cast<std::uint64_t>(now.utc.time_since_epoch().count()));
+  const ExerciseLog::Text& text = now.state->log->texts[mount.unit.config().own_ship];
+  out.set_text(text.text);
+  out.set_texts(text.count);
   if (ship.con) out.mutable_con()->set_con(desk_->con_of(radar));
   return out;
 }

@@ -57,6 +57,8 @@ class RadarServer : public RadarHost {
   std::vector<TrafficItem> traffic() const override;
   const ExerciseInputs* exercise() const override { return &inputs_; }
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
+  std::optional<wire::ExerciseState> exercise_state() const override;
+  void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override;
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
   wire::Status status() const override;

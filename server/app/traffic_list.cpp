@@ -108,17 +108,37 @@ std::vector<TrafficItem> traffic_of(const WorldState& state, ScenarioTime now) {
     put(ship, dt, items[ship.number]);
     items[ship.number].ais = said_of(state, ship, dt);
   }
-  const std::size_t first_target = items.size();
-  for (const scenario::Target& target : scenario.targets()) add(item_of(target));
-  for (const ShipState& ship : state.targets) put(ship, dt, items[first_target + ship.number]);
+  const auto fill = [&](int number) {
+    add(item_of(scenario.targets(number)));
+    return items.size() - 1;
+  };
+  std::vector<std::size_t> places(static_cast<std::size_t>(scenario.targets_size()));
+  const auto scripted = static_cast<int>(state.scripted_targets);
+  for (int i = 0; i < scripted; ++i) places[static_cast<std::size_t>(i)] = fill(i);
+  for (const scenario::Racon& racon : scenario.racons()) add(item_of(racon));
+  // Behind all others, so that those keep their numbers.
+  for (int i = scripted; i < scenario.targets_size(); ++i) {
+    places[static_cast<std::size_t>(i)] = fill(i);
+  }
+  std::vector<bool> on_water(places.size(), false);
+  for (const ShipState& ship : state.targets) {
+    put(ship, dt, items[places[ship.number]]);
+    on_water[ship.number] = true;
+  }
   for (const SmallTargetState& small : state.adrift) {
     ShipState boat;
     boat.position = small.position;
     boat.heading_deg = boat.course_over_ground_deg = small.course_over_ground_deg;
     boat.speed_mps = small.speed_mps;
-    put(boat, dt, items[first_target + small.number]);
+    boat.pace = small.pace;
+    put(boat, dt, items[places[small.number]]);
   }
-  for (const scenario::Racon& racon : scenario.racons()) add(item_of(racon));
+  for (std::size_t i = places.size(); i-- > 0;) {
+    const bool is_ship =
+        scenario.targets(static_cast<int>(i)).kind() == scenario::Target::ship;
+    if (is_ship && !on_water[i]) items[places[i]].number = 0;
+  }
+  std::erase_if(items, [](const TrafficItem& item) { return item.number == 0; });
   return items;
 }
 

@@ -79,6 +79,15 @@ class RadarHost {
     return "this server's own ships cannot be driven from outside";
   }
 
+  // The exercise as it really is, for instructors; nothing if there is none (a playback).
+  virtual std::optional<wire::ExerciseState> exercise_state() const { return std::nullopt; }
+  // The shore about a place, made on a thread of its own; `done` is called once, from there, with
+  // nothing if there is no chart or too many ask.  Radius within its range.
+  using CoastlineDone = std::function<void(std::optional<wire::Coastline>)>;
+  virtual void find_coastline(const wire::GetCoastline& /*place*/, CoastlineDone done) {
+    done(std::nullopt);
+  }
+
   // Require a radar and view that find_channel() knows.
   virtual wire::Settings settings(std::uint32_t radar, std::uint32_t view) const = 0;
   virtual wire::OwnShip own_ship(std::uint32_t radar) const = 0;

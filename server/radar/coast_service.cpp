@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace skerry::server {
 
@@ -72,19 +73,51 @@ void CoastService::work(const std::stop_token& stop) {
                         [](const auto& slot) { return slot->wish.has_value(); });
   };
   std::unique_lock lock(mutex_);
-  while (wished_.wait(lock, stop, [&] { return wishing() != slots_.end(); })) {
-    Slot& slot = **wishing();
-    const CoastWish wish = *slot.wish;
-    slot.wish.reset();
+  while (wished_.wait(lock, stop,
+                      [&] { return wishing() != slots_.end() || !surveys_.empty(); })) {
+    const auto slot = wishing();
+    if (slot == slots_.end()) {
+      const Survey survey = std::move(surveys_.front());
+      surveys_.pop_front();
+      lock.unlock();
+      serve(survey);
+      lock.lock();
+      continue;
+    }
+    Slot& wished = **slot;
+    const CoastWish wish = *wished.wish;
+    wished.wish.reset();
     lock.unlock();
     try {
-      serve(slot, wish);
+      serve(wished, wish);
     } catch (const std::exception& error) {
       // The chart went away under a running server: the radars keep the coast they have.
       spdlog::error("coast: {}", error.what());
     }
     lock.lock();
   }
+}
+
+void CoastService::survey(GeoPoint centre, Length radius, SurveyDone done) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (surveys_.size() < kMaxSurveys) {
+      surveys_.push_back({centre, radius, std::move(done)});
+      done = nullptr;
+    }
+  }
+  if (done) return done(std::nullopt);
+  wished_.notify_one();
+}
+
+void CoastService::serve(const Survey& survey) const {
+  std::optional<echo::CoastChart> chart;
+  try {
+    chart = chart_->load(survey.centre, survey.radius);
+  } catch (const std::exception& error) {
+    spdlog::error("chart: {}", error.what());
+  }
+  survey.done(std::move(chart));
 }
 
 }  // namespace skerry::server

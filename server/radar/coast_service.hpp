@@ -2,6 +2,8 @@
 #pragma once
 
 #include <condition_variable>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -38,6 +40,11 @@ class CoastService {
   // Thread: the one that looks at the slot.  Never waits for the work.  Wishes of slots of a lower
   // number, the radars' first of all, are served first.
   void ask(std::size_t slot, const CoastWish& wish);
+  // The chart itself; `done` is called from the service's thread, or with nothing at once if
+  // kMaxSurveys wait already.  Served after wishes.  A chart that cannot be read: nothing too.
+  static constexpr std::size_t kMaxSurveys = 8;
+  using SurveyDone = std::function<void(std::optional<echo::CoastChart>)>;
+  void survey(GeoPoint centre, Length radius, SurveyDone done);
   CoastInSightPtr latest(std::size_t slot) const { return find(slot).in_sight.get(); }
 
  private:
@@ -49,7 +56,13 @@ class CoastService {
     PictureOrigin origin;
     Latest<CoastInSight> in_sight;
   };
+  struct Survey {
+    GeoPoint centre;
+    Length radius;
+    SurveyDone done;
+  };
   Slot& find(std::size_t slot) const;
+  void serve(const Survey& survey) const;
   static void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);
 
@@ -57,6 +70,7 @@ class CoastService {
   echo::CoastRules rules_;
   mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Slot>> slots_;  // guarded by mutex_; each stays where it is
+  std::deque<Survey> surveys_;                 // guarded by mutex_
   std::condition_variable_any wished_;
   std::jthread thread_;
 };

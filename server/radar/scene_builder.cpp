@@ -21,8 +21,8 @@ constexpr double kDuctedEmitterReach = 150.0 * 1852.0;  // in a duct
 constexpr double kEmitterScaleNm = 12.0;  // the range scale on which targets have their radars
 
 echo::ShipMotion motion_of(const ShipState& ship) {
-  return {ship.position, ship.course_over_ground_deg, ship.speed_mps, ship.heading_deg,
-          ship.rate_of_turn_deg_s};
+  return {ship.position, ship.course_over_ground_deg, ship.pace * ship.speed_mps, ship.heading_deg,
+          ship.pace * ship.rate_of_turn_deg_s};
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emiss
     emitter.place = plane.to_plane(ship.position);
     if (length_of(emitter.place - scene.own_ship) > reach.emitters_m) return;
     emitter.velocity =
-        echo::velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.speed_mps);
+        echo::velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.pace * ship.speed_mps);
     // Antennas turn from the bow on; her turning since is no more than an offset.
     emitter.bearing_deg += ship.heading_deg + plane.true_north_degrees(ship.position);
     scene.emitters.push_back(emitter);

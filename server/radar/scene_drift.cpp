@@ -30,7 +30,8 @@ void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double 
     cell.radius_m = rain.cloud->radius_m;
     if (length_of(cell.centre - scene.own_ship) > reach_m + cell.radius_m) continue;
     cell.velocity =
-        echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, rain.cloud->speed_mps);
+        echo::velocity_in(plane, rain.centre, rain.cloud->course_deg,
+                          state.pace * rain.cloud->speed_mps);
     cell.facing = echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, 1.0);
     cell.rate_mm_h = rain.cloud->rate_mm_h;
     cell.kind = rain.cloud->kind;
@@ -49,7 +50,8 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
         point_of(state.scenario->targets(static_cast<int>(small.number)), seed, small.number));
     scene.points.back().place = place;
     scene.points.back().velocity =
-        echo::velocity_in(plane, small.position, small.course_over_ground_deg, small.speed_mps);
+        echo::velocity_in(plane, small.position, small.course_over_ground_deg,
+                          small.pace * small.speed_mps);
   }
   std::uint64_t number = 0;
   const auto add_sart = [&](GeoPoint position, double course_deg, double speed_mps,
@@ -62,11 +64,11 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
                            height_m, identity_of(seed, Fixture::sart, mine)});
   };
   for (const SartState& sart : state.sarts) {
-    add_sart(sart.position, sart.course_over_ground_deg, sart.speed_mps, sart.height_m);
+    add_sart(sart.position, sart.course_over_ground_deg, sart.pace * sart.speed_mps, sart.height_m);
   }
   for (const ShipState& ship : state.targets) {
     if (ship.sart) {
-      add_sart(ship.position, ship.course_over_ground_deg, ship.speed_mps, kSartOnShipM);
+      add_sart(ship.position, ship.course_over_ground_deg, ship.pace * ship.speed_mps, kSartOnShipM);
     }
   }
 }

@@ -86,7 +86,7 @@ CoastWish SectorMaker::wish(const ShipState& own_ship, const std::vector<ViewInF
   cells = echo::row_cells_for_error(geometry, range, cells, radar_faults(own_ship).range_error_m);
   const Length reach = range.length() * (double{1} * cells / geometry.cells);
   return {own_ship.position,
-          own_ship.speed_mps,
+          own_ship.pace * own_ship.speed_mps,
           {std::min(reach.in_metres(), kFarthestCoast.in_metres()),
            geometry.cell_size(range).in_metres(), 360.0 / geometry.spokes_per_turn},
           tag};

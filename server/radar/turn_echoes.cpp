@@ -134,7 +134,7 @@ echo::ScenePtr TurnEchoes::scene_at(ScenarioTime when) {
   const ShipState& own_ship = state->own_ships[radar_.config().own_ship];
   faults_ = radar_faults(own_ship);
   keeper_.look_after({own_ship.position,
-                      own_ship.speed_mps,
+                      own_ship.pace * own_ship.speed_mps,
                       {scale_.length().in_metres(), grid_.cell_m, 360.0 / grid_.rows_per_turn}},
                      state->time);
   const CoastInSightPtr own = keeper_.latest();

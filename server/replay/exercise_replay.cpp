@@ -7,7 +7,7 @@ namespace skerry::server {
 ExerciseReplay::ExerciseReplay(const RecordedExercise& exercise, const ExercisePlan& plan,
                                const echo::ChartSource& chart, std::size_t workers)
     : exercise_(exercise),
-      world_(plan.scenario, exercise.world, plan.changer),
+      world_(plan.scenario, exercise.world, plan.in_range),
       emissions_(plan.radars.size()) {
   if (plan.radars.size() != exercise.radars.size()) {
     throw ReplayError(fmt::format("the scenario has {} radars, its inputs are of {}",

@@ -19,7 +19,7 @@ struct ExercisePlan {
   scenario::Scenario scenario;
   std::vector<RadarConfig> radars;
   echo::CoastRules coast;
-  EnvironmentChanger changer;
+  RangeCheck in_range;
 };
 
 // Makes sector after sector of all radars as fast as it can, in the order of time as far as radars

@@ -64,12 +64,22 @@ void InputLog::driven(std::uint64_t tick, std::size_t own_ship, const OwnShipFix
   add(input);
 }
 
-void InputLog::changed(std::uint64_t tick, const wire::WorldChange& change, ScenarioTime now) {
+void InputLog::changed(std::uint64_t tick, const wire::WorldChange& change, Duration now) {
   recording::Input input;
   recording::Input::Environment& told = *input.mutable_environment();
   told.set_tick(tick);
-  told.set_scenario_ns(now.time_since_epoch().count());
+  told.set_scenario_ns(now.count());
   *told.mutable_change() = change;
+  add(input);
+}
+
+void InputLog::exercised(std::uint64_t tick, const wire::ExerciseOrder& order,
+                         const std::string& by) {
+  recording::Input input;
+  recording::Input::Exercise& told = *input.mutable_exercise();
+  told.set_tick(tick);
+  *told.mutable_order() = order;
+  told.set_by(by);
   add(input);
 }
 

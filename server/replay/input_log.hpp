@@ -35,7 +35,8 @@ class InputLog final : public InputSink, public ExerciseInputs {
                std::optional<double> speed_kn);
   void ordered(std::uint64_t tick, std::size_t own_ship, const wire::ConOrder& con);
   void driven(std::uint64_t tick, std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
-  void changed(std::uint64_t tick, const wire::WorldChange& change, ScenarioTime now);
+  void changed(std::uint64_t tick, const wire::WorldChange& change, Duration now);
+  void exercised(std::uint64_t tick, const wire::ExerciseOrder& order, const std::string& by);
 
   void warmed_up(std::uint32_t radar, const SectorInputs& inputs) override;
   void took(std::uint32_t radar, std::uint64_t first, const SectorInputs& inputs,

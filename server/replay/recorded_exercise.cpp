@@ -52,6 +52,9 @@ class Sorter {
       case Input::kEnvironment:
         exercise_.world.push_back({input.environment().tick(), input});
         return std::nullopt;
+      case Input::kExercise:
+        exercise_.world.push_back({input.exercise().tick(), input});
+        return std::nullopt;
       case Input::kCheckpoint:
         exercise_.checkpoints.push_back(input.checkpoint());
         return std::nullopt;

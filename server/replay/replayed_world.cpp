@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/replay/input_messages.hpp"
+#include "server/world/world_change.hpp"
 
 namespace skerry::server {
 namespace {
@@ -14,10 +15,11 @@ ScenarioTime time_of(std::uint64_t tick) {
   return ScenarioTime(static_cast<std::int64_t>(tick) * World::kTick);
 }
 
-// When something was given that holds from the tick on.  Error: std::invalid_argument.
-ScenarioTime near(std::uint64_t tick, std::int64_t scenario_ns) {
-  const ScenarioTime when{Duration(scenario_ns)};
-  if (when < ScenarioTime{} || when > time_of(tick)) {
+// When something was given that holds from the tick on, which is at `latest`.
+// Error: std::invalid_argument.
+Duration near(Duration latest, std::int64_t given_ns) {
+  const Duration when(given_ns);
+  if (when < Duration::zero() || when > latest) {
     throw std::invalid_argument("its own time is not before that of the tick");
   }
   return when;
@@ -26,8 +28,8 @@ ScenarioTime near(std::uint64_t tick, std::int64_t scenario_ns) {
 }  // namespace
 
 ReplayedWorld::ReplayedWorld(const scenario::Scenario& scenario,
-                             const std::vector<WorldInput>& inputs, EnvironmentChanger changer)
-    : timeline_(World(scenario)), inputs_(inputs), changer_(std::move(changer)) {}
+                             const std::vector<WorldInput>& inputs, RangeCheck in_range)
+    : timeline_(World(scenario)), inputs_(inputs), in_range_(std::move(in_range)) {}
 
 // The timeline makes a bounded number of ticks in one call.
 void ReplayedWorld::make_up_to(std::uint64_t tick) {
@@ -59,12 +61,23 @@ void ReplayedWorld::give(const WorldInput& given) {
       }
     } else if (given.input.has_fix()) {
       const recording::Input::Fix& fix = given.input.fix();
-      timeline_.drive(fix.own_ship(), fix_of(fix), near(given.tick, fix.scenario_ns()));
+      timeline_.drive(
+          fix.own_ship(), fix_of(fix),
+          ScenarioTime(near(time_of(given.tick).time_since_epoch(), fix.scenario_ns())));
+    } else if (given.input.has_exercise()) {
+      const recording::Input::Exercise& told = given.input.exercise();
+      wire::Set set;
+      *set.mutable_exercise() = told.order();
+      if (!in_range_(set)) throw std::invalid_argument("an order to the exercise is out of range");
+      const auto ordered = timeline_.order(told.order(), told.by());
+      if (ordered.fault) throw std::invalid_argument(*ordered.fault);
     } else {
       const recording::Input::Environment& told = given.input.environment();
       Environment environment = *timeline_.environment();
-      const ScenarioTime when = near(given.tick, told.scenario_ns());
-      if (!changer_(told.change(), when, environment)) {
+      const Duration when = near(timeline_.latest()->exercise, told.scenario_ns());
+      wire::Set set;
+      *set.mutable_world() = told.change();
+      if (!in_range_(set) || change_environment(told.change(), when, environment)) {
         throw std::invalid_argument("a change of the world is refused");
       }
       timeline_.set_environment(std::move(environment));

@@ -13,16 +13,15 @@
 
 namespace skerry::server {
 
-// Changes an environment as of a time; false if it refuses.
-using EnvironmentChanger =
-    std::function<bool(const wire::WorldChange&, ScenarioTime, Environment&)>;
+// True if all values of a Set are within their ranges.
+using RangeCheck = std::function<bool(const wire::Set&)>;
 
 // Thread: one at a time.
 class ReplayedWorld {
  public:
   // `inputs` by tick, and they must outlive it.
   ReplayedWorld(const scenario::Scenario& scenario, const std::vector<WorldInput>& inputs,
-                EnvironmentChanger changer);
+                RangeCheck in_range);
 
   // The world at a time, as Timeline::at() has it, with every input given at its tick.
   WorldStatePtr at(ScenarioTime time);
@@ -37,7 +36,7 @@ class ReplayedWorld {
   Timeline timeline_;
   const std::vector<WorldInput>& inputs_;
   std::size_t next_ = 0;
-  EnvironmentChanger changer_;
+  RangeCheck in_range_;
   std::optional<std::string> fault_;
 };
 

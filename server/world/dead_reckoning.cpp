@@ -14,7 +14,7 @@ double chord_of_arc(double turn_deg) {
 }
 
 ShipPlace position_at(const ShipState& ship, Duration dt) {
-  const double dt_s = in_seconds(dt);
+  const double dt_s = in_seconds(dt) * ship.pace;
   const double turn_deg = ship.rate_of_turn_deg_s * dt_s;
   const RhumbEnd end = advanced(ship.position, ship.course_over_ground_deg + 0.5 * turn_deg,
                                 ship.speed_mps * dt_s * chord_of_arc(turn_deg));

@@ -44,7 +44,7 @@ echo::RainKind rain_kind(wire::RainKind kind) {
   return static_cast<echo::RainKind>(kind);
 }
 
-GeoPoint place_of(const RainCloud& cloud, ScenarioTime time) {
+GeoPoint place_of(const RainCloud& cloud, Duration time) {
   return advanced(cloud.from, cloud.course_deg, cloud.speed_mps * in_seconds(time - cloud.since))
       .position;
 }

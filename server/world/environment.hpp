@@ -19,7 +19,7 @@ namespace skerry::server {
 struct RainCloud {
   std::uint32_t id = 0;  // from 1, never given twice within a run
   GeoPoint from;
-  ScenarioTime since{};     // when it was there
+  Duration since{};         // when it was there, on the exercise's clock
   double course_deg = 0.0;  // true, whither
   double speed_mps = 0.0;
   double radius_m = 0.0;
@@ -49,7 +49,7 @@ Environment environment_of(const scenario::Scenario& scenario);
 // The kinds of the schema and of the echo are the same, in the same order.
 echo::RainKind rain_kind(wire::RainKind kind);
 
-// Where the middle of a cell is at a time.
-GeoPoint place_of(const RainCloud& cloud, ScenarioTime time);
+// Where the middle of a cell is at a time of the exercise.
+GeoPoint place_of(const RainCloud& cloud, Duration time);
 
 }  // namespace skerry::server

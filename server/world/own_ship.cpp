@@ -140,9 +140,23 @@ bool OwnShip::drive(const OwnShipFix& fix, Duration now) {
 void OwnShip::end_drive(const Environment& environment) {
   driven_.reset();
   state_.driven = false;
+  go_on(environment);
+}
+
+void OwnShip::put(const ShipState& there, const Environment& environment) {
+  state_.position = there.position;
+  state_.heading_deg = wrapped_degrees(there.heading_deg);
+  state_.speed_mps = there.speed_mps;
+  state_.rate_of_turn_deg_s = 0.0;
+  if (driven_) return;  // until the next fix
+  go_on(environment);
+}
+
+void OwnShip::go_on(const Environment& environment) {
   ordered_course_deg_ = state_.course_over_ground_deg = state_.heading_deg;
   ordered_speed_mps_ = speed_mps_ = state_.speed_mps;
-  rate_deg_s_ = std::clamp(state_.rate_of_turn_deg_s, -max_rate_deg_s_, max_rate_deg_s_);
+  rate_deg_s_ = commanded_deg_s_ =
+      std::clamp(state_.rate_of_turn_deg_s, -max_rate_deg_s_, max_rate_deg_s_);
   if (class_ship_) class_ship_->resume(state_);
   begin_tick(environment);
 }

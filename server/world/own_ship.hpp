@@ -60,6 +60,9 @@ class OwnShip {
   // values within their ranges.  True if she was not driven until now.
   bool drive(const OwnShipFix& fix, Duration now);
 
+  // At `there`'s position, on its heading and at its speed, from now on; she keeps both.
+  void put(const ShipState& there, const Environment& environment);
+
   // What is wrong aboard her from now on, instead of what was.
   void set_faults(const wire::Faults& faults);
   wire::Faults faults() const { return state_.faults ? state_.faults->faults : wire::Faults{}; }
@@ -80,6 +83,7 @@ class OwnShip {
   void begin_tick(const Environment& environment);
   void end_drive(const Environment& environment);
   void hold_what_is_lost(const FaultState* was, FaultState& next) const;
+  void go_on(const Environment& environment);
 
   Duration tick_;
   Lag speed_lag_, turn_lag_;

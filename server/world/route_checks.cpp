@@ -17,14 +17,14 @@ constexpr double kMostOfService = 1.2;  // of the class's speed
 
 }  // namespace
 
-Length distance_between(const scenario::Position& from, const scenario::Position& to) {
+Length distance_between(GeoPoint from, GeoPoint to) {
   double distance_m = 0.0;
-  GeographicLib::Geodesic::WGS84().Inverse(from.lat(), from.lon(), to.lat(), to.lon(), distance_m);
+  GeographicLib::Geodesic::WGS84().Inverse(from.latitude_deg, from.longitude_deg, to.latitude_deg,
+                                          to.longitude_deg, distance_m);
   return metres(distance_m);
 }
 
-void check_leg(const scenario::Position& from, const scenario::Position& to,
-               const std::string& path, YamlSource& source) {
+void check_leg(GeoPoint from, GeoPoint to, const std::string& path, YamlSource& source) {
   const Length leg = distance_between(from, to);
   if (leg >= kShortestLeg && leg <= kLongestLeg) return;
   source.refuse(path, fmt::format("the leg to it is {:.3f} NM long; allowed: {} m to {} NM",
@@ -66,13 +66,13 @@ void check_ship_class(scenario::OwnShip& ship, const std::string& path, YamlSour
                                                   ship.speed_kn(), found->key, most_kn));
   }
   std::string from_path = path + ".position";
-  const scenario::Position* from = &ship.position();
+  GeoPoint from = geo_point(ship.position());
   for (int i = 0; i < ship.route_size(); ++i) {
     const std::string to_path = fmt::format("{}.route[{}]", path, i);
     if (source.is_sound(from_path) && source.is_sound(to_path)) {
-      check_leg(*from, ship.route(i), to_path, source);
+      check_leg(from, geo_point(ship.route(i)), to_path, source);
     }
-    from = &ship.route(i);
+    from = geo_point(ship.route(i));
     from_path = to_path;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/length.hpp"
 #include "server/config/yaml_message.hpp"
 #include "server/world/scenario.pb.h"
@@ -10,12 +11,11 @@
 namespace skerry::server {
 
 // Along the geodesic.
-Length distance_between(const scenario::Position& from, const scenario::Position& to);
+Length distance_between(GeoPoint from, GeoPoint to);
 
 // Refuses a leg that is shorter than 1 m or longer than 5000 NM: beyond that two places come near
 // to being antipodes, between which the way is arbitrary.  `path` is that of `to`.
-void check_leg(const scenario::Position& from, const scenario::Position& to,
-               const std::string& path, YamlSource& source);
+void check_leg(GeoPoint from, GeoPoint to, const std::string& path, YamlSource& source);
 
 // Refuses a class that there is not, and what does not go with one.  Sizes that the file does not
 // give become those of the class.

@@ -14,7 +14,9 @@
 #include "server/world/ais_identities.hpp"
 #include "server/world/board_registers.hpp"
 #include "server/world/radar_sets.hpp"
+#include "server/world/exercise_events.hpp"
 #include "server/world/route_checks.hpp"
+#include "server/world/ship_units.hpp"
 
 namespace skerry::server {
 namespace {
@@ -89,6 +91,7 @@ class ScenarioChecker {
       check_hull(scenario.own_ships(i), path);
       check_radars(*scenario.mutable_own_ships(i), path, radars);
     }
+    check_events(scenario, source_);
     check_mmsi(scenario);
     fill_in_mmsi(scenario);
     check_any_radar(scenario);
@@ -312,7 +315,7 @@ class ScenarioChecker {
       const scenario::OverheadCable& cable = scenario.cables(i);
       const std::string path = fmt::format("cables[{}]", i);
       if (!are_sound(path, {".from", ".to"})) continue;
-      const Length length = distance_between(cable.from(), cable.to());
+      const Length length = distance_between(geo_point(cable.from()), geo_point(cable.to()));
       if (length >= kShortestCable && length <= kLongestCable) continue;
       source_.refuse(path + ".to", fmt::format("the cable is {:.0f} m long; allowed: {} to {} m",
                                                length.in_metres(), kShortestCable.in_metres(),
@@ -333,13 +336,13 @@ class ScenarioChecker {
       source_.refuse(path + ".speed_kn", "0 with waypoints; allowed: more than 0 kn");
     }
     std::string from_path = path + ".position";
-    const scenario::Position* from = &target.position();
+    GeoPoint from = geo_point(target.position());
     for (int i = 0; i < target.waypoints_size(); ++i) {
-      const scenario::Position& to = target.waypoints(i);
+      const GeoPoint to = geo_point(target.waypoints(i));
       const std::string to_path = fmt::format("{}.waypoints[{}]", path, i);
       if (source_.is_sound(from_path) && source_.is_sound(to_path))
-        check_leg(*from, to, to_path, source_);
-      from = &to;
+        check_leg(from, to, to_path, source_);
+      from = to;
       from_path = to_path;
     }
   }

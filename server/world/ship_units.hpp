@@ -12,7 +12,9 @@ constexpr double knots_in_mps(double knots) {
   return knots * Length::kMetresPerNauticalMile / 3600.0;
 }
 
-inline GeoPoint geo_point(const scenario::Position& position) {
+// Of a Position or a Waypoint.
+template <typename Position>
+GeoPoint geo_point(const Position& position) {
   return {position.lat(), wrapped_longitude(position.lon())};
 }
 

@@ -25,7 +25,7 @@ TargetTrack::TargetTrack(const scenario::Target& target) {
 
   GeoPoint from = start_.position;
   double way_m = 0.0;
-  for (const scenario::Position& waypoint : target.waypoints()) {
+  for (const wire::Waypoint& waypoint : target.waypoints()) {
     const GeoPoint to = geo_point(waypoint);
     const auto line = GeographicLib::Geodesic::WGS84().InverseLine(
         from.latitude_deg, from.longitude_deg, to.latitude_deg, to.longitude_deg);

@@ -21,8 +21,8 @@ WorldStatePtr Timeline::at(ScenarioTime t) {
 }
 
 void Timeline::make_up_to(std::uint64_t tick) {
-  const std::uint64_t most =
-      std::max<std::uint64_t>(1, kMaxShipSteps / std::max<std::size_t>(1, world_.own_ship_count()));
+  const std::uint64_t most = std::max<std::uint64_t>(
+      1, kMaxShipSteps / std::max<std::size_t>(1, world_.own_ship_count() * world_.ticks_ahead()));
   const std::uint64_t last = std::min(tick, world_.tick() + most);
   while (world_.tick() < last) {
     world_.step();
@@ -56,6 +56,23 @@ std::optional<std::string> Timeline::fault_of(std::size_t own_ship,
                                               const wire::ConOrder& order) const {
   const std::lock_guard lock(mutex_);
   return world_.fault_of(own_ship, order);
+}
+
+Timeline::ConOrdered Timeline::order(const wire::ExerciseOrder& order, const std::string& by) {
+  const std::lock_guard lock(mutex_);
+  if (auto fault = world_.fault_of(order)) return {.fault = std::move(fault)};
+  world_.order(order, by);
+  return {.tick = world_.tick() + 1};
+}
+
+std::optional<std::string> Timeline::fault_of(const wire::ExerciseOrder& order) const {
+  const std::lock_guard lock(mutex_);
+  return world_.fault_of(order);
+}
+
+void Timeline::tell(wire::ExerciseState& state) const {
+  const std::lock_guard lock(mutex_);
+  world_.tell(state);
 }
 
 Timeline::Driven Timeline::drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now) {

@@ -16,7 +16,7 @@ namespace skerry::server {
 //
 // Thread: any.  One mutex, held for a pointer copy when the tick exists, and for the making of
 // ticks when not: some tens of microseconds per tick of one own ship and a dozen targets.  A call
-// makes at most kMaxShipSteps steps of own ships, so that after hours of suspension nobody waits
+// makes at most kMaxShipSteps steps of own ships (an exercise in haste makes several a tick), so that after hours of suspension nobody waits
 // for more than some 10 ms (40 ms of ships with a class): at() then returns the newest state made,
 // and the calls that follow catch up, an hour of two own ships in 15 of them.
 class Timeline {
@@ -53,6 +53,12 @@ class Timeline {
     bool begins = false;  // she was not driven until now
   };
   Driven drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now);
+
+  // An instructor's order, likewise; `by`: who gave it.
+  ConOrdered order(const wire::ExerciseOrder& order, const std::string& by);
+  std::optional<std::string> fault_of(const wire::ExerciseOrder& order) const;
+  // Every ship as of the newest tick made, and what has happened.
+  void tell(wire::ExerciseState& state) const;
 
   // In force from the next tick not yet made on, whose number is returned.  Requires what
   // World::set_environment() does.  Whoever changes what environment() gives must keep others from

@@ -71,6 +71,7 @@ struct SmallTargetState {
   GeoPoint position;
   double course_over_ground_deg = 0.0;  // true
   double speed_mps = 0.0;
+  double pace = 1.0;  // as ShipState has it
 };
 
 struct SartState {
@@ -78,6 +79,7 @@ struct SartState {
   double course_over_ground_deg = 0.0;  // true
   double speed_mps = 0.0;
   double height_m = 1.0;
+  double pace = 1.0;
 };
 
 // A rain cell where it is now.
@@ -86,9 +88,28 @@ struct RainState {
   GeoPoint centre;
 };
 
+// What has happened in an exercise beside the motion of ships.  Copied when it changes.
+struct ExerciseLog {
+  static constexpr std::size_t kMaxMarks = 1000;  // the oldest go
+  struct Text {
+    std::string text;
+    std::uint64_t count = 0;  // of texts so far
+  };
+  std::vector<wire::ExerciseMark> marks;
+  std::vector<Text> texts;             // to the con of each own ship
+  std::vector<std::string> snapshots;  // names, oldest first
+  std::string can_undo;                // empty: nothing
+  std::string last_by, last_order;
+  std::uint64_t orders = 0;
+};
+
 struct WorldState {
-  ScenarioTime time{};
-  Duration exercise{};  // on the exercise's clock
+  ScenarioTime time{};   // on the air
+  Duration exercise{};   // on the exercise's clock
+  double pace = 1.0;     // of that clock, as ShipState has it
+  bool frozen = false;
+  double rate = 1.0;     // its pace when it is not frozen
+  std::shared_ptr<const ExerciseLog> log;  // never null
   std::vector<ShipState> own_ships;
   std::vector<ShipState> targets;  // the ships among them
   double water_level_m = 0.0;      // over the charted coastline, 0 or less
@@ -97,6 +118,7 @@ struct WorldState {
   std::vector<RainState> rain;
   std::vector<SmallTargetState> adrift;  // small targets that make way
   std::vector<SartState> sarts;          // not those that ships carry
+  std::size_t scripted_targets = 0;      // those that the scenario had; the others were added
   // The source of everything that neither moves nor changes: small targets without way, turbines,
   // cables, racons.  Never null.
   std::shared_ptr<const scenario::Scenario> scenario;

@@ -9,7 +9,7 @@
 #include "protocol/wire/schema.hpp"
 #include "server/app/control/control_ranges.hpp"
 #include "server/app/control/controls_message.hpp"
-#include "server/app/control/world_change.hpp"
+#include "server/world/world_change.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
 
@@ -47,7 +47,7 @@ struct ControlDesk::Next {
   echo::ViewControls controls;
   echo::RadarControls radar;
   std::optional<Environment> environment;
-  ScenarioTime environment_time{};  // as of which it is changed
+  Duration environment_time{};  // of the exercise, as of which it is changed
   std::vector<ControlChange> changes;
 };
 
@@ -110,6 +110,14 @@ std::optional<wire::Reply> ControlDesk::refusal_by_state(const wire::Set& set) c
 
 std::optional<wire::Reply> ControlDesk::refusal_by_con(const wire::Set& set,
                                                        const std::string& origin) const {
+  if (set.has_exercise()) {
+    if (!set.instructor()) {
+      return refusal(wire::Reply::REFUSED, "exercise: only the instructor orders the exercise");
+    }
+    if (const auto fault = timeline_.fault_of(set.exercise())) {
+      return refusal(wire::Reply::REFUSED, *fault);
+    }
+  }
   if (!set.has_course_deg() && !set.has_speed_kn() && !set.has_con()) return std::nullopt;
   const std::size_t ship = units_[set.radar()]->config().own_ship;
   const wire::ConOrder* const con = set.has_con() ? &set.con() : nullptr;
@@ -210,7 +218,7 @@ void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
 
 std::optional<wire::Reply> ControlDesk::plan_world(const wire::Set& set, Next& next) const {
   if (!set.has_world()) return std::nullopt;
-  const ScenarioTime now = timeline_.latest()->time;
+  const Duration now = timeline_.latest()->exercise;
   next.environment = *timeline_.environment();
   next.environment_time = now;
   const wire::World before = world_message(*next.environment, now);
@@ -261,11 +269,25 @@ std::optional<wire::Reply> ControlDesk::give_con_orders(const wire::Set& set) {
   return std::nullopt;
 }
 
+std::optional<wire::Reply> ControlDesk::give_exercise_order(const wire::Set& set,
+                                                            const std::string& origin,
+                                                            Next& next) {
+  if (!set.has_exercise()) return std::nullopt;
+  const Timeline::ConOrdered ordered = timeline_.order(set.exercise(), origin);
+  if (ordered.fault) return refusal(wire::Reply::REFUSED, *ordered.fault);
+  if (inputs_ != nullptr) inputs_->exercised(ordered.tick, set.exercise(), origin);
+  next.changes.push_back({"exercise", "", set.exercise().ShortDebugString()});
+  world_version_.fetch_add(1);
+  return std::nullopt;
+}
+
 std::optional<wire::Reply> ControlDesk::carry_out(const wire::Set& set, const std::string& origin,
                                                   Next& next) {
   RadarUnit& unit = *units_[set.radar()];
   const auto giving = inputs_ != nullptr ? inputs_->giving() : std::unique_lock<std::mutex>();
-  if (const auto wrong = give_con_orders(set)) return wrong;  // before anything has changed
+  // Those that may fail come before anything has changed.
+  if (const auto wrong = give_con_orders(set)) return wrong;
+  if (const auto wrong = give_exercise_order(set, origin, next)) return wrong;
   if (next.environment) {
     const std::uint64_t tick = timeline_.set_environment(*std::move(next.environment));
     if (inputs_ != nullptr) inputs_->changed(tick, set.world(), next.environment_time);

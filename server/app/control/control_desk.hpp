@@ -62,6 +62,8 @@ class ControlDesk {
   std::optional<wire::Reply> carry_out(const wire::Set& set, const std::string& origin, Next& next);
   void give_orders(const wire::Set& set);
   std::optional<wire::Reply> give_con_orders(const wire::Set& set);
+  std::optional<wire::Reply> give_exercise_order(const wire::Set& set, const std::string& origin,
+                                                 Next& next);
   // Views that follow it keep their instrumented range as a multiple of the range scale.
   static void put_view(RadarUnit& unit, RadarView& view, const echo::ViewControls& controls);
   void log(const wire::Set& set, const std::string& origin, const Next& next);

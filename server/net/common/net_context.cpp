@@ -174,11 +174,18 @@ void NetContext::tell_settings() {
 
 void NetContext::tell_own_ships() {
   const std::uint64_t before = own_ship_calls_++, now = own_ship_calls_;
+  const auto is_due = [&](std::uint32_t hz) {  // of every kOwnShipMostHz calls
+    return now * hz / kOwnShipMostHz != before * hz / kOwnShipMostHz;
+  };
+  SharedBytes exercise;
   for (const auto& [key, feed] : feeds_) {
     SharedBytes frame;
     for (FeedReader* reader : feed->readers()) {
-      const std::uint32_t hz = reader->own_ship_hz();  // of every kOwnShipMostHz calls
-      if (now * hz / kOwnShipMostHz == before * hz / kOwnShipMostHz) continue;
+      if (is_due(reader->exercise_hz())) {
+        if (exercise == nullptr) exercise = exercise_frame();
+        if (exercise != nullptr) reader->on_exercise(exercise);
+      }
+      if (!is_due(reader->own_ship_hz())) continue;
       if (frame == nullptr) frame = own_ship_frame(std::get<0>(key));
       reader->on_own_ship(frame);
     }
@@ -217,6 +224,14 @@ SharedBytes NetContext::settings_frame(std::uint32_t radar, std::uint32_t view) 
 SharedBytes NetContext::own_ship_frame(std::uint32_t radar) const {
   wire::ServerMessage message;
   *message.mutable_own_ship() = host.own_ship(radar);
+  return make_frame(message);
+}
+
+SharedBytes NetContext::exercise_frame() const {
+  auto state = host.exercise_state();
+  if (!state) return nullptr;
+  wire::ServerMessage message;
+  *message.mutable_exercise() = *std::move(state);
   return make_frame(message);
 }
 

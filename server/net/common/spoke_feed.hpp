@@ -18,7 +18,7 @@ using SharedBytes = std::shared_ptr<const Bytes>;
 using FormatRingPtr = std::shared_ptr<FormatRing>;
 
 // A second.
-inline constexpr std::uint32_t kOwnShipLeastHz = 1, kOwnShipMostHz = 10;
+inline constexpr std::uint32_t kOwnShipLeastHz = 1, kOwnShipMostHz = 10, kExerciseMostHz = 4;
 
 // Told of news; takes the spokes itself, from SpokeFeed::ring() with its own cursor.
 // None of these may add or remove readers.  Thread: net-0.
@@ -28,6 +28,9 @@ class FeedReader {
   virtual void on_sector() = 0;
   // How often it wants on_own_ship(): kOwnShipLeastHz .. kOwnShipMostHz.
   virtual std::uint32_t own_ship_hz() const { return kOwnShipLeastHz; }
+  // How often it wants on_exercise(): 0 (not at all) .. kExerciseMostHz.
+  virtual std::uint32_t exercise_hz() const { return 0; }
+  virtual void on_exercise(const SharedBytes& /*frame*/) {}
   virtual void on_settings(const SharedBytes& /*frame*/) {}
   virtual void on_own_ship(const SharedBytes& /*frame*/) {}
   virtual void on_world(const SharedBytes& /*frame*/) {}

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/wire/schema.hpp"
 #include "server/net/common/access_policy.hpp"
 #include "server/net/common/encoders.hpp"
 
@@ -14,6 +15,17 @@ namespace {
 
 // For a client to read the error reply and end its side, before the server closes all the same.
 constexpr std::chrono::milliseconds kFarewellTime{2000};
+
+// What is wrong with a request for a coastline.
+std::optional<std::string> refusal_of_coastline(const wire::GetCoastline& place) {
+  for (const wire::FieldDescriptor* field : wire::fields_of(*wire::GetCoastline::descriptor())) {
+    const double value = place.GetReflection()->GetDouble(place, field);
+    if (wire::is_allowed(*field, value)) continue;
+    return fmt::format("coastline: {} {} is out of range; allowed: {}", wire::spoken_name(*field),
+                       value, wire::allowed_by(wire::rule_of(*field)));
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -134,6 +146,8 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
     case wire::ClientMessage::kBoardFifo:
     case wire::ClientMessage::kBoardRing:
       return ask_board(message);
+    case wire::ClientMessage::kGetCoastline:
+      return get_coastline(message.request(), message.get_coastline());
     case wire::ClientMessage::kRecord:
       return record(message.request(), message.record());
     case wire::ClientMessage::kPlayback:
@@ -143,7 +157,7 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
   }
   fail(wire::Reply::MALFORMED, "malformed request",
        "a ClientMessage without a kind this server knows; expected subscribe, set, get_status, "
-       "record, playback or one of a board's");
+       "record, playback, get_coastline or one of a board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
@@ -171,6 +185,12 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
                  fmt::format("own_ship_hz: {} is out of range; allowed: {} to {}",
                              subscribe.own_ship_hz(), kOwnShipLeastHz, kOwnShipMostHz));
   }
+  if (subscribe.exercise_hz() > kExerciseMostHz) {
+    return reply(request, wire::Reply::OUT_OF_RANGE,
+                 fmt::format("exercise_hz: {} is out of range; allowed: 0 to {}",
+                             subscribe.exercise_hz(), kExerciseMostHz));
+  }
+  if (subscribe.exercise_hz() > 0 && !may_control(request, subscribe.token())) return;
   const auto view = view_for(request, subscribe);
   if (!view) return;
   unsubscribe();
@@ -182,6 +202,7 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
     feed_->add_listener(*this);
   }
   own_ship_hz_ = std::max(subscribe.own_ship_hz(), kOwnShipLeastHz);
+  exercise_hz_ = subscribe.exercise_hz();
   client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
   client_->view.store(*view, std::memory_order_relaxed);
   spoke_buffer_ = takes_spokes_ ? context_.send_buffer_for(subscribe.radar()) : 0;
@@ -190,7 +211,8 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
   RecordingNews::Frames recordings = context_.recording_frames();
   news_ = {context_.settings_frame(subscribe.radar(), *view),
            context_.own_ship_frame(subscribe.radar()), context_.world_frame(),
-           std::move(recordings.recorder), std::move(recordings.playback)};
+           std::move(recordings.recorder), std::move(recordings.playback),
+           exercise_hz_ > 0 ? context_.exercise_frame() : nullptr};
   spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
                 subscribe.radar(), *view);
 }
@@ -219,6 +241,35 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
   without_token.clear_token();
   reply(request, context_.host.apply(without_token, origin()));
   context_.tell_settings();
+}
+
+void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastline& place) {
+  if (auto wrong = refusal_of_coastline(place)) {
+    return reply(request, wire::Reply::OUT_OF_RANGE, *std::move(wrong));
+  }
+  if (std::exchange(coastline_asked_, true)) {
+    return reply(request, wire::Reply::REFUSED,
+                 "coastline: one was asked for and has not come yet; ask when it has");
+  }
+  context_.host.find_coastline(
+      place, [self = weak_from_this(), io = &context_.io,
+              request](std::optional<wire::Coastline> coastline) {
+        asio::post(*io, [self, request, coastline = std::move(coastline)]() mutable {
+          const auto session = self.lock();
+          if (session == nullptr || session->closed_) return;
+          session->coastline_asked_ = false;
+          if (!coastline) {
+            session->reply(request, wire::Reply::REFUSED,
+                           "coastline: the server has no chart here, or too many ask at once");
+          } else {
+            wire::ServerMessage message;
+            *message.mutable_coastline() = *std::move(coastline);
+            session->send(message);
+            session->reply(request, wire::Reply::OK, "");
+          }
+          session->pump();
+        });
+      });
 }
 
 void NativeSession::record(std::uint32_t request, const wire::Record& record) {
@@ -312,6 +363,7 @@ void NativeSession::tell(News kind, const SharedBytes& frame) {
 void NativeSession::on_settings(const SharedBytes& frame) { tell(kSettings, frame); }
 void NativeSession::on_own_ship(const SharedBytes& frame) { tell(kOwnShip, frame); }
 void NativeSession::on_world(const SharedBytes& frame) { tell(kWorld, frame); }
+void NativeSession::on_exercise(const SharedBytes& frame) { tell(kExercise, frame); }
 void NativeSession::on_recorder(const SharedBytes& frame) { tell(kRecorder, frame); }
 void NativeSession::on_playback(const SharedBytes& frame) { tell(kPlayback, frame); }
 

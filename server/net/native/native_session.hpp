@@ -47,6 +47,8 @@ class NativeSession final : public Connection,
   void close() override;
   void on_sector() override { pump(); }
   std::uint32_t own_ship_hz() const override { return own_ship_hz_; }
+  std::uint32_t exercise_hz() const override { return exercise_hz_; }
+  void on_exercise(const SharedBytes& frame) override;
   void on_settings(const SharedBytes& frame) override;
   void on_own_ship(const SharedBytes& frame) override;
   void on_world(const SharedBytes& frame) override;
@@ -65,6 +67,7 @@ class NativeSession final : public Connection,
   // The view a subscription asks for, a new one among them; nothing if it has been refused.
   std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
   void set(std::uint32_t request, const wire::Set& set);
+  void get_coastline(std::uint32_t request, const wire::GetCoastline& place);
   void record(std::uint32_t request, const wire::Record& record);
   void control_playback(std::uint32_t request, const wire::Playback& playback);
   // One of the board's kinds.
@@ -102,7 +105,8 @@ class NativeSession final : public Connection,
   SpokeFeed* feed_ = nullptr;  // nullptr: not subscribed
   bool takes_spokes_ = false;
   Cursor cursor_;
-  std::uint32_t own_ship_hz_ = kOwnShipLeastHz;
+  std::uint32_t own_ship_hz_ = kOwnShipLeastHz, exercise_hz_ = 0;
+  bool coastline_asked_ = false;  // and not yet told
   std::uint64_t lost_before_ = 0;  // by earlier subscriptions
 
   // As the log and other consoles name it.
@@ -115,7 +119,7 @@ class NativeSession final : public Connection,
   std::deque<SharedBytes> replies_;
   std::size_t reply_bytes_ = 0;
   // The newest not yet sent, of each kind.
-  enum News : std::size_t { kSettings, kOwnShip, kWorld, kRecorder, kPlayback, kKindsOfNews };
+  enum News : std::size_t { kSettings, kOwnShip, kWorld, kRecorder, kPlayback, kExercise, kKindsOfNews };
   void tell(News kind, const SharedBytes& frame);
   std::array<SharedBytes, kKindsOfNews> news_;
 

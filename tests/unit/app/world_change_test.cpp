@@ -1,5 +1,5 @@
 // An instructor's changes: all or nothing, and told to everybody.
-#include "server/app/control/world_change.hpp"
+#include "server/world/world_change.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,13 +8,13 @@
 
 namespace skerry::server {
 
-// Changes `environment` as of `now`; a cell whose drift changes goes on from where it is then.
+// Changes `environment` as of `now`, on the exercise's clock; a cell whose drift changes goes on from where it is then.
 // Requires numbers that refusal_of() lets through.  Gives the reply that refuses the change (no
 // such rain cell, no place for a new one, too many), and then `environment` may be half changed.
-std::optional<wire::Reply> change_environment(const wire::WorldChange& change, ScenarioTime now,
+std::optional<wire::Reply> change_environment(const wire::WorldChange& change, Duration now,
                                               Environment& environment);
 
-// The environment, its rain where it is at that time.
-wire::World world_message(const Environment& environment, ScenarioTime now);
+// The environment, its rain where it is at that time of the exercise.  scenario_s is that time too.
+wire::World world_message(const Environment& environment, Duration now);
 
 }  // namespace skerry::server

@@ -1,11 +1,12 @@
-#include "server/app/control/world_change.hpp"
+#include "server/world/world_change.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "protocol/quantity/angle.hpp"
-#include "server/app/control/control_ranges.hpp"
 #include "server/world/artefact_switches.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/scenario.hpp"
@@ -16,31 +17,38 @@ namespace {
 
 constexpr double kNewRadiusNm = 2.0, kNewRateMmH = 4.0;  // as in scenario.proto
 
+wire::Reply refused(wire::Reply::Code code, std::string text) {
+  wire::Reply reply;
+  reply.set_code(code);
+  reply.set_text(std::move(text));
+  return reply;
+}
+
 std::optional<wire::Reply> remove_rain(const wire::WorldChange& change, Environment& environment) {
   if (change.remove_all_rain()) environment.rain.clear();
   for (const std::uint32_t id : change.remove_rain()) {
     if (std::erase_if(environment.rain, [&](const RainCloud& c) { return c.id == id; }) == 0) {
-      return refusal(wire::Reply::UNKNOWN,
+      return refused(wire::Reply::UNKNOWN,
                      fmt::format("remove rain: there is no rain cell {}", id));
     }
   }
   return std::nullopt;
 }
 
-std::optional<wire::Reply> change_rain(const wire::RainChange& change, ScenarioTime now,
+std::optional<wire::Reply> change_rain(const wire::RainChange& change, Duration now,
                                        Environment& environment) {
   if (change.has_latitude_deg() != change.has_longitude_deg()) {
-    return refusal(wire::Reply::OUT_OF_RANGE,
+    return refused(wire::Reply::OUT_OF_RANGE,
                    "rain: a position is latitude and longitude; one of them is missing");
   }
   auto cloud = std::find_if(environment.rain.begin(), environment.rain.end(),
                             [&](const RainCloud& c) { return c.id == change.id(); });
   if (change.id() == 0) {
     if (!change.has_latitude_deg()) {
-      return refusal(wire::Reply::OUT_OF_RANGE, "rain: a new rain cell needs a position");
+      return refused(wire::Reply::OUT_OF_RANGE, "rain: a new rain cell needs a position");
     }
     if (environment.rain.size() >= kMaxRainCells) {
-      return refusal(wire::Reply::OUT_OF_RANGE,
+      return refused(wire::Reply::OUT_OF_RANGE,
                      fmt::format("rain: there are {} rain cells; allowed: at most {}",
                                  environment.rain.size(), kMaxRainCells));
     }
@@ -50,7 +58,7 @@ std::optional<wire::Reply> change_rain(const wire::RainChange& change, ScenarioT
     fresh.rate_mm_h = kNewRateMmH;
     cloud = environment.rain.insert(environment.rain.end(), fresh);
   } else if (cloud == environment.rain.end()) {
-    return refusal(wire::Reply::UNKNOWN,
+    return refused(wire::Reply::UNKNOWN,
                    fmt::format("rain: there is no rain cell {}", change.id()));
   }
   cloud->from = change.has_latitude_deg()
@@ -67,7 +75,7 @@ std::optional<wire::Reply> change_rain(const wire::RainChange& change, ScenarioT
 
 }  // namespace
 
-std::optional<wire::Reply> change_environment(const wire::WorldChange& change, ScenarioTime now,
+std::optional<wire::Reply> change_environment(const wire::WorldChange& change, Duration now,
                                               Environment& environment) {
   echo::SeaSurface& sea = environment.sea;
   if (change.has_sea_state()) sea.state = change.sea_state();
@@ -92,9 +100,9 @@ std::optional<wire::Reply> change_environment(const wire::WorldChange& change, S
   return std::nullopt;
 }
 
-wire::World world_message(const Environment& environment, ScenarioTime now) {
+wire::World world_message(const Environment& environment, Duration now) {
   wire::World world;
-  world.set_scenario_s(in_seconds(now.time_since_epoch()));
+  world.set_scenario_s(in_seconds(now));
   world.set_sea_state(environment.sea.state);
   world.set_wind_from_deg(environment.sea.wind_from_deg);
   world.set_swell_height_m(environment.sea.swell.height_m);
