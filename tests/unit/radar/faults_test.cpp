@@ -22,6 +22,15 @@ double mean_of(const std::vector<SpokePtr>& spokes) {
   return sum / cells;
 }
 
+// What one cell in a hundred is over.
+int bright_of(const std::vector<SpokePtr>& spokes) {
+  std::vector<std::uint8_t> cells;
+  for (const SpokePtr& spoke : spokes)
+    cells.insert(cells.end(), spoke->cells.begin() + 100, spoke->cells.end());
+  std::nth_element(cells.begin(), cells.end() - cells.size() / 100, cells.end());
+  return *(cells.end() - cells.size() / 100);
+}
+
 bool same_cells(const std::vector<SpokePtr>& a, const std::vector<SpokePtr>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const SpokePtr& p, const SpokePtr& q) { return p->cells == q->cells; });
@@ -73,11 +82,11 @@ TEST(RadarFaults, LostPowerAndTuneLowerAnEchoByTheirDecibels) {
 TEST(RadarFaults, NoiseRisesByItsDecibelsAndEchoesDoNot) {
   FaultyRadar radar;
   radar.config().controls.gain = 80.0;
-  const double quiet = mean_of(radar.spokes(600, 4));
+  const double quiet = bright_of(radar.spokes(600, 4));
   wire::Faults noisy;
   noisy.set_radar_noise_db(6.0);
   radar.set(noisy);
-  const double loud = mean_of(radar.spokes(600, 4));
+  const double loud = bright_of(radar.spokes(600, 4));
   std::printf("6 dB: noise up by %.2f dB\n", (loud - quiet) / kStepsPerDb);
   EXPECT_NEAR((loud - quiet) / kStepsPerDb, 6.0, 0.5);
   radar.config().controls.gain = 50.0;
@@ -191,7 +200,7 @@ TEST(RadarFaults, SpokesAreStampedWithWhatGyroAndReceiverSay) {
   radar.state().exercise = std::chrono::seconds(60);
   const auto spokes = radar.spokes(128, 1);
   EXPECT_NEAR(spokes.front()->header.heading.in_degrees(), 357.0, 0.01);
-  EXPECT_NEAR(spokes.front()->header.own_ship.latitude_deg, 60.0, 1e-5) << "a mile up, one down";
+  EXPECT_NEAR(spokes.front()->header.own_ship.latitude_deg, 60.0, 1e-4) << "a mile up, one down";
   radar.clear();
   const auto well = radar.spokes(128, 1);
   EXPECT_EQ(well.front()->header.heading.in_degrees(), 0.0);

@@ -24,8 +24,9 @@ class FaultyRadar {
             "name: s\nseed: 3\nown_ships:\n"
             "  - {name: F, position: {lat: 60, lon: 5}, length_m: 90, beam_m: 15, radars: [{}]}\n"
             "targets:\n"
-            "  - {name: boat, position: {lat: 60.0235427, lon: 5.0470735}, length_m: 8, beam_m: 3,\n"
-            "     height_m: 2, cross_section_m2: 40}\n",
+            "  - {name: boat, position: {lat: 60.0235427, lon: 5.0470735}, length_m: 8, beam_m: "
+            "3,\n"
+            "     height_m: 2, cross_section_m2: 25}\n",
             "f")),
         state_(World(scenario_).state()) {
     config_.name = "r";
