@@ -3,7 +3,7 @@ import { message, Writer } from '../protobuf.js';
 
 // GiveWay and RouteEnd of the schema; scenarios have the same words.
 export const GIVE_WAY = ['never', 'early', 'late'];
-export const ROUTE_END = ['stop', 'back', 'round', 'vanish'];
+export const ROUTE_END = ['stop', 'back', 'round', 'vanish', 'again'];
 
 const Waypoint = message({
   1: ['lat', 'double'], 2: ['lon', 'double'], 3: ['speedKn', 'double?'], 4: ['arriveMin', 'double?'], 5: ['stopMin', 'double?'],
