@@ -3,9 +3,11 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
+#include "echo/kernel/hash.hpp"
 #include "tests/unit/world/refusal.hpp"
 #include "tests/unit/world/traffic_kit.hpp"
 
@@ -104,6 +106,19 @@ TEST(TrafficGroups, FiveHundredShipsForAnHourAreEqualBitForBit) {
     ASSERT_TRUE(std::isfinite(ship.speed_mps) && std::isfinite(ship.rate_of_turn_deg_s));
     ASSERT_LT(ship.speed_mps, knots_in_mps(60.0));
   }
+}
+
+TEST(TrafficGroups, TheSameBitsOnEveryMachine) {
+  TrafficRun run(kGroups);
+  run.step_to(300.0);
+  std::uint64_t hash = 0;
+  for (const ShipState& ship : run.traffic.states(run.now)) {
+    for (const double value : {ship.position.latitude_deg, ship.position.longitude_deg,
+                               ship.heading_deg, ship.speed_mps, ship.rate_of_turn_deg_s}) {
+      hash = echo::mixed(hash, std::bit_cast<std::uint64_t>(value));
+    }
+  }
+  EXPECT_EQ(hash, 13548579378300516295ull);
 }
 
 const std::string kHead =
