@@ -77,6 +77,8 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
       return Event(std::move(*message.mutable_recorder()));
     case wire::ServerMessage::kPlayback:
       return Event(std::move(*message.mutable_playback()));
+    case wire::ServerMessage::kExercise:
+      return Event(std::move(*message.mutable_exercise()));
     case wire::ServerMessage::kReply: {
       const wire::Reply& reply = message.reply();
       if (reply.code() == wire::Reply::OK && reply.request() == status_request_) return Event{};
@@ -87,6 +89,7 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
       return Event{};
     case wire::ServerMessage::kBoard:  // BoardClient asks for these
     case wire::ServerMessage::kBoardRecords:
+    case wire::ServerMessage::kCoastline:  // this client asks for none
     case wire::ServerMessage::KIND_NOT_SET:
       return Event{};
   }

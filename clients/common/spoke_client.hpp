@@ -16,8 +16,9 @@
 namespace skerry::client {
 
 // Whatever a subscribed connection brings.
-using ClientEvent = std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status,
-                                 wire::World, wire::RecorderState, wire::PlaybackState>;
+using ClientEvent =
+    std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status, wire::World,
+                 wire::RecorderState, wire::PlaybackState, wire::ExerciseState>;
 
 // One connection to a server.  Nothing that comes from the network throws or is believed unchecked.
 // An error ends the connection: every later call answers with the same error, and whether to

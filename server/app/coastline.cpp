@@ -31,8 +31,8 @@ Polygon cut(const Polygon& polygon, const Height& height) {
     if (over_a >= 0.0) out.push_back(a);
     if ((over_a >= 0.0) == (over_b >= 0.0)) continue;
     const double share = over_a / (over_a - over_b);
-    out.push_back({a.east_m + share * (b.east_m - a.east_m),
-                   a.north_m + share * (b.north_m - a.north_m)});
+    out.push_back(
+        {a.east_m + share * (b.east_m - a.east_m), a.north_m + share * (b.north_m - a.north_m)});
   }
   return out;
 }
@@ -61,8 +61,7 @@ Polygon thinned(const Polygon& polygon, double detail_m) {
 wire::Coastline coastline_of(const echo::CoastChart& chart, const wire::GetCoastline& place,
                              std::size_t most_points) {
   const double half_m = place.radius_nm() * 1852.0;
-  const double parallel =
-      std::max(0.01, std::cos(degrees(place.latitude_deg()).in_radians()));
+  const double parallel = std::max(0.01, std::cos(degrees(place.latitude_deg()).in_radians()));
   struct Area {
     Polygon polygon;
     int level;
@@ -81,9 +80,8 @@ wire::Coastline coastline_of(const echo::CoastChart& chart, const wire::GetCoast
   }
   // Land first, then the lakes in it, then islands in those.
   const auto depth = [](int level) { return level >= 5 ? 1 : level; };
-  std::stable_sort(areas.begin(), areas.end(), [&](const Area& a, const Area& b) {
-    return depth(a.level) < depth(b.level);
-  });
+  std::stable_sort(areas.begin(), areas.end(),
+                   [&](const Area& a, const Area& b) { return depth(a.level) < depth(b.level); });
 
   wire::Coastline out;
   out.set_latitude_deg(place.latitude_deg());

@@ -11,7 +11,6 @@
 #include "protocol/quantity/angle.hpp"
 #include "server/app/coastline.hpp"
 #include "server/app/con_message.hpp"
-#include "server/world/world_change.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
 #include "server/app/traffic_list.hpp"
@@ -23,6 +22,7 @@
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/world.hpp"
+#include "server/world/world_change.hpp"
 
 namespace skerry::server {
 namespace {

@@ -110,8 +110,7 @@ std::vector<TrafficItem> traffic_of(const WorldState& state, ScenarioTime now) {
     put(boat, dt, items[places[small.number]]);
   }
   for (std::size_t i = places.size(); i-- > 0;) {
-    const bool is_ship =
-        scenario.targets(static_cast<int>(i)).kind() == scenario::Target::ship;
+    const bool is_ship = scenario.targets(static_cast<int>(i)).kind() == scenario::Target::ship;
     if (is_ship && !on_water[i]) items[places[i]].number = 0;
   }
   std::erase_if(items, [](const TrafficItem& item) { return item.number == 0; });

@@ -73,8 +73,7 @@ void CoastService::work(const std::stop_token& stop) {
                         [](const auto& slot) { return slot->wish.has_value(); });
   };
   std::unique_lock lock(mutex_);
-  while (wished_.wait(lock, stop,
-                      [&] { return wishing() != slots_.end() || !surveys_.empty(); })) {
+  while (wished_.wait(lock, stop, [&] { return wishing() != slots_.end() || !surveys_.empty(); })) {
     const auto slot = wishing();
     if (slot == slots_.end()) {
       const Survey survey = std::move(surveys_.front());

@@ -70,7 +70,7 @@ class CoastService {
   echo::CoastRules rules_;
   mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Slot>> slots_;  // guarded by mutex_; each stays where it is
-  std::deque<Survey> surveys_;                 // guarded by mutex_
+  std::deque<Survey> surveys_;                // guarded by mutex_
   std::condition_variable_any wished_;
   std::jthread thread_;
 };

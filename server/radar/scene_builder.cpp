@@ -94,8 +94,8 @@ void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emiss
     if (band_of(emitter.frequency_hz) != role_.band || !in_plane(plane, ship.position)) return;
     emitter.place = plane.to_plane(ship.position);
     if (length_of(emitter.place - scene.own_ship) > reach.emitters_m) return;
-    emitter.velocity =
-        echo::velocity_in(plane, ship.position, ship.course_over_ground_deg, ship.pace * ship.speed_mps);
+    emitter.velocity = echo::velocity_in(plane, ship.position, ship.course_over_ground_deg,
+                                         ship.pace * ship.speed_mps);
     // Antennas turn from the bow on; her turning since is no more than an offset.
     emitter.bearing_deg += ship.heading_deg + plane.true_north_degrees(ship.position);
     scene.emitters.push_back(emitter);

@@ -29,9 +29,8 @@ void lay_weather(const WorldState& state, const echo::LocalPlane& plane, double 
     cell.centre = plane.to_plane(rain.centre);
     cell.radius_m = rain.cloud->radius_m;
     if (length_of(cell.centre - scene.own_ship) > reach_m + cell.radius_m) continue;
-    cell.velocity =
-        echo::velocity_in(plane, rain.centre, rain.cloud->course_deg,
-                          state.pace * rain.cloud->speed_mps);
+    cell.velocity = echo::velocity_in(plane, rain.centre, rain.cloud->course_deg,
+                                      state.pace * rain.cloud->speed_mps);
     cell.facing = echo::velocity_in(plane, rain.centre, rain.cloud->course_deg, 1.0);
     cell.rate_mm_h = rain.cloud->rate_mm_h;
     cell.kind = rain.cloud->kind;
@@ -49,9 +48,8 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
     scene.points.push_back(
         point_of(state.scenario->targets(static_cast<int>(small.number)), seed, small.number));
     scene.points.back().place = place;
-    scene.points.back().velocity =
-        echo::velocity_in(plane, small.position, small.course_over_ground_deg,
-                          small.pace * small.speed_mps);
+    scene.points.back().velocity = echo::velocity_in(
+        plane, small.position, small.course_over_ground_deg, small.pace * small.speed_mps);
   }
   std::uint64_t number = 0;
   const auto add_sart = [&](GeoPoint position, double course_deg, double speed_mps,
@@ -68,7 +66,8 @@ void lay_drifting(const WorldState& state, const echo::LocalPlane& plane, double
   }
   for (const ShipState& ship : state.targets) {
     if (ship.sart) {
-      add_sart(ship.position, ship.course_over_ground_deg, ship.pace * ship.speed_mps, kSartOnShipM);
+      add_sart(ship.position, ship.course_over_ground_deg, ship.pace * ship.speed_mps,
+               kSartOnShipM);
     }
   }
 }

@@ -17,9 +17,9 @@ struct ShipPlace {
 // Chord over arc of a turn: sin(x) / x, x half the turn.
 double chord_of_arc(double turn_deg);
 
-// The ship `dt` on the air (of either sign) after the state's time, if she keeps her speed and rate of turn:
-// by the chord of the arc she turns through, along the rhumb line on her mean course.  One tick on,
-// it is the own ship's next position, bit for bit.
+// The ship `dt` on the air (of either sign) after the state's time, if she keeps her speed and rate
+// of turn: by the chord of the arc she turns through, along the rhumb line on her mean course.  One
+// tick on, it is the own ship's next position, bit for bit.
 //
 // Error: against the true arc 1e-6 m over 0.2 s, at up to 31 m/s, 12 deg/s and 85 deg of latitude.
 // Held by DeadReckoning.MatchesAFinelySteppedGeodesic.

@@ -48,11 +48,13 @@ class EventChecker {
   void check_area(const scenario::Area& area, const std::string& path) {
     check_new(area.name(), path, names_.areas);
     if (area.has_centre() != (area.corners_size() == 0)) {
-      source_.refuse(path, "an area is a centre with a radius_nm or a list of corners; allowed: "
-                           "one of the two");
-    } else if (!area.has_centre() && (area.corners_size() < 3 || area.corners_size() > kMaxCorners)) {
-      source_.refuse(path + ".corners", fmt::format("{} corners; allowed: 3 to {}",
-                                                    area.corners_size(), kMaxCorners));
+      source_.refuse(path,
+                     "an area is a centre with a radius_nm or a list of corners; allowed: "
+                     "one of the two");
+    } else if (!area.has_centre() &&
+               (area.corners_size() < 3 || area.corners_size() > kMaxCorners)) {
+      source_.refuse(path + ".corners",
+                     fmt::format("{} corners; allowed: 3 to {}", area.corners_size(), kMaxCorners));
     }
   }
 
@@ -82,13 +84,14 @@ class EventChecker {
                                        "ship with a condition",
                                        printable(event.name())));
     }
-    const bool asks = event.has_within_of() || event.has_enters() ||
-                      event.has_faster_than_kn() || event.has_slower_than_kn();
+    const bool asks = event.has_within_of() || event.has_enters() || event.has_faster_than_kn() ||
+                      event.has_slower_than_kn();
     if (event.has_ship()) {
       check_name(event.ship(), path + ".ship", "ship", {&names_.own_ships, &names_.targets});
       if (!asks) {
-        source_.refuse(path + ".ship", "given without a condition; expected within_of, enters, "
-                                       "faster_than_kn or slower_than_kn besides");
+        source_.refuse(path + ".ship",
+                       "given without a condition; expected within_of, enters, "
+                       "faster_than_kn or slower_than_kn besides");
       }
     } else if (asks) {
       source_.refuse(path, "a condition without the ship it is about; expected ship besides");

@@ -20,13 +20,15 @@ constexpr double kMostOfService = 1.2;  // of the class's speed
 Length distance_between(GeoPoint from, GeoPoint to) {
   double distance_m = 0.0;
   GeographicLib::Geodesic::WGS84().Inverse(from.latitude_deg, from.longitude_deg, to.latitude_deg,
-                                          to.longitude_deg, distance_m);
+                                           to.longitude_deg, distance_m);
   return metres(distance_m);
 }
 
+bool is_leg(Length length) { return length >= kShortestLeg && length <= kLongestLeg; }
+
 void check_leg(GeoPoint from, GeoPoint to, const std::string& path, YamlSource& source) {
   const Length leg = distance_between(from, to);
-  if (leg >= kShortestLeg && leg <= kLongestLeg) return;
+  if (is_leg(leg)) return;
   source.refuse(path, fmt::format("the leg to it is {:.3f} NM long; allowed: {} m to {} NM",
                                   leg.in_nautical_miles(), kShortestLeg.in_metres(),
                                   kLongestLeg.in_nautical_miles()));

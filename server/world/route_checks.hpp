@@ -13,6 +13,8 @@ namespace skerry::server {
 // Along the geodesic.
 Length distance_between(GeoPoint from, GeoPoint to);
 
+// Whether a leg may be so long.
+bool is_leg(Length length);
 // Refuses a leg that is shorter than 1 m or longer than 5000 NM: beyond that two places come near
 // to being antipodes, between which the way is arbitrary.  `path` is that of `to`.
 void check_leg(GeoPoint from, GeoPoint to, const std::string& path, YamlSource& source);

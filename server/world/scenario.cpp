@@ -19,50 +19,13 @@
 #include "server/world/radar_sets.hpp"
 #include "server/world/route_checks.hpp"
 #include "server/world/ship_units.hpp"
+#include "server/world/target_checks.hpp"
 
 namespace skerry::server {
 namespace {
 
 constexpr Length kShortestCable = metres(1.0);
 constexpr Length kLongestCable = metres(20'000.0);
-
-// Height over the water and cross-section of a target smaller than the radar can resolve.
-struct KindSize {
-  double height_m;
-  double x_band_m2, s_band_m2;
-  scenario::Target::Fluctuation fluctuation;
-};
-
-// What is meant by a buoy, a reflector or a small craft.  Requires a kind other than `ship`.
-// Source: the rows of MSC.192(79) Table 2 and its footnotes on cross-section, the latter as
-// reported by others (SOURCES.md "Rules"); MSC.164(78) for the reflector.  Fluctuation is this
-// project's choice.
-KindSize size_of(scenario::Target::Kind kind) {
-  switch (kind) {
-    case scenario::Target::reflector_buoy:
-      return {3.5, 10.0, 1.0, scenario::Target::rayleigh};
-    case scenario::Target::small_craft:
-      return {2.0, 2.5, 1.4, scenario::Target::rayleigh};
-    case scenario::Target::reflector_craft:
-      return {4.0, 7.5, 0.5, scenario::Target::rayleigh};
-    case scenario::Target::channel_marker:
-      return {1.0, 1.0, 0.1, scenario::Target::rayleigh};
-    case scenario::Target::reflector:
-      return {4.0, 7.5, 0.5, scenario::Target::steady};
-    default:
-      return {3.5, 5.0, 0.5, scenario::Target::rayleigh};
-  }
-}
-
-// Sets what the file has not given of a target other than a ship: `height_given` says whether it
-// has the height.
-void fill_in_size(scenario::Target& target, bool height_given) {
-  const KindSize size = size_of(target.kind());
-  if (!height_given) target.set_height_m(size.height_m);
-  if (!target.has_x_band_m2()) target.set_x_band_m2(size.x_band_m2);
-  if (!target.has_s_band_m2()) target.set_s_band_m2(size.s_band_m2);
-  if (!target.has_fluctuation()) target.set_fluctuation(size.fluctuation);
-}
 
 // Names that must differ, and the paths of those who bear them.
 using Names = std::map<std::string, std::string>;
@@ -75,7 +38,7 @@ class ScenarioChecker {
 
   void check(scenario::Scenario& scenario) const {
     check_count(scenario.own_ships_size(), kMaxOwnShips, "own_ships");
-    check_targets(*scenario.mutable_targets());
+    check_targets(scenario, source_);
     check_count(scenario.coast().places_size(), kMaxCoastPlaces, "coast.places");
     check_count(scenario.rain_size(), kMaxRainCells, "rain");
     check_count(scenario.wind_turbines_size(), kMaxWindTurbines, "wind_turbines");
@@ -90,7 +53,7 @@ class ScenarioChecker {
       check_unique(scenario.own_ships(i).name(), path, ships);
       check_ship_class(*scenario.mutable_own_ships(i), path, source_);
       check_count(scenario.own_ships(i).route_size(), kMaxWaypoints, path + ".route");
-      check_hull(scenario.own_ships(i), path);
+      check_hull(scenario.own_ships(i), path, source_);
       check_radars(*scenario.mutable_own_ships(i), path, radars);
     }
     if (scenario.include_size() > 0) {
@@ -136,15 +99,6 @@ class ScenarioChecker {
     source_.refuse(path + ".name",
                    fmt::format("\"{}\" is the name of {} too ({}); names must differ", name,
                                other->second, source_.where(other->second + ".name")));
-  }
-
-  template <typename Ship>
-  void check_hull(const Ship& ship, const std::string& path) const {
-    if (!are_sound(path, {".beam_m", ".length_m"}) || ship.beam_m() <= ship.length_m()) return;
-    const char* const key = source_.has(path + ".beam_m") ? ".beam_m" : ".length_m";
-    source_.refuse(path + key, fmt::format("beam {} m is more than length {} m; allowed: at "
-                                           "most the length",
-                                           ship.beam_m(), ship.length_m()));
   }
 
   void check_radars(scenario::OwnShip& ship, const std::string& path, Names& names) const {
@@ -217,62 +171,6 @@ class ScenarioChecker {
     if (source_.is_sound(path) && !shipped_set(name)) source_.refuse(path, complain_of_name(name));
   }
 
-  void check_targets(google::protobuf::RepeatedPtrField<scenario::Target>& targets) const {
-    int ships = 0, emitters = 0, sarts = 0;
-    for (const scenario::Target& target : targets) {
-      if (target.kind() == scenario::Target::ship) ++ships;
-      if (target.has_radar()) ++emitters;
-      if (target.sart()) ++sarts;
-    }
-    check_count(ships, kMaxTargets, "targets", "ships");
-    check_count(targets.size() - ships, kMaxSmallTargets, "targets", "entries that are not ships");
-    check_count(emitters, kMaxEmitters, "targets", "ships with a radar");
-    check_count(sarts, kMaxSarts, "targets", "entries with a SART");
-    for (int i = 0; i < targets.size(); ++i) {
-      scenario::Target& target = targets[i];
-      const std::string path = fmt::format("targets[{}]", i);
-      if (source_.is_sound(path + ".kind")) {
-        check_keys_of_kind(target, path);
-        if (target.kind() == scenario::Target::ship) {
-          check_hull(target, path);
-        } else {
-          fill_in_size(target, source_.has(path + ".height_m"));
-        }
-      }
-      if (target.has_radar()) check_set_name(target.radar(), path + ".radar");
-      check_waypoints(target, path);
-    }
-  }
-
-  void refuse_for(const scenario::Target& target, const std::string& path, const char* key,
-                  const char* allowed) const {
-    if (!source_.has(path + "." + key)) return;
-    source_.refuse(path + "." + key,
-                   fmt::format("given for kind {}; allowed: {}",
-                               scenario::Target::Kind_Name(target.kind()), allowed));
-  }
-
-  void check_keys_of_kind(const scenario::Target& target, const std::string& path) const {
-    const bool ship = target.kind() == scenario::Target::ship;
-    static constexpr std::array kOfShips = {"length_m", "beam_m", "wake", "cross_section_m2",
-                                            "radar"};
-    static constexpr std::array kOfOthers = {"x_band_m2", "s_band_m2", "fluctuation"};
-    if (ship) {
-      for (const char* key : kOfOthers) {
-        refuse_for(target, path, key, "for buoys, craft, markers and reflectors");
-      }
-    } else {
-      for (const char* key : kOfShips) refuse_for(target, path, key, "for ships");
-    }
-    refuse_for(target, path, is_aid(target.kind()) ? "ship_type" : "aid_type",
-               is_aid(target.kind()) ? "for ships and craft" : "for buoys and markers");
-    if (target.kind() == scenario::Target::reflector && target.speed_kn() > 0.0) {
-      source_.refuse(
-          path + ".speed_kn",
-          fmt::format("{} kn for a reflector; allowed: 0, it stands still", target.speed_kn()));
-    }
-  }
-
   void check_mmsi(const scenario::Scenario& scenario) const {
     std::map<std::uint32_t, std::string> paths;
     const auto check = [&](const auto& bearers, const char* list) {
@@ -327,30 +225,6 @@ class ScenarioChecker {
       source_.refuse(path + ".to", fmt::format("the cable is {:.0f} m long; allowed: {} to {} m",
                                                length.in_metres(), kShortestCable.in_metres(),
                                                kLongestCable.in_metres()));
-    }
-  }
-
-  void check_waypoints(const scenario::Target& target, const std::string& path) const {
-    if (target.waypoints().empty()) return;
-    check_count(target.waypoints_size(), kMaxWaypoints, path + ".waypoints");
-    if (source_.has(path + ".course_deg") && source_.is_sound(path + ".course_deg")) {
-      source_.refuse(path + ".course_deg",
-                     fmt::format("{} given besides waypoints, which set the course; allowed: "
-                                 "one of the two",
-                                 target.course_deg()));
-    }
-    if (source_.is_sound(path + ".speed_kn") && target.speed_kn() <= 0.0) {
-      source_.refuse(path + ".speed_kn", "0 with waypoints; allowed: more than 0 kn");
-    }
-    std::string from_path = path + ".position";
-    GeoPoint from = geo_point(target.position());
-    for (int i = 0; i < target.waypoints_size(); ++i) {
-      const GeoPoint to = geo_point(target.waypoints(i));
-      const std::string to_path = fmt::format("{}.waypoints[{}]", path, i);
-      if (source_.is_sound(from_path) && source_.is_sound(to_path))
-        check_leg(from, to, to_path, source_);
-      from = to;
-      from_path = to_path;
     }
   }
 

@@ -50,6 +50,13 @@ ShipState TargetTrack::at(Duration since_start) const {
   return ship;
 }
 
+std::size_t TargetTrack::passed_at(Duration since_start) const {
+  const double way_m = start_.speed_mps * std::max(in_seconds(since_start), 0.0);
+  return static_cast<std::size_t>(
+      std::count_if(legs_.begin(), legs_.end(),
+                    [way_m](const Leg& leg) { return way_m >= leg.start_m + leg.length_m; }));
+}
+
 void TargetTrack::sail_legs(double way_m, ShipState& ship) const {
   const auto next = std::upper_bound(legs_.begin() + 1, legs_.end(), way_m,
                                      [](double way, const Leg& leg) { return way < leg.start_m; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <GeographicLib/GeodesicLine.hpp>
+#include <cstddef>
 #include <vector>
 
 #include "protocol/quantity/time.hpp"
@@ -22,6 +23,8 @@ class TargetTrack {
 
   // The target `since_start` after scenario time 0; before it, she lies at her start.
   ShipState at(Duration since_start) const;
+  // The waypoints that she has passed by then.
+  std::size_t passed_at(Duration since_start) const;
 
  private:
   struct Leg {

@@ -16,9 +16,10 @@ namespace skerry::server {
 //
 // Thread: any.  One mutex, held for a pointer copy when the tick exists, and for the making of
 // ticks when not: some tens of microseconds per tick of one own ship and a dozen targets.  A call
-// makes at most kMaxShipSteps steps of own ships (an exercise in haste makes several a tick), so that after hours of suspension nobody waits
-// for more than some 10 ms (40 ms of ships with a class): at() then returns the newest state made,
-// and the calls that follow catch up, an hour of two own ships in 15 of them.
+// makes at most kMaxShipSteps steps of own ships (an exercise in haste makes several a tick), so
+// that after hours of suspension nobody waits for more than some 10 ms (40 ms of ships with a
+// class): at() then returns the newest state made, and the calls that follow catch up, an hour of
+// two own ships in 15 of them.
 class Timeline {
  public:
   static constexpr std::size_t kKept = 32;

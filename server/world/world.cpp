@@ -22,8 +22,7 @@ std::vector<OwnShip> own_ships_of(const scenario::Scenario& scenario,
                                   const Environment& environment) {
   std::vector<OwnShip> ships;
   for (const scenario::OwnShip& ship : scenario.own_ships()) {
-    ships.emplace_back(ship, environment, World::kTick,
-                       echo::mixed(scenario.seed(), ships.size()));
+    ships.emplace_back(ship, environment, World::kTick, echo::mixed(scenario.seed(), ships.size()));
   }
   return ships;
 }

@@ -93,7 +93,7 @@ class World {
   // What a snapshot keeps.
   struct Part {
     ExerciseClock clock;
-    std::int64_t steps = 0;  // of kTick of the exercise
+    std::int64_t steps = 0;                              // of kTick of the exercise
     std::shared_ptr<const scenario::Scenario> scenario;  // with the targets that were added
     std::vector<OwnShip> own_ships;
     Traffic traffic;

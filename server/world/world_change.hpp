@@ -8,9 +8,10 @@
 
 namespace skerry::server {
 
-// Changes `environment` as of `now`, on the exercise's clock; a cell whose drift changes goes on from where it is then.
-// Requires numbers that refusal_of() lets through.  Gives the reply that refuses the change (no
-// such rain cell, no place for a new one, too many), and then `environment` may be half changed.
+// Changes `environment` as of `now`, on the exercise's clock; a cell whose drift changes goes on
+// from where it is then. Requires numbers that refusal_of() lets through.  Gives the reply that
+// refuses the change (no such rain cell, no place for a new one, too many), and then `environment`
+// may be half changed.
 std::optional<wire::Reply> change_environment(const wire::WorldChange& change, Duration now,
                                               Environment& environment);
 

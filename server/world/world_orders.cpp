@@ -97,8 +97,8 @@ std::optional<std::string> World::fault_of(const wire::ExerciseOrder& order) con
       return std::nullopt;
     case wire::ExerciseOrder::kTarget: {
       const wire::TargetChange& change = order.target();
-      if (auto fault = fault_of_place("target", change.has_latitude_deg(),
-                                      change.has_longitude_deg())) {
+      if (auto fault =
+              fault_of_place("target", change.has_latitude_deg(), change.has_longitude_deg())) {
         return fault;
       }
       return part_.traffic.fault_of(change);
@@ -251,8 +251,8 @@ void World::say(std::optional<std::uint32_t> own_ship, const std::string& text) 
   for (std::size_t i = 0; i < log.texts.size(); ++i) {
     if (!own_ship || *own_ship == i) log.texts[i] = {text, log.texts[i].count + 1};
   }
-  mark("text", own_ship ? fmt::format("to {}: {}", part_.own_ships[*own_ship].state().name, text)
-                        : text);
+  mark("text",
+       own_ship ? fmt::format("to {}: {}", part_.own_ships[*own_ship].state().name, text) : text);
 }
 
 void World::take_snapshot(const std::string& name) {

@@ -61,6 +61,10 @@ struct ShipState {
   bool driven = false;  // an own ship whose motion comes from outside
   bool sart = false;    // carries one that is on
   std::uint32_t mmsi = 0;
+  // Faults of a target's AIS: it is silent, adds to the heading, tells a place so far ahead.
+  bool ais_off = false;
+  double ais_heading_error_deg = 0.0;
+  double ais_position_error_m = 0.0;
   std::size_t number = 0;            // in the scenario's list of own ships or targets
   RadarSetPtr radar = nullptr;       // of a target that has one on, else null
   std::optional<ConState> con = {};  // of an own ship that has a class
@@ -109,11 +113,11 @@ struct ExerciseLog {
 };
 
 struct WorldState {
-  ScenarioTime time{};   // on the air
-  Duration exercise{};   // on the exercise's clock
-  double pace = 1.0;     // of that clock, as ShipState has it
+  ScenarioTime time{};  // on the air
+  Duration exercise{};  // on the exercise's clock
+  double pace = 1.0;    // of that clock, as ShipState has it
   bool frozen = false;
-  double rate = 1.0;     // its pace when it is not frozen
+  double rate = 1.0;                       // its pace when it is not frozen
   std::shared_ptr<const ExerciseLog> log;  // never null
   std::vector<ShipState> own_ships;
   std::vector<ShipState> targets;  // the ships among them

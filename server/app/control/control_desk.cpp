@@ -9,9 +9,9 @@
 #include "protocol/wire/schema.hpp"
 #include "server/app/control/control_ranges.hpp"
 #include "server/app/control/controls_message.hpp"
-#include "server/world/world_change.hpp"
 #include "server/world/rhumb_step.hpp"
 #include "server/world/ship_units.hpp"
+#include "server/world/world_change.hpp"
 
 namespace skerry::server {
 namespace {
@@ -270,8 +270,7 @@ std::optional<wire::Reply> ControlDesk::give_con_orders(const wire::Set& set) {
 }
 
 std::optional<wire::Reply> ControlDesk::give_exercise_order(const wire::Set& set,
-                                                            const std::string& origin,
-                                                            Next& next) {
+                                                            const std::string& origin, Next& next) {
   if (!set.has_exercise()) return std::nullopt;
   const Timeline::ConOrdered ordered = timeline_.order(set.exercise(), origin);
   if (ordered.fault) return refusal(wire::Reply::REFUSED, *ordered.fault);

@@ -99,7 +99,8 @@ class NetContext {
   void tell_recordings(std::chrono::steady_clock::time_point now);
   // Tells the readers of boards what may now wait in the kernel.  Call it once a second.
   void tell_send_buffers();
-  // Sends OwnShip, and the exercise, to the readers whose turn it is.  Call it kOwnShipMostHz times a second.
+  // Sends OwnShip, and the exercise, to the readers whose turn it is.  Call it kOwnShipMostHz times
+  // a second.
   void tell_own_ships();
 
   // Own ship as her sensors tell of her: in sentences and Signal K.

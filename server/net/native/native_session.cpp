@@ -210,8 +210,10 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
   reply(request, wire::Reply::OK, "", *view);
   RecordingNews::Frames recordings = context_.recording_frames();
   news_ = {context_.settings_frame(subscribe.radar(), *view),
-           context_.own_ship_frame(subscribe.radar()), context_.world_frame(),
-           std::move(recordings.recorder), std::move(recordings.playback),
+           context_.own_ship_frame(subscribe.radar()),
+           context_.world_frame(),
+           std::move(recordings.recorder),
+           std::move(recordings.playback),
            exercise_hz_ > 0 ? context_.exercise_frame() : nullptr};
   spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
                 subscribe.radar(), *view);
@@ -251,25 +253,24 @@ void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastlin
     return reply(request, wire::Reply::REFUSED,
                  "coastline: one was asked for and has not come yet; ask when it has");
   }
-  context_.host.find_coastline(
-      place, [self = weak_from_this(), io = &context_.io,
-              request](std::optional<wire::Coastline> coastline) {
-        asio::post(*io, [self, request, coastline = std::move(coastline)]() mutable {
-          const auto session = self.lock();
-          if (session == nullptr || session->closed_) return;
-          session->coastline_asked_ = false;
-          if (!coastline) {
-            session->reply(request, wire::Reply::REFUSED,
-                           "coastline: the server has no chart here, or too many ask at once");
-          } else {
-            wire::ServerMessage message;
-            *message.mutable_coastline() = *std::move(coastline);
-            session->send(message);
-            session->reply(request, wire::Reply::OK, "");
-          }
-          session->pump();
-        });
-      });
+  context_.host.find_coastline(place, [self = weak_from_this(), io = &context_.io,
+                                       request](std::optional<wire::Coastline> coastline) {
+    asio::post(*io, [self, request, coastline = std::move(coastline)]() mutable {
+      const auto session = self.lock();
+      if (session == nullptr || session->closed_) return;
+      session->coastline_asked_ = false;
+      if (!coastline) {
+        session->reply(request, wire::Reply::REFUSED,
+                       "coastline: the server has no chart here, or too many ask at once");
+      } else {
+        wire::ServerMessage message;
+        *message.mutable_coastline() = *std::move(coastline);
+        session->send(message);
+        session->reply(request, wire::Reply::OK, "");
+      }
+      session->pump();
+    });
+  });
 }
 
 void NativeSession::record(std::uint32_t request, const wire::Record& record) {

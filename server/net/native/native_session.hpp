@@ -106,7 +106,7 @@ class NativeSession final : public Connection,
   bool takes_spokes_ = false;
   Cursor cursor_;
   std::uint32_t own_ship_hz_ = kOwnShipLeastHz, exercise_hz_ = 0;
-  bool coastline_asked_ = false;  // and not yet told
+  bool coastline_asked_ = false;   // and not yet told
   std::uint64_t lost_before_ = 0;  // by earlier subscriptions
 
   // As the log and other consoles name it.
@@ -119,7 +119,15 @@ class NativeSession final : public Connection,
   std::deque<SharedBytes> replies_;
   std::size_t reply_bytes_ = 0;
   // The newest not yet sent, of each kind.
-  enum News : std::size_t { kSettings, kOwnShip, kWorld, kRecorder, kPlayback, kExercise, kKindsOfNews };
+  enum News : std::size_t {
+    kSettings,
+    kOwnShip,
+    kWorld,
+    kRecorder,
+    kPlayback,
+    kExercise,
+    kKindsOfNews
+  };
   void tell(News kind, const SharedBytes& frame);
   std::array<SharedBytes, kKindsOfNews> news_;
 

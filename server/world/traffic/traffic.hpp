@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -56,6 +57,8 @@ class Traffic {
 
  private:
   struct Ship;
+  std::uint64_t seed_;
+  Duration reached_{};                                  // the end of the last step
   std::map<std::size_t, std::shared_ptr<Ship>> ships_;  // copied deep with this
 };
 

@@ -27,7 +27,7 @@ scenario::Target target(double latitude, double longitude, double course, double
 }
 
 void add_waypoint(scenario::Target& ship, double latitude, double longitude) {
-  scenario::Position& waypoint = *ship.add_waypoints();
+  wire::Waypoint& waypoint = *ship.add_waypoints();
   waypoint.set_lat(latitude);
   waypoint.set_lon(longitude);
 }
