@@ -101,6 +101,18 @@ std::string same_file(const Json& recorded, const std::string& instead) {
   return path;
 }
 
+void set_number(YamlNode& map, const std::string& key, std::uint64_t value) {
+  YamlNode number{YamlNode::Kind::plain, {}, fmt::format("{}", value), {}, {}};
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    if (map.keys[i].text != key) continue;
+    map.items[i] = std::move(number);
+    return;
+  }
+  if (map.kind != YamlNode::Kind::map) return;
+  map.keys.push_back({YamlNode::Kind::plain, {}, key, {}, {}});
+  map.items.push_back(std::move(number));
+}
+
 scenario::Scenario checked(scenario::Scenario scenario, YamlSource& source) {
   check_coast(scenario, source);
   check_locks(scenario, source);
@@ -110,17 +122,14 @@ scenario::Scenario checked(scenario::Scenario scenario, YamlSource& source) {
 
 }  // namespace
 
-ScenarioFile open_scenario(const std::string& path) {
-  if (path.empty()) {
-    return {default_scenario_yaml(),
-            exercise_scenario(default_scenario_yaml(), "built-in bergen.yaml")};
-  }
+ScenarioFile open_scenario(const std::string& path, std::optional<std::uint64_t> seed) {
   const std::string file = find_scenario(path);
-  YamlSource source(file);
-  std::string text = read_yaml_file(file);
-  const YamlNode root = parse_yaml_whole(text, source);
+  YamlSource source(path.empty() ? "built-in bergen.yaml" : file);
+  std::string text = path.empty() ? default_scenario_yaml() : read_yaml_file(file);
+  YamlNode root = parse_yaml_whole(text, source);
+  if (seed) set_number(root, "seed", *seed);
   scenario::Scenario scenario = checked(read_scenario(root, source), source);
-  if (source.file_count() == 1) return {std::move(text), std::move(scenario)};
+  if (source.file_count() == 1 && !seed) return {std::move(text), std::move(scenario)};
   return {yaml_text(root), std::move(scenario)};
 }
 

@@ -2,6 +2,8 @@
 // back.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +26,9 @@ struct ScenarioFile {
 };
 
 // The file, or the shipped exercise of that name, or the built-in scenario for an empty path;
-// checked as by exercise_scenario().  Error: ConfigError with all that is wrong.
-ScenarioFile open_scenario(const std::string& path);
+// checked as by exercise_scenario().  `seed` instead of the file's.
+// Error: ConfigError with all that is wrong.
+ScenarioFile open_scenario(const std::string& path, std::optional<std::uint64_t> seed = {});
 
 // parse_scenario() and what the radars and the coast need beyond it.
 // Error: ConfigError with all that is wrong.
