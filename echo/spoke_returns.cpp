@@ -91,6 +91,9 @@ struct SpokeReturns::Contributors : SpokeReturns::Sector {
   RadarModel model;
   ParallelFor parallel;
   float tune_factor = 1.0f;
+  FaultyReceiver faulty;
+  float echo_factor = 1.0f, racon_factor = 1.0f;  // of tune and faults
+  void lay_factors();
 
   // Made of the last weather.
   std::optional<Propagation> propagation;
@@ -233,12 +236,12 @@ void SpokeReturns::Contributors::add_sea(const SpokeAim& aim, std::span<const Ce
 // Signals of other senders pass the own masts once.
 void SpokeReturns::Contributors::add_beacons(const SpokeAim& aim, std::span<float> row) const {
   if (!rig.any()) {
-    beacons.add(aim, row, tune_factor);
+    beacons.add(aim, row, racon_factor);
     return;
   }
   thread_local std::vector<float> heard;
   heard.assign(row.size(), 0.0f);
-  beacons.add(aim, heard, tune_factor, rig.transmits(aim.relative_units));
+  beacons.add(aim, heard, racon_factor, rig.transmits(aim.relative_units));
   const float gain = rig.one_way(aim.relative_units);
   for (std::size_t i = 0; i < row.size(); ++i) row[i] += gain * heard[i];
 }
@@ -255,10 +258,11 @@ void SpokeReturns::Contributors::make_row(const Scene& scene, const Look& look,
   if (look.motion.moves) motion.apply(look.motion, row);
   if (rig.any()) scale_row(row, rig.two_way(aim.relative_units));
   if (!false_points.empty() && rig.transmits(aim.relative_units)) false_splat.add(aim, row);
-  if (tune_factor != 1.0f) scale_row(row, tune_factor);
+  if (echo_factor != 1.0f) scale_row(row, echo_factor);
   if (beacons.any()) add_beacons(aim, row);
   minimum_range.apply(scene.artefacts, row);
   saturation.apply(scene.artefacts, row);
+  if (faulty.acts()) faulty.apply(aim.relative_units, row, closing);
 }
 
 SpokeReturns::SpokeReturns(const RadarModel& model, ParallelFor parallel)
@@ -273,6 +277,19 @@ void SpokeReturns::set_tune_loss(double db) {
   const auto factor = static_cast<float>(ratio_from_decibels(-db));
   if (factor != all_->tune_factor) all_->made_end = all_->made_first;
   all_->tune_factor = factor;
+  all_->lay_factors();
+}
+
+void SpokeReturns::Contributors::lay_factors() {
+  racon_factor = tune_factor * faulty.tune_factor();
+  echo_factor = racon_factor * faulty.power_factor();
+}
+
+void SpokeReturns::set_faults(const RadarFaults& faults) {
+  if (faults == all_->faulty.faults()) return;
+  all_->made_end = all_->made_first;
+  all_->faulty.set(faults, all_->model.cell_m);
+  all_->lay_factors();
 }
 
 void SpokeReturns::set_doppler(bool wanted) {

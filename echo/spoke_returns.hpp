@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/artefacts/radar_faults.hpp"
 #include "echo/kernel/parallel_for.hpp"
 #include "echo/radar/radar_model.hpp"
 #include "echo/scene/scene.hpp"
@@ -39,6 +40,10 @@ class SpokeReturns {
 
   // The loss of echoes by detuning, dB >= 0; SARTs and other radars keep their strength.
   void set_tune_loss(double db);
+
+  // What is wrong with the set; nothing at first.  The tune that a fault loses is besides that
+  // above, and acts on what it acts on.
+  void set_faults(const RadarFaults& faults);
 
   // Whether rows come with radial speeds; not at first.
   void set_doppler(bool wanted);

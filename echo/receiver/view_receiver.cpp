@@ -116,7 +116,8 @@ void ViewReceiver::set_up() {
 // From the sea control's law, or from what automatic sea has learnt in the sector ahead.
 void ViewReceiver::lay_offsets() {
   const std::uint32_t cells = model_.geometry.cells;
-  const double threshold = auto_gain_ ? auto_gain_->threshold_db() : threshold_db(in_force_.gain);
+  const double threshold =
+      auto_gain_ ? auto_gain_->threshold_db() : threshold_db(in_force_.gain) - noise_db_;
   const double constant =
       -steps_per_db_ * threshold - static_cast<double>(scale_.per_octave) * noise_->scale_octaves();
   const auto in_turn = static_cast<std::uint32_t>(next_ % model_.geometry.spokes_per_turn);

@@ -54,6 +54,13 @@ class ViewReceiver {
   // How many cells the radar's rows have from now on, all of model.cell_m; at first the model's.
   // Keeps what was learnt.
   void set_row_cells(std::uint32_t cells);
+  // Decibels by which the receiver is noisier than its set, 0 at first: rows are over the noise
+  // that there is, and the picture shows so much more of it, unless gain is automatic.
+  void set_noise(double db) {
+    if (db == noise_db_) return;
+    noise_db_ = db;
+    lay_offsets();
+  }
   // Whether the radar's rows cover the view's range; what they do not is 0.
   bool reaches() const { return resampler_.reach() == model_.geometry.cells; }
   // How many rows beyond those of a call it can use.
@@ -114,6 +121,7 @@ class ViewReceiver {
 
   RadarModel model_;
   std::uint32_t row_cells_;
+  double noise_db_ = 0.0;  // more than the set's
   ViewControls controls_;  // as asked for
   ViewControls in_force_;  // effective_controls() of them
   RowResampler resampler_;

@@ -10,17 +10,16 @@
 
 #include "protocol/quantity/angle.hpp"
 #include "server/app/coastline.hpp"
-#include "server/app/con_message.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
+#include "server/app/told_ship.hpp"
 #include "server/app/traffic_list.hpp"
 #include "server/app/version.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/radar/turn_echoes.hpp"
 #include "server/world/board_registers.hpp"
 #include "server/world/dead_reckoning.hpp"
-#include "server/world/rhumb_step.hpp"
-#include "server/world/ship_units.hpp"
+#include "server/world/ship_reading.hpp"
 #include "server/world/world.hpp"
 #include "server/world/world_change.hpp"
 
@@ -240,34 +239,16 @@ wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
   const Mount& mount = *radars_.at(radar);
   const Instant now = instant();
   const ShipState& ship = now.state->own_ships[mount.unit.config().own_ship];
-  const ShipPlace place = position_at(ship, now.time - now.state->time);
-  const double speed_kn = ship.speed_mps / knots_in_mps(1.0);
-  wire::OwnShip out;
+  const Duration into = now.time - now.state->time;
+  const ShipPlace place = position_at(ship, into);
+  wire::OwnShip out = told_ship(ship, place, reading_at(*now.state, ship, into));
   out.set_radar(radar);
   out.set_name(mount.own_ship);
-  out.set_latitude_deg(place.position.latitude_deg);
-  out.set_longitude_deg(place.position.longitude_deg);
-  out.set_heading_deg(place.heading_deg);
-  out.set_speed_kn(speed_kn);
-  out.set_course_over_ground_deg(
-      wrapped_degrees(place.course_over_ground_deg + (speed_kn < 0.0 ? 180.0 : 0.0)));
-  out.set_speed_over_ground_kn(std::abs(speed_kn));
   out.set_utc_ns(static_cast<std::uint64_t>(now.utc.time_since_epoch().count()));
-  out.set_length_m(ship.length_m);
-  out.set_beam_m(ship.beam_m);
-  out.set_mmsi(ship.mmsi);
-  out.set_driven(ship.driven);
-  out.set_rate_of_turn_deg_min(ship.rate_of_turn_deg_s * 60.0);
-  out.set_ordered_course_deg(ship.ordered_course_deg);
-  out.set_ordered_speed_kn(ship.ordered_speed_mps / knots_in_mps(1.0));
   const ExerciseLog::Text& text = now.state->log->texts[mount.unit.config().own_ship];
   out.set_text(text.text);
   out.set_texts(text.count);
-  if (ship.con) {
-    tell_con(ship, place, *out.mutable_con());
-    out.mutable_con()->set_con(desk_->con_of(radar));
-    out.set_speed_kn(out.con().water_ahead_kn());
-  }
+  if (ship.con) out.mutable_con()->set_con(desk_->con_of(radar));
   return out;
 }
 

@@ -3,9 +3,12 @@
 #include <cmath>
 
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/speed.hpp"
+#include "server/app/told_ship.hpp"
 #include "server/world/ais_identities.hpp"
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/rhumb_step.hpp"
+#include "server/world/ship_reading.hpp"
 #include "server/world/ship_units.hpp"
 
 namespace skerry::server {
@@ -19,6 +22,24 @@ void put(const ShipState& ship, Duration dt, TrafficItem& item) {
       wrapped_degrees(place.course_over_ground_deg + (ship.speed_mps < 0.0 ? 180.0 : 0.0));
   item.speed_mps = std::fabs(ship.speed_mps);
   item.rate_of_turn_deg_min = ship.rate_of_turn_deg_s * 60.0;
+}
+
+// Of an own ship with faults: what her AIS hears of her sensors.
+std::optional<AisSaid> said_of(const WorldState& state, const ShipState& ship, Duration dt) {
+  const SensorReading reading = reading_at(state, ship, dt);
+  if (reading == SensorReading{}) return std::nullopt;
+  AisSaid said;
+  said.silent = ship.faults->faults.blackout();
+  const wire::OwnShip told = told_ship(ship, position_at(ship, dt), reading);
+  if (!told.no_heading()) {
+    said.heading_deg = told.heading_deg();
+    said.rate_of_turn_deg_min = told.rate_of_turn_deg_min();
+  }
+  if (told.no_position()) return said;
+  said.position = GeoPoint{told.latitude_deg(), told.longitude_deg()};
+  said.course_over_ground_deg = told.course_over_ground_deg();
+  said.speed_mps = told.speed_over_ground_kn() * kKnot;
+  return said;
 }
 
 TrafficKind kind_of(const scenario::Target& target) {
@@ -83,7 +104,10 @@ std::vector<TrafficItem> traffic_of(const WorldState& state, ScenarioTime now) {
     items.push_back(std::move(item));
   };
   for (const scenario::OwnShip& ship : scenario.own_ships()) add(item_of(ship));
-  for (const ShipState& ship : state.own_ships) put(ship, dt, items[ship.number]);
+  for (const ShipState& ship : state.own_ships) {
+    put(ship, dt, items[ship.number]);
+    items[ship.number].ais = said_of(state, ship, dt);
+  }
   const auto fill = [&](int number) {
     add(item_of(scenario.targets(number)));
     return items.size() - 1;

@@ -31,21 +31,24 @@ std::optional<nmea::AisMessage> position_report(const TrafficItem& item, UtcTime
                         .size = nmea::ais_size(item.length_m, item.beam_m),
                         .utc_second = second_of(utc)};
   }
-  const double speed_kn = item.speed_mps / kKnot;
-  return nmea::AisPosition{.mmsi = item.mmsi,
+  const AisSaid said = said_by_ais(item);
+  if (said.silent) return std::nullopt;
+  nmea::AisPosition report{.mmsi = item.mmsi,
                            .class_b = item.kind == TrafficKind::boat,
-                           .status = speed_kn < kStillKn ? kAnchored : kUnderWay,
-                           .rate_of_turn_deg_min = item.rate_of_turn_deg_min,
-                           .speed_kn = speed_kn,
-                           .position = item.position,
-                           .course_deg = item.course_over_ground_deg,
-                           .heading_deg = item.heading_deg,
+                           .rate_of_turn_deg_min = said.rate_of_turn_deg_min,
+                           .position = said.position,
+                           .course_deg = said.course_over_ground_deg,
+                           .heading_deg = said.heading_deg,
                            .utc_second = second_of(utc)};
+  if (!said.speed_mps) return report;
+  report.speed_kn = *said.speed_mps / kKnot;
+  report.status = *report.speed_kn < kStillKn ? kAnchored : kUnderWay;
+  return report;
 }
 
 std::vector<nmea::AisMessage> static_reports(const TrafficItem& item) {
   const nmea::AisSize size = nmea::ais_size(item.length_m, item.beam_m);
-  if (item.mmsi == 0) return {};
+  if (item.mmsi == 0 || (item.ais && item.ais->silent)) return {};
   if (item.kind == TrafficKind::ship) {
     return {nmea::AisVoyage{
         .mmsi = item.mmsi, .name = item.name, .ship_type = item.ship_type, .size = size}};
@@ -63,9 +66,9 @@ nmea::AisMessage own_position_report(const wire::OwnShip& ship, std::uint32_t mm
   nmea::AisPosition report{
       .mmsi = mmsi, .position = wire::place_known_of(ship), .utc_second = second_of(utc)};
   if (!ship.no_heading()) report.heading_deg = ship.heading_deg();
+  if (wire::knows_turn(ship)) report.rate_of_turn_deg_min = ship.rate_of_turn_deg_min();
   if (ship.no_motion()) return report;
   report.status = ship.speed_over_ground_kn() < kStillKn ? kAnchored : kUnderWay;
-  report.rate_of_turn_deg_min = ship.rate_of_turn_deg_min();
   report.speed_kn = ship.speed_over_ground_kn();
   report.course_deg = ship.course_over_ground_deg();
   return report;

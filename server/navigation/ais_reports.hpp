@@ -11,7 +11,8 @@
 
 namespace skerry::server {
 
-// Message 1 of ships, 18 of boats, 21 of aids to navigation; nothing of what has no MMSI.
+// Message 1 of ships, 18 of boats, 21 of aids to navigation; nothing of what has no MMSI or is
+// silent.  Ships say what their AIS is told by sensors aboard.
 std::optional<nmea::AisMessage> position_report(const TrafficItem& item, UtcTime utc);
 // Message 5 of ships, 24 A and B of boats.
 std::vector<nmea::AisMessage> static_reports(const TrafficItem& item);

@@ -11,6 +11,7 @@
 #include "protocol/nmea/wind_sentences.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/length.hpp"
+#include "protocol/wire/own_ship_place.hpp"
 
 namespace skerry::server {
 namespace {
@@ -45,6 +46,7 @@ bool is_of_con(NavigationSentence sentence) {
 
 std::string con_sentence(NavigationSentence sentence, const wire::OwnShip& ship) {
   const wire::ConState& con = ship.con();
+  const bool knows_way = !ship.no_motion() && !ship.no_heading();  // over ground, as a vector
   switch (sentence) {
     case NavigationSentence::rsa:
       return encode(nmea::Rsa{.starboard_deg = con.rudder_deg()});
@@ -56,13 +58,15 @@ std::string con_sentence(NavigationSentence sentence, const wire::OwnShip& ship)
     case NavigationSentence::dpt:
       return depth_of(con);
     case NavigationSentence::mwv:
-      return felt_wind_of(ship);
+      return ship.no_wind() ? encode(nmea::Mwv{}) : felt_wind_of(ship);
     case NavigationSentence::mwd:
+      if (ship.no_wind() || !knows_way) return encode(nmea::Mwd{});
       return encode(nmea::Mwd{.from_deg = con.wind_from_deg(), .speed_kn = con.wind_kn()});
     case NavigationSentence::vdr:
+      if (!knows_way || !wire::knows_log(ship)) return encode(nmea::Vdr{});
       return encode(nmea::Vdr{.set_deg = con.current_set_deg(), .drift_kn = con.current_kn()});
     default: {  // xte
-      const bool on_track = con.waypoint() > 0;
+      const bool on_track = con.waypoint() > 0 && !ship.no_position();
       const double off_nm = con.cross_track_m() / Length::kMetresPerNauticalMile;
       return encode(nmea::Xte{
           .valid = on_track,

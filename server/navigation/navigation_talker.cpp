@@ -71,7 +71,7 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
   for (auto& [sentence, next] : next_) {
     if (next > now) continue;
     if (sentence == NavigationSentence::vdm) {
-      say_ais(now, the_own(), the_traffic(), out);
+      if (!the_own().no_ais()) say_ais(now, the_own(), the_traffic(), out);
       next = after(next, kTrafficStep, now);
       continue;
     }

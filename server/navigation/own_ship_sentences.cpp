@@ -24,18 +24,20 @@ std::optional<double> known(double value, bool is_known) {
   return is_known ? std::optional(value) : std::nullopt;
 }
 
+// Over ground it needs a heading too.
 nmea::Vbw log_of(const wire::OwnShip& ship) {
-  if (ship.has_con()) {
-    return {.water_ahead_kn = ship.con().water_ahead_kn(),
-            .water_starboard_kn = ship.con().water_starboard_kn(),
-            .ground_ahead_kn = ship.con().ground_ahead_kn(),
-            .ground_starboard_kn = ship.con().ground_starboard_kn()};
+  nmea::Vbw log;
+  if (wire::knows_log(ship)) {
+    log.water_ahead_kn = ship.has_con() ? ship.con().water_ahead_kn() : ship.speed_kn();
+    log.water_starboard_kn = ship.has_con() ? ship.con().water_starboard_kn() : 0.0;
   }
+  if (ship.no_motion() || ship.no_heading()) return log;
   const double drift = degrees(ship.course_over_ground_deg() - ship.heading_deg()).in_radians();
-  return {.water_ahead_kn = ship.speed_kn(),
-          .water_starboard_kn = 0.0,
-          .ground_ahead_kn = ship.speed_over_ground_kn() * std::cos(drift),
-          .ground_starboard_kn = ship.speed_over_ground_kn() * std::sin(drift)};
+  log.ground_ahead_kn =
+      ship.has_con() ? ship.con().ground_ahead_kn() : ship.speed_over_ground_kn() * std::cos(drift);
+  log.ground_starboard_kn = ship.has_con() ? ship.con().ground_starboard_kn()
+                                           : ship.speed_over_ground_kn() * std::sin(drift);
+  return log;
 }
 
 nmea::TargetStatus status_of(const Track& track) {
@@ -110,13 +112,14 @@ std::string own_ship_sentence(NavigationSentence sentence, const wire::OwnShip& 
     case NavigationSentence::ths:
       return encode(nmea::Ths{.heading_deg = heading_deg, .mode = heading_deg ? mode : 'V'});
     case NavigationSentence::rot:
-      return encode(nmea::Rot{.rate_deg_min = known(ship.rate_of_turn_deg_min(), !ship.no_motion()),
-                              .valid = !ship.no_motion()});
+      return encode(
+          nmea::Rot{.rate_deg_min = known(ship.rate_of_turn_deg_min(), wire::knows_turn(ship)),
+                    .valid = wire::knows_turn(ship)});
     case NavigationSentence::vhw:
       return encode(nmea::Vhw{.heading_deg = heading_deg,
-                              .speed_kn = known(ship.speed_kn(), !ship.no_motion())});
+                              .speed_kn = known(ship.speed_kn(), wire::knows_log(ship))});
     case NavigationSentence::vbw:
-      return encode(ship.no_motion() || ship.no_heading() ? nmea::Vbw{} : log_of(ship));
+      return encode(log_of(ship));
     case NavigationSentence::rsd:
       return encode(nmea::Rsd{.range_nm = settings.range_nm()});
     default:  // osd

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "echo/beacons/far_echoes.hpp"
+#include "echo/kernel/exact_math.hpp"
 #include "echo/kernel/hash.hpp"
 #include "server/radar/scene_drift.hpp"
+#include "server/radar/set_faults.hpp"
 
 namespace skerry::server {
 namespace {
@@ -42,6 +44,7 @@ void SceneBuilder::lay_own_ship(const WorldState& state, const echo::LocalPlane&
   scene.obstructions = role_.obstructions;
   scene.blanked = blanked_;
   scene.bearing_alignment_deg = bearing_alignment_deg_;
+  if (own.faults) scene.bearing_alignment_deg += own.faults->faults.radar_bearing_error_deg();
   const scenario::ShipMotion& motion =
       state.scenario->own_ships(static_cast<int>(role_.own_ship)).motion();
   const double part = std::min(state.environment->sea.state / kRoughestSea, 1.0);
@@ -102,7 +105,13 @@ void SceneBuilder::lay_emitters(const WorldState& state, const std::vector<Emiss
   };
   for (const Emission& emission : emissions) {
     if (!emission.transmits || emission.own_ship == role_.own_ship) continue;
-    add(emission.emitter, state.own_ships[emission.own_ship]);
+    const ShipState& ship = state.own_ships[emission.own_ship];
+    const echo::RadarFaults faults = radar_faults(ship);
+    if (faults.trigger_lost) continue;
+    echo::Emitter emitter = emission.emitter;
+    if (faults.power_loss_db != 0.0)
+      emitter.power_w *= echo::ratio_from_decibels(-faults.power_loss_db);
+    add(emitter, ship);
   }
   for (const ShipState& ship : state.targets) {
     if (ship.radar == nullptr) continue;

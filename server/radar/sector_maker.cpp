@@ -4,8 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "server/radar/set_faults.hpp"
 #include "server/radar/thread_priority.hpp"
 #include "server/world/dead_reckoning.hpp"
+#include "server/world/ship_reading.hpp"
 
 namespace skerry::server {
 namespace {
@@ -81,6 +83,7 @@ CoastWish SectorMaker::wish(const ShipState& own_ship, const std::vector<ViewInF
   for (const ViewInForce& view : views) {
     cells = std::max(cells, echo::row_cells_for(geometry, range, shown_by(view, range)));
   }
+  cells = echo::row_cells_for_error(geometry, range, cells, radar_faults(own_ship).range_error_m);
   const Length reach = range.length() * (double{1} * cells / geometry.cells);
   return {own_ship.position,
           own_ship.pace * own_ship.speed_mps,
@@ -105,6 +108,7 @@ void SectorMaker::take_views(const SectorInputs& inputs) {
 // sectors late.
 void SectorMaker::warm_up(const SectorInputs& inputs) {
   renderer_.set_radar(inputs.on_air, inputs.radar, clock_);
+  renderer_.set_faults(faults_of(inputs));
   take_views(inputs);
   // The radar's own builder stays fresh: not all radars are on the air yet.
   SceneBuilder scenes = scenes_;
@@ -114,10 +118,12 @@ void SectorMaker::warm_up(const SectorInputs& inputs) {
 
 // A radar like this one makes a sector in the present scene.
 std::function<std::shared_ptr<const void>()> SectorMaker::ahead(const SectorInputs& inputs) const {
-  return [config = config_, clock = clock_, scenes = scenes_, inputs]() mutable {
+  return [config = config_, clock = clock_, scenes = scenes_, faults = faults_of(inputs),
+          inputs]() mutable {
     auto renderer =
         std::make_shared<ViewRenderers>(config.set, config.geometry, clock, config.radar,
                                         inputs.on_air, inputs.radar, echo::serial_for);
+    renderer->set_faults(faults);
     for (const ViewInForce& view : inputs.views)
       renderer->set_view(view.number, shown_by(view, inputs.on_air));
     scenes.set_rig(inputs.radar.blanked, inputs.radar.bearing_alignment_deg);
@@ -131,11 +137,16 @@ void SectorMaker::make(std::uint64_t first, UtcTime epoch, const SectorInputs& i
   out.clear();
   if (!inputs.radar.transmit) return;
   renderer_.set_radar(inputs.on_air, inputs.radar, clock_);
+  renderer_.set_faults(faults_of(inputs));
   take_views(inputs);
   scenes_.set_rig(inputs.radar.blanked, inputs.radar.bearing_alignment_deg);
   renderer_.render(*scenes_.build(inputs.state, inputs.coast, inputs.emissions), first,
                    kSectorSpokes);
   cut_spokes(first, epoch, inputs, out);
+}
+
+echo::RadarFaults SectorMaker::faults_of(const SectorInputs& inputs) const {
+  return radar_faults(inputs.state->own_ships[config_.own_ship]);
 }
 
 void SectorMaker::cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
@@ -150,7 +161,10 @@ void SectorMaker::cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInp
   const auto place_at = [&](std::uint64_t spoke) {
     return position_at(own, clock_.time_of(spoke) - state.time).position;
   };
-  const GeoPoint from = place_at(first), to = place_at(first + kSectorSpokes);
+  // One reading for all spokes of a sector, some 10 ms.
+  const SensorReading reading = reading_at(state, own, clock_.time_of(first) - state.time);
+  const GeoPoint from = stamped_position(own, reading, place_at(first));
+  const GeoPoint to = stamped_position(own, reading, place_at(first + kSectorSpokes));
   for (std::uint32_t k = 0; k < kSectorSpokes; ++k) {
     const std::uint64_t n = first + k;
     SpokeHeader header;
@@ -161,8 +175,10 @@ void SectorMaker::cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInp
     header.scenario_time = clock_.time_of(n);
     header.utc = epoch + header.scenario_time.time_since_epoch();
     const Duration dt = header.scenario_time - state.time;
+    const double turned_deg = own.pace * own.rate_of_turn_deg_s * in_seconds(dt);
     header.heading =
-        TrueBearing::from(degrees(own.heading_deg + own.rate_of_turn_deg_s * in_seconds(dt)));
+        TrueBearing::from(degrees(stamped_heading(own, reading, own.heading_deg + turned_deg)));
+    const bool empty = loses_spoke(own, config_.seed, config_.radar, n);
     header.own_ship = between(from, to, double{1} * k / kSectorSpokes);
     for (ViewSector& part : out) {
       header.view = part.view;
@@ -171,9 +187,11 @@ void SectorMaker::cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInp
       header.instrumented_range = renderer_.instrumented_range_of(header.view);
       const auto video = renderer_.video(header.view).subspan(std::size_t{k} * cells, cells);
       auto spoke = std::make_shared<Spoke>(Spoke{header, {video.begin(), video.end()}});
+      if (empty) std::fill(spoke->cells.begin(), spoke->cells.end(), std::uint8_t{0});
       if (const auto doppler = renderer_.doppler(header.view); !doppler.empty()) {
         const auto own_cells = doppler.subspan(std::size_t{k} * cells, cells);
         spoke->doppler.assign(own_cells.begin(), own_cells.end());
+        if (empty) std::fill(spoke->doppler.begin(), spoke->doppler.end(), DopplerClass{});
       }
       part.sector.spokes.push_back(std::move(spoke));
     }

@@ -95,6 +95,7 @@ class SectorMaker {
 
  private:
   void take_views(const SectorInputs& inputs);
+  echo::RadarFaults faults_of(const SectorInputs& inputs) const;
   void cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
                   std::vector<ViewSector>& out);
 

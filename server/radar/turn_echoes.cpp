@@ -5,6 +5,7 @@
 
 #include "echo/radar/radar_model.hpp"
 #include "echo/receiver/controls.hpp"
+#include "server/radar/set_faults.hpp"
 
 namespace skerry::server {
 namespace {
@@ -112,6 +113,7 @@ void TurnEchoes::make(Block& block, std::uint64_t n, ScenarioTime when) {
   block.number = n / kBlockRows;
   block.behind = clock_.time_of(n) - when;
   echo::ScenePtr scene = scene_at(when);
+  returns_->set_faults(faults_);
   if (block.behind > kSameTime || block.behind < -kSameTime) {
     auto told = std::make_shared<echo::Scene>(*scene);
     told->time += block.behind;
@@ -130,6 +132,7 @@ echo::ScenePtr TurnEchoes::scene_at(ScenarioTime when) {
   scenes_.set_rig(radar_.radar_controls().blanked, 0.0);
   const WorldStatePtr state = timeline_.at(when);
   const ShipState& own_ship = state->own_ships[radar_.config().own_ship];
+  faults_ = radar_faults(own_ship);
   keeper_.look_after({own_ship.position,
                       own_ship.pace * own_ship.speed_mps,
                       {scale_.length().in_metres(), grid_.cell_m, 360.0 / grid_.rows_per_turn}},

@@ -22,6 +22,8 @@ namespace skerry::server {
 // cover the reach (sweep_cell_m; 96 NM at most), in blocks of kBlockRows.  What the radar has on
 // the air (its pulse, its tuning, whether it transmits) is looked up for every block.
 //
+// Of the radar's faults all act on rows but lost spokes; a blackout leaves no echo.
+//
 // The coast is asked for in a slot of its own, and only for rows; until it has come, that of the
 // radar's spokes serves, as far as it goes.  A radar never waits for this.
 //
@@ -64,6 +66,7 @@ class TurnEchoes final : public echo::SweepEchoes {
   CoastKeeper keeper_;
   const Airwaves& airwaves_;
   SceneBuilder scenes_;
+  echo::RadarFaults faults_;  // at the scene's time
   Wish wish_;
   RangeScale scale_;
   Grid grid_;

@@ -27,6 +27,7 @@ echo::RadarModel ViewRenderers::model() const {
 echo::SpokeReturns ViewRenderers::made_returns() const {
   echo::SpokeReturns returns(echo::with_rows_of(model(), row_cells_), parallel_);
   returns.set_tune_loss(echo::tune_loss_db(controls_));
+  returns.set_faults(faults_);
   return returns;
 }
 
@@ -35,6 +36,7 @@ void ViewRenderers::fit_returns() {
   for (const auto& [number, view] : views_) {
     cells = std::max(cells, echo::row_cells_for(geometry_, range_, view.receiver.controls()));
   }
+  cells = echo::row_cells_for_error(geometry_, range_, cells, faults_.range_error_m);
   if (cells != row_cells_ || !returns_fit_) {
     row_cells_ = cells;
     returns_ = made_returns();
@@ -60,6 +62,11 @@ void ViewRenderers::set_radar(RangeScale range, const echo::RadarControls& contr
   returns_.set_tune_loss(echo::tune_loss_db(controls_));
 }
 
+void ViewRenderers::set_faults(const echo::RadarFaults& faults) {
+  faults_ = faults;
+  returns_.set_faults(faults);
+}
+
 void ViewRenderers::set_view(std::uint32_t view, const echo::ViewControls& controls) {
   const auto known = views_.find(view);
   if (known == views_.end()) {
@@ -73,8 +80,9 @@ void ViewRenderers::render(const echo::Scene& scene, std::uint64_t first, std::u
   if (views_.empty()) return;
   fit_returns();
   std::uint32_t ahead = 0;
-  for (const auto& [number, view] : views_) {
+  for (auto& [number, view] : views_) {
     view.receiver.fetch();
+    view.receiver.set_noise(faults_.noise_db);
     ahead = std::max(ahead, view.receiver.rows_ahead());
   }
   ahead = std::min(ahead, echo::SpokeReturns::kMaxSector - count);

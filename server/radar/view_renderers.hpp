@@ -26,6 +26,9 @@ class ViewRenderers {
   void set_radar(RangeScale range, const echo::RadarControls& controls,
                  const echo::SpokeClock& clock);
 
+  // What is wrong with the set; nothing at first.
+  void set_faults(const echo::RadarFaults& faults);
+
   // `view` is any number of the caller's; a new one is added.  Controls of at most the radar's
   // range scale.  Rows reach as far as the view that wants most of them (row_cells_for); others
   // then show the same cells, but for the height of land that the end of the rows cuts.
@@ -68,6 +71,7 @@ class ViewRenderers {
   echo::ParallelFor parallel_;
   RangeScale range_;
   echo::RadarControls controls_;
+  echo::RadarFaults faults_;
   std::uint32_t row_cells_;
   bool returns_fit_ = true;  // they are of the model
   echo::SpokeReturns returns_;

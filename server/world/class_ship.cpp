@@ -9,6 +9,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
+#include "server/world/handling/machinery.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/short_way.hpp"
 
@@ -26,6 +27,16 @@ double wave_height_of(double sea_state) {
 double wind_of(double sea_state) {
   if (sea_state <= 0.0) return 0.0;
   return 3.16 * echo::exact_exp2(0.8 * echo::exact_log2(sea_state));
+}
+
+Machinery machinery_of(const FaultState* state) {
+  if (state == nullptr) return {};
+  const wire::Faults& faults = state->faults;
+  const bool dark = faults.blackout();
+  return {.steering_lost = faults.steering_lost() || dark,
+          .steering_one_pump = faults.steering_one_pump(),
+          .engine_tripped = faults.engine_tripped() || dark,
+          .thrusters_lost = faults.thrusters_lost() || dark};
 }
 
 }  // namespace
@@ -175,10 +186,11 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
   }
   tell(around, ship);
 
+  const ActuatorOrders acts = acting(machinery_of(ship.faults.get()), conn_);
   const double before_rad = state_.heading_rad;
   WayMade way;
   for (int i = 0; i < steps_per_tick_; ++i) {
-    const WayMade part = advance(class_, conn_, around, tick_s / steps_per_tick_, state_);
+    const WayMade part = advance(class_, acts, around, tick_s / steps_per_tick_, state_);
     way.north_m += part.north_m;
     way.east_m += part.east_m;
     around.time_s += tick_s / steps_per_tick_;

@@ -23,8 +23,9 @@ Surroundings surroundings_of(const Environment& environment, Duration since_star
 
 // Each tick is integrated in two steps (ship_dynamics.hpp) while orders hold; the state that the
 // world sees says her mean motion over the tick, so that position_at() leads exactly to the next.
-// Against twenty steps a tick: under 1 m after a day under an autopilot; manoeuvre_bench --day.
-// Thread: one at a time.
+// Faults of her machinery (ShipState.faults) act in the tick that they are there; what the con
+// shows as ordered stays. Against twenty steps a tick: under 1 m after a day under an autopilot;
+// manoeuvre_bench --day. Thread: one at a time.
 class ClassShip {
  public:
   static constexpr int kStepsPerTick = 2;

@@ -9,6 +9,7 @@
 #include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/rhumb_step.hpp"
+#include "server/world/sensors/sensor_reading.hpp"
 #include "server/world/ship_units.hpp"
 
 namespace skerry::server {
@@ -86,7 +87,27 @@ void OwnShip::set_faults(const wire::Faults& faults) {
       next->gnss_drifts_since = was->gnss_drifts_since;
     }
   }
+  hold_what_is_lost(state_.faults.get(), *next);
   state_.faults = std::move(next);
+}
+
+// What was said last, but for the noise.
+void OwnShip::hold_what_is_lost(const FaultState* was, FaultState& next) const {
+  const SensorReading lost = reading_of(&next, now_, 0);
+  if (!lost.no_heading && !lost.no_position) return;
+  FaultState steady = was ? *was : FaultState{};
+  steady.faults.clear_gyro_noise_deg();
+  steady.faults.clear_gnss_noise_m();
+  const SensorReading before = reading_of(&steady, now_, 0);
+  if (lost.no_heading) {
+    next.held_heading_deg = before.no_heading
+                                ? steady.held_heading_deg
+                                : wrapped_degrees(state_.heading_deg + before.heading_deg);
+  }
+  if (lost.no_position) {
+    next.held_position =
+        before.no_position ? steady.held_position : moved_by(state_.position, before);
+  }
 }
 
 void OwnShip::step(const Environment& environment) {
@@ -134,28 +155,34 @@ void OwnShip::put(const ShipState& there, const Environment& environment) {
 void OwnShip::go_on(const Environment& environment) {
   ordered_course_deg_ = state_.course_over_ground_deg = state_.heading_deg;
   ordered_speed_mps_ = speed_mps_ = state_.speed_mps;
-  rate_deg_s_ = std::clamp(state_.rate_of_turn_deg_s, -max_rate_deg_s_, max_rate_deg_s_);
+  rate_deg_s_ = commanded_deg_s_ =
+      std::clamp(state_.rate_of_turn_deg_s, -max_rate_deg_s_, max_rate_deg_s_);
   if (class_ship_) class_ship_->resume(state_);
   begin_tick(environment);
 }
 
 void OwnShip::begin_tick(const Environment& environment) {
   if (class_ship_) return class_ship_->begin_tick(environment, now_, tick_, state_);
+  const wire::Faults* const faults = state_.faults ? &state_.faults->faults : nullptr;
+  const bool steers = !faults || !(faults->steering_lost() || faults->blackout());
+  const bool drives = !faults || !(faults->engine_tripped() || faults->blackout());
+  const double speed_goal = drives ? ordered_speed_mps_ : 0.0;
   double left_deg = std::remainder(ordered_course_deg_ - state_.heading_deg, 360.0);
   if (left_deg == -180.0) left_deg = 180.0;
-  if (std::fabs(left_deg) < kSettled && std::fabs(rate_deg_s_) < kSettled) {
+  if (steers && std::fabs(left_deg) < kSettled && std::fabs(rate_deg_s_) < kSettled) {
     state_.heading_deg = state_.course_over_ground_deg = ordered_course_deg_;
     left_deg = rate_deg_s_ = 0.0;
   }
-  if (std::fabs(speed_mps_ - ordered_speed_mps_) < kSettled) speed_mps_ = ordered_speed_mps_;
+  if (std::fabs(speed_mps_ - speed_goal) < kSettled) speed_mps_ = speed_goal;
 
-  const double commanded = std::clamp(turn_gain_ * left_deg, -max_rate_deg_s_, max_rate_deg_s_);
-  state_.rate_of_turn_deg_s = turn_lag_.mean(rate_deg_s_, commanded);
-  state_.speed_mps = speed_lag_.mean(speed_mps_, ordered_speed_mps_);
+  if (steers)
+    commanded_deg_s_ = std::clamp(turn_gain_ * left_deg, -max_rate_deg_s_, max_rate_deg_s_);
+  state_.rate_of_turn_deg_s = turn_lag_.mean(rate_deg_s_, commanded_deg_s_);
+  state_.speed_mps = speed_lag_.mean(speed_mps_, speed_goal);
   state_.ordered_course_deg = ordered_course_deg_;
   state_.ordered_speed_mps = ordered_speed_mps_;
-  end_rate_deg_s_ = turn_lag_.end(rate_deg_s_, commanded);
-  end_speed_mps_ = speed_lag_.end(speed_mps_, ordered_speed_mps_);
+  end_rate_deg_s_ = turn_lag_.end(rate_deg_s_, commanded_deg_s_);
+  end_speed_mps_ = speed_lag_.end(speed_mps_, speed_goal);
 }
 
 }  // namespace skerry::server

@@ -33,6 +33,11 @@ namespace skerry::server {
 //
 // A ship that has a class (ClassShip) answers rudder, engine, wind, waves and current instead.
 //
+// Faults of her machinery: with the engine tripped her ordered speed acts as 0; with the steering
+// gear lost the commanded rate of turn stays as it was, so she goes on straight or in her turn. One
+// pump or no thrusters make no difference to a ship without a class.  Orders stay, and act again
+// after.
+//
 // While fixes of an outside simulator come, they drive her instead (driven_motion.hpp).  After the
 // last she goes on by herself, on the heading and at the speed she had.
 //
@@ -77,6 +82,7 @@ class OwnShip {
   };
   void begin_tick(const Environment& environment);
   void end_drive(const Environment& environment);
+  void hold_what_is_lost(const FaultState* was, FaultState& next) const;
   void go_on(const Environment& environment);
 
   Duration tick_;
@@ -86,6 +92,7 @@ class OwnShip {
   double ordered_course_deg_, ordered_speed_mps_;
   double speed_mps_, rate_deg_s_ = 0.0;  // at the begin of the tick
   double end_speed_mps_, end_rate_deg_s_ = 0.0;
+  double commanded_deg_s_ = 0.0;  // rate of turn
   ShipState state_;
   Duration now_{};  // begin of the present tick
   std::optional<DrivenMotion> driven_;

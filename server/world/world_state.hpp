@@ -14,6 +14,7 @@
 #include "server/world/environment.hpp"
 #include "server/world/handling/helmsman.hpp"
 #include "server/world/scenario.pb.h"
+#include "server/world/sensors/fault_state.hpp"
 
 namespace skerry::server {
 
@@ -35,12 +36,6 @@ struct ConState {
   double current_set_deg = 0.0, current_mps = 0.0;
   std::uint32_t waypoint = 0, waypoints = 0;  // makes for, from 1; 0: none
   double waypoint_m = 0.0, cross_track_m = 0.0;
-};
-
-// What is wrong aboard an own ship.  Times are on the exercise's clock.
-struct FaultState {
-  wire::Faults faults;
-  Duration gyro_drifts_since{}, gnss_drifts_since{};
 };
 
 // Motion is straight or a steady turn from `time` of the WorldState on: good for one tick.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "protocol/quantity/angle.hpp"
+#include "server/world/ship_reading.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/world.hpp"
 
@@ -54,6 +55,9 @@ void World::tell(wire::ExerciseState& out) const {
     told.set_own(true);
     told.set_ship_class(part_.scenario->own_ships(static_cast<int>(ship.number)).ship_class());
     if (ship.faults) *told.mutable_faults() = ship.faults->faults;
+    const SensorReading reading = reading_at(now, ship, Duration::zero());
+    told.set_gyro_error_deg(reading.heading_deg);
+    told.set_gnss_error_m(std::hypot(reading.north_m, reading.east_m));
   }
   std::size_t next = 0;
   for (int i = 0; i < part_.scenario->targets_size(); ++i) {

@@ -1,4 +1,4 @@
-// ControlsTable: the server's schema of controls and artefacts, from which the panel and the messages are made.
+// ControlsTable: the server's schema of controls, artefacts and faults, from which the panels and the messages are made.
 // Each entry is an object of /controls.json (server/net/http/controls_page.hpp).
 
 // Asks until the server answers; failed(error) is told of each time that it does not.

@@ -2,7 +2,7 @@
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
-import { bindKeys, bindPicture, PictureSettings } from './controls.js';
+import { bindKeys, bindPicture, PictureSettings, showPalette } from './controls.js';
 import { loadControls } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
 import { Instructor } from './instructor.js';
@@ -52,7 +52,11 @@ const radarChoice = choices.get('radar');
 
 let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection;
+// A console that watches: the picture alone, and no order leaves it. The instructor's page has one beside the chart.
+const isWatching = choices.has('watch');
+document.body.toggleAttribute('data-watch', isWatching);
 const set = (values) => {
+  if (isWatching) return null;
   const ours = locks.isInstructor ? { ...values, instructor: true } : values;
   const request = connection.set(radar.radar, radar.view, ours, token);
   if (request === null) notices.show('Not connected: the change was not sent');
@@ -62,8 +66,8 @@ const receiver = new ReceiverControls(table.controls, set);
 const instructor = new Instructor(table.artefacts, set, () => radar.ownShip);
 const locks = new Locks(table.controls, set);
 const notify = (text, kind) => notices.show(text, kind);
-const recording = new Recording((record) => connection.record(record, token), notify);
-const playback = new Playback((change) => connection.playback(change, token), notify, seconds);
+const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
+const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
 
 const radar = new RadarConsole(renderer.maxRows, {
   hello: (hello) => {
@@ -93,16 +97,18 @@ const radar = new RadarConsole(renderer.maxRows, {
 });
 if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
-// Whether this console has a view of its own, and the subscription that is under way.
+// Whether this console has a view of its own, which further view of another's it looks at if not (0: the shared one), and
+// the subscription that is under way.
 let ownView = choices.get('view') === 'own';
+let joined = /^\d{1,9}$/.test(choices.get('view') ?? '') ? Number(choices.get('view')) : 0;
 let asked = null;
 
 function subscribe() {
-  const like = ownView ? radar.view : 0;
+  const like = ownView ? radar.view : joined;
   $('con-page').href = `conning?radar=${radar.radar}`;
   asked = { request: connection.subscribe(radar.radar, like, ownView, token), radar: radar.radar, like, ownView };
   radar.forget();
-  radar.view = 0;
+  radar.view = ownView ? 0 : joined;
   showView();
 }
 
@@ -122,6 +128,7 @@ function takeSubscription(reply) {
     subscribe();
   } else {
     notices.show(reply.text);
+    if (like !== 0) { joined = 0; subscribe(); }
   }
   showView();
   return true;
@@ -134,7 +141,7 @@ function showView() {
 for (const input of document.querySelectorAll('input[name=view]')) {
   input.addEventListener('change', () => {
     ownView = input.value === 'own';
-    radar.view = 0;
+    joined = radar.view = 0;
     subscribe();
   });
 }
@@ -221,6 +228,7 @@ function showReadouts() {
   const rangeNm = view.rangeM / NAUTICAL_MILE_M;
   readouts.showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
   readouts.showOwnShip(radar.ownShip, headingDeg);
+  readouts.showSensors(radar.ownShip);
   readouts.showOrientation(picture.headUp, radar.ownShip);
   readouts.showRange(rangeNm > 0 ? Number(rangeNm.toFixed(4)) : NaN);
   readouts.showMarkers(markers, headingDeg);
@@ -244,10 +252,18 @@ function applyPicture() {
 }
 bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
 applyPicture();
+// The colours of the page around it are this console's too.
+if (isWatching) {
+  addEventListener('storage', () => {
+    Object.assign(picture, new PictureSettings());
+    showPalette(picture.palette);
+    applyPicture();
+  });
+}
 
 $('radar').addEventListener('change', () => {
   radar.radar = Number($('radar').value);
-  radar.view = 0;
+  joined = radar.view = 0;
   subscribe();
 });
 $('orders').addEventListener('submit', (event) => {

@@ -1,5 +1,6 @@
 // The messages of protocol/wire/radar.proto that a console reads and writes, and their frames: each
 // message after its length as a varint, any number of them in one WebSocket message.
+import { Coastline, encodeCoastRequest, encodeOrder, exerciseState } from './exercise/wire.js';
 import { message, Reader, WireError, Writer } from './protobuf.js';
 
 // Longest body of one frame, as the server has it (kMaxServerFrame).
@@ -45,6 +46,8 @@ const WORLD_FIELDS = {
   1: ['scenarioS', 'double'], 2: ['seaState', 'double'], 3: ['windFromDeg', 'double'],
   4: ['swellHeightM', 'double'], 5: ['swellPeriodS', 'double'], 6: ['swellFromDeg', 'double'],
   7: ['waveHeightM', 'double'], 8: ['kFactor', 'double'], 9: ['ducting', 'double'], 10: ['rain', [RainCell]],
+  22: ['windKn', 'double?'], 23: ['currentSetDeg', 'double'], 24: ['currentKn', 'double'], 25: ['depthM', 'double'],
+  26: ['exerciseS', 'double'], 27: ['frozen', 'bool'], 28: ['rate', 'double'],
 };
 const ConState = message({
   1: ['shipClass', 'string'], 2: ['steering', 'uint32'], 3: ['rudderDeg', 'double'], 4: ['rudderOrderDeg', 'double'],
@@ -66,7 +69,7 @@ const OwnShip = message({
   10: ['courseOverGroundDeg', 'double'], 11: ['speedOverGroundKn', 'double'], 12: ['utcNs', 'fixed64'],
   13: ['lengthM', 'double'], 14: ['beamM', 'double'], 15: ['mmsi', 'uint32'],
   16: ['driven', 'bool'], 17: ['noPosition', 'bool'], 18: ['noMotion', 'bool'], 19: ['noHeading', 'bool'],
-  20: ['con', ConState],
+  20: ['con', ConState], 21: ['noLog', 'bool'], 22: ['noWind', 'bool'], 23: ['text', 'string'], 24: ['texts', 'uint64'], 25: ['noAis', 'bool'],
 });
 const RecorderState = message({
   1: ['phase', 'uint32'], 2: ['file', 'string'], 3: ['folder', 'string'], 4: ['fileBytes', 'uint64'], 5: ['totalBytes', 'uint64'],
@@ -79,7 +82,7 @@ const PlaybackState = message({
   5: ['playing', 'bool'], 6: ['rate', 'double'], 7: ['loop', 'bool'], 8: ['marks', [PlaybackMark]],
   9: ['currentTimestamps', 'bool'], 10: ['problem', 'string'],
 });
-let ServerMessage, setFields, worldFields;
+let ServerMessage, setFields, worldFields, faultTable;
 
 // The fields of one schema of the table.  `read` is for message(): a control without a field of its own is in a
 // message `more`.  `own` and `added` are for writing.
@@ -97,14 +100,16 @@ function fieldsOf(table, more, moreFields) {
 }
 
 // table: /controls.json.  Before it is known, messages have no controls.
-export function useControls({ controls, artefacts }) {
+export function useControls({ controls, artefacts, faults = [] }) {
   const ofSet = fieldsOf(controls, 'controls', { read: 35, write: 38 });
   const ofWorld = fieldsOf(artefacts, 'artefacts', { read: 21, write: 22 });
   ServerMessage = message({
     1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', message({ ...ofSet.read, ...SETTINGS_FIELDS })],
     6: ['ownShip', OwnShip], 7: ['world', message({ ...ofWorld.read, ...WORLD_FIELDS })],
     10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
+    12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline],
   });
+  faultTable = faults;
   setFields = ofSet;
   worldFields = ofWorld;
 }
@@ -127,13 +132,18 @@ export function decodeFrames(bytes, take) {
     for (const part of [decoded.settings, decoded.ownShip, decoded.ownShip?.con, decoded.world, decoded.recorder, decoded.playback,
                         ...(decoded.playback?.marks ?? []),
                         ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? []),
-                        ...(decoded.settings?.blankedSectors?.sectors ?? [])]) {
+                        ...(decoded.settings?.blankedSectors?.sectors ?? []), ...partsOf(decoded.exercise), decoded.coastline]) {
       if (part) checkFinite(part, at);
     }
     if (decoded.hello) checkHello(decoded.hello, at);
     reader.at = end;
     take(decoded);
   }
+}
+
+function partsOf(exercise) {
+  if (!exercise) return [];
+  return [exercise, ...exercise.ships, ...exercise.marks, ...exercise.ships.flatMap((ship) => [ship.faults, ...ship.route])];
 }
 
 function checkHello(hello, at) {
@@ -174,13 +184,15 @@ function frame(request, field, body) {
   return out;
 }
 
-// newView: a view of this console's own, with the settings of `view`.  ownShipHz: OwnShip messages a second.
-export function encodeSubscribe(request, radar, view, newView = false, token = '', { ownShipHz = 0, noSpokes = false } = {}) {
+// newView: a view of this console's own, with the settings of `view`.  ownShipHz, exerciseHz: OwnShip and
+// ExerciseState messages a second.
+export function encodeSubscribe(request, radar, view, newView = false, token = '', { ownShipHz = 0, noSpokes = false, exerciseHz = 0 } = {}) {
   const writer = new Writer().uint32(1, radar).uint32(2, view);
   if (newView) writer.uint32(3, 1);
-  if (newView && token) writer.string(4, token);
+  if ((newView || exerciseHz > 0) && token) writer.string(4, token);
   if (ownShipHz > 0) writer.uint32(5, ownShipHz);
   if (noSpokes) writer.uint32(6, 1);
+  if (exerciseHz > 0) writer.uint32(7, exerciseHz);
   return frame(request, 2, writer.finish());
 }
 
@@ -193,7 +205,7 @@ const CON_FIELDS = {
 const CHANGE_FIELDS = {
   seaState: [1, 'double'], windFromDeg: [2, 'double'], swellHeightM: [3, 'double'], swellPeriodS: [4, 'double'],
   swellFromDeg: [5, 'double'], waveHeightM: [6, 'double'], kFactor: [7, 'double'], ducting: [8, 'double'],
-  removeAllRain: [11, 'uint32'],
+  removeAllRain: [11, 'uint32'], windKn: [23, 'double'], currentSetDeg: [24, 'double'], currentKn: [25, 'double'], depthM: [26, 'double'],
 };
 const RAIN_FIELDS = {
   id: [1, 'uint32'], latitudeDeg: [2, 'double'], longitudeDeg: [3, 'double'], radiusNm: [4, 'double'],
@@ -231,7 +243,7 @@ function encodeSectors(sectors) {
 
 // values: orders above, con (names of CON_FIELDS), controls of the table, blankedSectors ([{ fromDeg, toDeg }]), lock and unlock (names of
 // fields of Set), and world: any of its names and artefacts of the table, rain (cells; id 0 is a new one) and
-// removeRain (ids); what is absent stays as it is.
+// removeRain (ids), and exercise (exercise/wire.js); what is absent stays as it is.
 export function encodeSet(request, radar, view, values, token = '') {
   const writer = writeTable(write(new Writer().uint32(1, radar).uint32(2, view), ORDER_FIELDS, values), setFields, values);
   if (token) writer.string(9, token);
@@ -240,7 +252,12 @@ export function encodeSet(request, radar, view, values, token = '') {
   for (const name of values.unlock ?? []) writer.string(36, name);
   if (values.con) writer.bytes(39, write(new Writer(), CON_FIELDS, values.con).finish());
   if (values.world) writer.bytes(18, encodeWorld(values.world));
+  if (values.exercise) writer.bytes(40, encodeOrder(values.exercise, faultTable));
   return frame(request, 3, writer.finish());
+}
+
+export function encodeGetCoastline(request, place) {
+  return frame(request, 11, encodeCoastRequest(place));
 }
 
 // record: action (0 start, 1 stop, 2 mark) and, if there is one, name.

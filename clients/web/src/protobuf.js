@@ -14,8 +14,8 @@ export class WireError extends Error {
 
 const VARINT = 0, FIXED64 = 1, LENGTH = 2, GROUP_START = 3, GROUP_END = 4, FIXED32 = 5;
 const MAX_GROUP_DEPTH = 32;
-// Elements of one repeated field. A Hello has one per radar and one per range scale.
-const MAX_REPEATED = 1024;
+// Messages of one repeated field: the ships of an exercise are the most.  Numbers are bounded by their frame.
+const MAX_REPEATED = 8192;
 const utf8 = new TextDecoder('utf-8', { fatal: true });
 const utf8Encoder = new TextEncoder();
 
@@ -57,6 +57,12 @@ export class Reader {
   // A longer varint in a 32-bit field keeps its low bits, as protobuf has it.
   uint32() {
     return this.varint().low;
+  }
+
+  // Zigzag: small numbers of either sign are short.
+  sint32() {
+    const { low } = this.varint();
+    return (low >>> 1) ^ -(low & 1);
   }
 
   // Exact, or refused: no JavaScript number is exact above 2^53.
@@ -128,6 +134,7 @@ export class Reader {
 // How a scalar type is read, what it is when absent, and its wire type.
 const SCALARS = {
   uint32: { wireType: VARINT, zero: 0, read: (r) => r.uint32() },
+  sint32: { wireType: VARINT, zero: 0, read: (r) => r.sint32() },
   uint64: { wireType: VARINT, zero: 0, read: (r) => r.uint64() },
   bool: { wireType: VARINT, zero: false, read: (r) => { const { low, high } = r.varint(); return low !== 0 || high !== 0; } },
   fixed32: { wireType: FIXED32, zero: 0, read: (r) => r.fixed32() },
@@ -157,16 +164,19 @@ const SCALARS = {
 };
 
 // message({ fieldNumber: [name, type] }): type is the name of a scalar, another message, or
-// [type] for repeated. Absent scalars are zero, absent messages null, as in proto3.
+// [type] for repeated. Absent scalars are zero, absent messages null, as in proto3; a scalar whose name
+// ends in "?" is undefined when it is absent.
 export function message(fields) {
   const table = new Map();
   const blank = {};
   for (const [number, [name, declared]] of Object.entries(fields)) {
     const repeated = Array.isArray(declared);
-    const type = repeated ? declared[0] : declared;
+    const named = repeated ? declared[0] : declared;
+    const optional = typeof named === 'string' && named.endsWith('?');
+    const type = optional ? named.slice(0, -1) : named;
     const scalar = typeof type === 'string' ? SCALARS[type] : null;
     table.set(Number(number), { name, repeated, scalar, type, wireType: scalar ? scalar.wireType : LENGTH });
-    blank[name] = repeated ? null : scalar ? scalar.zero : null;
+    blank[name] = repeated || !scalar ? null : optional ? undefined : scalar.zero;
   }
   const lists = [...table.values()].filter((f) => f.repeated).map((f) => f.name);
 
@@ -202,7 +212,7 @@ export function message(fields) {
 
   function store(out, known, value, at) {
     if (!known.repeated) { out[known.name] = value; return; }
-    if (out[known.name].length >= MAX_REPEATED) {
+    if (!(known.scalar && known.wireType === VARINT) && out[known.name].length >= MAX_REPEATED) {
       throw new WireError('oversized', at, `more than ${MAX_REPEATED} of ${known.name}`);
     }
     out[known.name].push(value);

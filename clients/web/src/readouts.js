@@ -18,12 +18,26 @@ export function showOwnShip(ship, headingDeg) {
   write('latitude', format.position(place?.latitudeDeg, 'N', 'S', 2));
   write('longitude', format.position(place?.longitudeDeg, 'E', 'W', 3));
   write('heading', format.bearing(bow));
-  write('speed', format.fixed(motion?.speedKn, 1));
+  const speedKn = ship?.noLog ? NaN : motion?.speedKn;  // through the water
+  write('speed', format.fixed(speedKn, 1));
   write('turn', format.rateOfTurn(motion?.rateOfTurnDegMin));
   write('heading-short', format.bearing(bow));
-  write('speed-short', format.fixed(motion?.speedKn, 1));
+  write('speed-short', format.fixed(speedKn, 1));
   $('order-course').placeholder = format.bearing(ship?.orderedCourseDeg);
   $('order-speed').placeholder = format.fixed(ship?.orderedSpeedKn, 1);
+}
+
+// What the sensors do not tell: its dash alone might be overlooked.
+export function missingSensors(ship) {
+  const names = { noHeading: 'heading', noPosition: 'position', noLog: 'log', noWind: 'wind', noAis: 'AIS' };
+  const missing = Object.entries(names).filter(([flag]) => ship?.[flag]).map(([, name]) => name);
+  return missing.length > 0 ? `No ${missing.join(', ')}` : '';
+}
+
+export function showSensors(ship) {
+  const text = missingSensors(ship);
+  $('sensor-sign').hidden = text === '';
+  write('sensor-sign', text);
 }
 
 // With an unknown heading the bow is up, whatever was chosen.

@@ -73,8 +73,9 @@ Json described(const FieldDescriptor& field, const Descriptor& set, const Descri
 
 }  // namespace
 
-std::string controls_page(const Descriptor& controls, const Descriptor& artefacts) {
-  Json page{{"controls", Json::array()}, {"artefacts", Json::array()}};
+std::string controls_page(const Descriptor& controls, const Descriptor& artefacts,
+                          const Descriptor& faults) {
+  Json page{{"controls", Json::array()}, {"artefacts", Json::array()}, {"faults", Json::array()}};
   for (const FieldDescriptor* field : wire::fields_of(controls)) {
     page["controls"].push_back(
         described(*field, *wire::Set::descriptor(), *wire::Settings::descriptor()));
@@ -83,12 +84,18 @@ std::string controls_page(const Descriptor& controls, const Descriptor& artefact
     page["artefacts"].push_back(
         described(*field, *wire::WorldChange::descriptor(), *wire::World::descriptor()));
   }
+  // Neither Set nor Settings has fields of theirs.
+  for (const FieldDescriptor* field : wire::fields_of(faults)) {
+    page["faults"].push_back(
+        described(*field, *wire::Set::descriptor(), *wire::Settings::descriptor()));
+    add_text(page["faults"].back(), "group", wire::control_of(*field).group());
+  }
   return page.dump();
 }
 
 const std::string& controls_page() {
-  static const std::string page =
-      controls_page(*wire::Controls::descriptor(), *wire::Artefacts::descriptor());
+  static const std::string page = controls_page(
+      *wire::Controls::descriptor(), *wire::Artefacts::descriptor(), *wire::Faults::descriptor());
   return page;
 }
 

@@ -80,10 +80,10 @@ signalk::OwnShip SignalkSite::own_ship() const {
   const wire::OwnShip ship = context_.sensed_own_ship(first_radar_);
   signalk::OwnShip told{.name = ship.name(), .position = wire::place_known_of(ship)};
   if (!ship.no_heading()) told.heading_deg = ship.heading_deg();
+  if (wire::knows_turn(ship)) told.rate_of_turn_deg_min = ship.rate_of_turn_deg_min();
   if (ship.no_motion()) return told;
   told.course_over_ground_deg = ship.course_over_ground_deg();
   told.speed_over_ground_mps = ship.speed_over_ground_kn() * kKnot;
-  told.rate_of_turn_deg_min = ship.rate_of_turn_deg_min();
   return told;
 }
 
@@ -105,11 +105,13 @@ std::vector<TrafficItem> SignalkSite::others() const {
 }
 
 std::vector<signalk::OtherVessel> SignalkSite::vessels() const {
+  const wire::OwnShip own = context_.sensed_own_ship(first_radar_);
+  if (own.no_ais()) return {};
   std::vector<TrafficItem> traffic = others();
   std::erase_if(traffic, [](const TrafficItem& item) {
     return item.mmsi == 0 || (item.kind != TrafficKind::ship && item.kind != TrafficKind::boat);
   });
-  if (const auto here = own_ship().position) {
+  if (const auto here = wire::place_known_of(own)) {
     // Metres on a sphere are near enough to tell what VHF carries.
     const auto off = [&](const TrafficItem& item) {
       const double north = item.position.latitude_deg - here->latitude_deg;
@@ -124,13 +126,15 @@ std::vector<signalk::OtherVessel> SignalkSite::vessels() const {
   if (traffic.size() > kMostVessels) traffic.resize(kMostVessels);
   std::vector<signalk::OtherVessel> vessels;
   for (const TrafficItem& item : traffic) {
+    const AisSaid said = said_by_ais(item);
+    if (said.silent) continue;
     vessels.push_back({.mmsi = item.mmsi,
                        .ship = {.name = item.name,
-                                .position = item.position,
-                                .heading_deg = item.heading_deg,
-                                .course_over_ground_deg = item.course_over_ground_deg,
-                                .speed_over_ground_mps = item.speed_mps,
-                                .rate_of_turn_deg_min = item.rate_of_turn_deg_min},
+                                .position = said.position,
+                                .heading_deg = said.heading_deg,
+                                .course_over_ground_deg = said.course_over_ground_deg,
+                                .speed_over_ground_mps = said.speed_mps,
+                                .rate_of_turn_deg_min = said.rate_of_turn_deg_min},
                        .length_m = item.length_m,
                        .beam_m = item.beam_m});
   }

@@ -21,11 +21,21 @@ struct Vector {
   }
 };
 
+SteeringGear gear_of(const ShipClass& ship, const ActuatorOrders& orders) {
+  SteeringGear gear = ship.gear;
+  gear.rate_deg_s *= orders.rudder_speed;
+  return gear;
+}
+
 class Rates {
  public:
   Rates(const ShipClass& ship, const ActuatorOrders& orders, const Surroundings& around,
         double rudder)
-      : ship_(ship), orders_(orders), around_(around), rudder_deg_(rudder) {
+      : ship_(ship),
+        orders_(orders),
+        around_(around),
+        gear_(gear_of(ship, orders)),
+        rudder_deg_(rudder) {
     const echo::SinCos wind = echo::sin_cos_degrees(around.wind_from_deg);
     wind_north_ = -around.wind_mps * wind.cos;
     wind_east_ = -around.wind_mps * wind.sin;
@@ -44,8 +54,7 @@ class Rates {
     change.heading = s.r * upright;
     const BodyMotion motion{s.u, s.v, s.r, s.p, s.roll};
     const Actuators by{
-        rudder_after(ship_.gear, rudder_deg_, orders_.rudder_deg, after_s) * kRadiansPerDegree,
-        s.shaft};
+        rudder_after(gear_, rudder_deg_, orders_.rudder_deg, after_s) * kRadiansPerDegree, s.shaft};
     const BodyChange hull =
         ship_.hull->change(motion, by, around_.depth_m, loads(s, heading, change, after_s));
     change.u = hull.u;
@@ -84,6 +93,7 @@ class Rates {
   const ShipClass& ship_;
   const ActuatorOrders& orders_;
   const Surroundings& around_;
+  SteeringGear gear_;
   double rudder_deg_;
   double wind_north_, wind_east_, current_north_, current_east_;
 };
@@ -105,7 +115,7 @@ WayMade advance(const ShipClass& ship, const ActuatorOrders& orders, const Surro
   state.motion = {end.u, end.v, end.r, end.p, end.roll};
   state.heading_rad = end.heading;
   state.shaft_rps = end.shaft;
-  state.rudder_deg = rudder_after(ship.gear, state.rudder_deg, orders.rudder_deg, h);
+  state.rudder_deg = rudder_after(gear_of(ship, orders), state.rudder_deg, orders.rudder_deg, h);
   return {end.north, end.east};
 }
 

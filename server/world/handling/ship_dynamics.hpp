@@ -23,6 +23,7 @@ struct ActuatorOrders {
   double shaft_rps = 0.0;   // astern negative
   double bow = 0.0;         // -1 .. 1 of its force, to starboard positive
   double stern = 0.0;
+  double rudder_speed = 1.0;  // share of the gear's rate, 0 .. 1; 0: the rudder stays
 };
 
 struct DynamicState {

@@ -5,6 +5,7 @@
 namespace skerry::server {
 
 double rudder_after(const SteeringGear& gear, double angle_deg, double order_deg, double after_s) {
+  if (gear.rate_deg_s == 0.0) return angle_deg;
   const double order = std::clamp(order_deg, -gear.limit_deg, gear.limit_deg);
   const double left = order - angle_deg;
   const double side = left < 0.0 ? -1.0 : 1.0;

@@ -11,7 +11,7 @@ struct SteeringGear {
 
 // The rudder's angle `after_s` >= 0 seconds later, in closed form: it runs at its rate until the
 // lag would ask for less, then settles exponentially.  Degrees, starboard positive.  The order is
-// kept within the gear's limit.
+// kept within the gear's limit.  A gear without a rate leaves the rudder where it is.
 double rudder_after(const SteeringGear& gear, double angle_deg, double order_deg, double after_s);
 
 }  // namespace skerry::server

@@ -38,5 +38,7 @@ export function controlsDocument(schema) {
   const type = (name) => schema.lookupType(`skerry.wire.${name}`);
   const all = (name, set, settings) =>
     Object.values(type(name).fields).map((field) => described(schema, field, type(set), type(settings)));
-  return { controls: all('Controls', 'Set', 'Settings'), artefacts: all('Artefacts', 'WorldChange', 'World') };
+  const group = (field) => optionsOf(field, CONTROL).group;
+  const faults = all('Faults', 'Set', 'Settings').map((entry) => ({ ...entry, group: group(type('Faults').fields[entry.name]) }));
+  return { controls: all('Controls', 'Set', 'Settings'), artefacts: all('Artefacts', 'WorldChange', 'World'), faults };
 }

@@ -9,6 +9,7 @@ import protobuf from 'protobufjs';
 import { WebSocketServer } from 'ws';
 import { controlsDocument } from './controls_document.mjs';
 import { cellsAt, NM } from './mock_scene.mjs';
+import { coastlineAt } from './mock_exercise.mjs';
 
 const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
 export const WEB = path('clients/web/');
@@ -31,7 +32,9 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
+      exercise: null, ownShipMore: {},
     }, options);
+    // exercise: a MockExercise; ownShipMore: further fields of OwnShip.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
@@ -48,7 +51,7 @@ export class MockServer {
     this.locked = [];
     this.world = {
       seaState: 2, windFromDeg: 225, swellHeightM: 0, swellPeriodS: 10, swellFromDeg: 0, waveHeightM: 0, kFactor: 4 / 3,
-      ducting: 0, rain: [], sideLobes: true, multipleEchoes: true, indirectEchoes: true, shadowSectors: true,
+      ducting: 0, rain: [], windKn: 14, currentSetDeg: 90, currentKn: 1, depthM: 40, sideLobes: true, multipleEchoes: true, indirectEchoes: true, shadowSectors: true,
       secondTrace: true, interference: true, overheadCables: true, saturation: true, minimumRange: true, antennaMotion: true,
     };
     this.views = new Map([[0, this.settings]]);  // by number
@@ -62,9 +65,15 @@ export class MockServer {
   async start() {
     const files = new Set(readFileSync(`${WEB}files.txt`, 'utf8').split('\n').filter(Boolean));
     this.http = createServer((request, response) => {
-      const name = new URL(request.url, 'http://x').pathname.slice(1) || 'index.html';
+      let name = new URL(request.url, 'http://x').pathname.slice(1) || 'index.html';
+      if (files.has(`${name}.html`)) name += '.html';
       if (name === 'controls.json') {
         response.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify(this.controls));
+        return;
+      }
+      if (name === 'status') {
+        const radars = this.ships.map((_, radar) => ({ radar, views: [...this.views.keys()].filter((view) => view > 0).map((view) => ({ view })) }));
+        response.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify({ radars }));
         return;
       }
       if (!files.has(name)) { response.writeHead(404).end(); return; }
@@ -86,12 +95,14 @@ export class MockServer {
     this.cache = new Map();
     this.ticker = setInterval(() => this.#turn(), 4);
     this.second = setInterval(() => this.#ownShip(), 1000);
+    this.exercising = setInterval(() => this.showExercise(0.25), 250);
     return `http://${this.host}:${this.port}/`;
   }
 
   async stop() {
     clearInterval(this.ticker);
     clearInterval(this.second);
+    clearInterval(this.exercising);
     for (const client of this.clients) client.socket.terminate();
     this.clients.clear();
     this.http.closeAllConnections();
@@ -149,10 +160,18 @@ export class MockServer {
       this.#send(client, { reply: { request: message.request, code: 0, view } });
       this.#sendSettings(client);
       this.#send(client, { world: this.world });
+      client.exercise = message.subscribe.exerciseHz > 0;
       this.#ownShip();
       this.showStates();
+      this.showExercise();
+    } else if (message.kind === 'getCoastline') {
+      this.exercise.coastAsked.push(message.getCoastline);
+      this.#send(client, { coastline: coastlineAt(message.getCoastline) });
     } else if (message.kind === 'set') {
       if (this.refuse) { reply(this.refuse.code, this.refuse.text); return; }
+      const wrong = message.set.exercise ? this.exercise.take(message.set.exercise) : null;
+      if (wrong) { reply(2, wrong); return; }
+      if (message.set.exercise) this.showExercise();
       const take = (names, from, into) => {
         for (const name of names) if (from[`_${name}`]) into[name] = from[name];
       };
@@ -194,6 +213,12 @@ export class MockServer {
     return this.showStates();
   }
 
+  showExercise(seconds = 0) {
+    if (!this.exercise) return;
+    this.exercise.step(seconds);
+    for (const client of this.clients) if (client.exercise) this.#send(client, { exercise: this.exercise.state() });
+  }
+
   // Shows the states of recorder and playback, changed by `recorder` and `playback`.
   showStates({ recorder = {}, playback = {} } = {}) {
     if (this.recorder) Object.assign(this.recorder, recorder);
@@ -233,7 +258,7 @@ export class MockServer {
         radar: client.radar, name: this.ships[client.radar], latitudeDeg: 60.3925, longitudeDeg: 5.3233 - client.radar,
         headingDeg: this.headingDeg, speedKn: 11.9, rateOfTurnDegMin: 0,
         orderedCourseDeg: this.ordered.courseDeg, orderedSpeedKn: this.ordered.speedKn,
-        driven: this.driven, noPosition: this.untold, noMotion: this.untold, noHeading: this.untold,
+        driven: this.driven, noPosition: this.untold, noMotion: this.untold, noHeading: this.untold, ...this.ownShipMore,
       } });
     }
   }

@@ -158,7 +158,7 @@ TEST_F(NewControl, IsToldToSignalKDisplaysAndTheConsole) {
             R"({"id":0,"name":"Echo trim","description":"Makes all echoes stronger or weaker",)"
             R"("category":"advanced","dataType":"number","minValue":-6,"maxValue":6,)"
             R"("stepValue":0.5,"hasAuto":false,"hasAutoAdjustable":false,"isReadOnly":false})");
-  EXPECT_THAT(controls_page(schema, *wire::Artefacts::descriptor()),
+  EXPECT_THAT(controls_page(schema, *wire::Artefacts::descriptor(), *wire::Faults::descriptor()),
               HasSubstr(R"({"name":"echoTrimDb","field":"echo_trim_db","number":39,)"
                         R"("type":"number","min":-6.0,"max":6.0,"default":0.0,"unit":"dB",)"
                         R"("step":0.5,"label":"Echo trim",)"

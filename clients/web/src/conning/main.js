@@ -3,11 +3,12 @@ import { Connection } from '../connection.js';
 import { bindKeys, nextPalette, PictureSettings, showPalette } from '../controls.js';
 import { HAND, HEADING, REPLY_CODES, TRACK } from '../messages.js';
 import { Notices } from '../notices.js';
-import { showLink } from '../readouts.js';
+import { missingSensors, showLink } from '../readouts.js';
 import { $, write } from '../widgets.js';
 import { Autopilot, bindEntry } from './autopilot.js';
 import { Engine, nextPosition } from './engine.js';
 import { Helm } from './helm.js';
+import { InstructorText } from './instructor_text.js';
 import { Readings } from './readings.js';
 import { OWN_SHIP_HZ, ShipLink } from './ship_link.js';
 
@@ -37,6 +38,7 @@ const helm = new Helm((name, value) => changeIf('course', name, value), () => li
 const autopilot = new Autopilot((con) => orderIf('course', { con }),
   (speedKn) => orderIf('speed', { speedKn }));
 const readings = new Readings();
+const texts = new InstructorText();
 bindEntry('course-form', (courseDeg) => orderIf('course', { courseDeg }));
 bindEntry('plain-speed-form', (speedKn) => orderIf('speed', { speedKn }));
 
@@ -140,6 +142,10 @@ function show() {
   showHolder(view);
   showShip(view);
   readings.show(view.ship);
+  texts.show(view.ship);
+  const missing = missingSensors(view.ship);
+  $('sensors').hidden = missing === '';
+  write('sensors', missing);
   engine.show(view.con, view.orders.enginePercent);
   helm.show(view.con, view.orders);
   autopilot.show(view.con, view.ship);

@@ -11,7 +11,7 @@ import { WindDial } from './wind_dial.js';
 const { NONE } = format;
 
 const compass = (deg, kn) => (Number.isFinite(kn) ? `${format.bearing(deg, 0)}° ${format.fixed(kn, 1)} kn` : NONE);
-const metres = (m) => (m < 1852 ? `${Math.round(m)} m` : format.distance(m));
+const metres = (m) => (!Number.isFinite(m) ? NONE : m < 1852 ? `${Math.round(m)} m` : format.distance(m));
 
 export class Readings {
   constructor() {
@@ -38,7 +38,7 @@ export class Readings {
     });
     this.turn.show(motion?.rateOfTurnDegMin ?? NaN, con?.turnRateDegMin ?? 0);
     write('turn', side(motion?.rateOfTurnDegMin, 1));
-    write('stw', format.fixed(con?.waterAheadKn ?? motion?.speedKn, 1).replace('-', '\u2212'));
+    write('stw', format.fixed(ship?.noLog ? NaN : con?.waterAheadKn ?? motion?.speedKn, 1).replace('-', '\u2212'));
     write('sog', format.fixed(motion?.speedOverGroundKn, 1));
     write('cog', moves ? format.bearing(motion.courseOverGroundDeg) : NONE);
     write('latitude', format.position(place?.latitudeDeg, 'N', 'S', 2));
@@ -46,7 +46,18 @@ export class Readings {
     write('utc', ship ? format.utcClock(ship.utcNs / 1e6).slice(11, 19) || NONE : NONE);
     write('ordered-course', format.bearing(ship?.orderedCourseDeg));
     write('ordered-speed', format.fixed(ship?.orderedSpeedKn, 1));
-    this.#showCon(con, headingDeg);
+    this.#showCon(this.#sensed(con, ship), headingDeg);
+  }
+
+  // The con as far as her sensors tell it: what they do not is not known, never 0.
+  #sensed(con, ship) {
+    if (!con) return null;
+    const none = {};
+    if (ship.noLog) Object.assign(none, { waterAheadKn: NaN, waterStarboardKn: NaN });
+    if (ship.noMotion || ship.noPosition) Object.assign(none, { groundAheadKn: NaN, groundStarboardKn: NaN });
+    if (ship.noWind) Object.assign(none, { windFromDeg: NaN, windKn: NaN });
+    if (ship.noPosition) Object.assign(none, { waypointM: NaN, crossTrackM: NaN });
+    return { ...con, ...none };
   }
 
   #showCon(con, headingDeg) {
@@ -61,11 +72,11 @@ export class Readings {
     const relative = con ? relativeWind(con, headingDeg) : null;
     this.wind.show(con, headingDeg, relative);
     write('wind-true', con ? compass(con.windFromDeg, con.windKn) : NONE);
-    write('wind-relative', relative ? `${side(relative.fromDeg, 0).replace(/ /, '° ')} ${format.fixed(relative.kn, 1)} kn` : NONE);
+    write('wind-relative', Number.isFinite(relative?.kn) ? `${side(relative.fromDeg, 0).replace(/ /, '° ')} ${format.fixed(relative.kn, 1)} kn` : NONE);
     write('current', con ? compass(con.currentSetDeg, con.currentKn) : NONE);
     const onWay = con?.waypoint > 0;
     write('waypoint', onWay ? `${con.waypoint} of ${con.waypoints}` : NONE);
     write('waypoint-distance', onWay ? metres(con.waypointM) : NONE);
-    write('cross-track', onWay ? `${side(con.crossTrackM, 0).replace(' ', ' m ')}${Math.round(con.crossTrackM) === 0 ? ' m' : ''}` : NONE);
+    write('cross-track', onWay && Number.isFinite(con.crossTrackM) ? `${side(con.crossTrackM, 0).replace(' ', ' m ')}${Math.round(con.crossTrackM) === 0 ? ' m' : ''}` : NONE);
   }
 }

@@ -26,7 +26,7 @@ export class ShipPlan {
 // One along at x, one athwart at y.
 function arrows(x, ahead, y, starboard) {
   const head = (size) => Math.sign(size) * Math.min(5, Math.abs(size));
-  const along = Math.abs(ahead) < 2 ? '' : `M${x} 0V${-ahead}M${x - 4} ${-ahead + head(ahead)}L${x} ${-ahead}L${x + 4} ${-ahead + head(ahead)}`;
-  const athwart = Math.abs(starboard) < 2 ? '' : `M0 ${y}H${starboard}M${starboard - head(starboard)} ${y - 4}L${starboard} ${y}L${starboard - head(starboard)} ${y + 4}`;
+  const along = !(Math.abs(ahead) >= 2) ? '' : `M${x} 0V${-ahead}M${x - 4} ${-ahead + head(ahead)}L${x} ${-ahead}L${x + 4} ${-ahead + head(ahead)}`;
+  const athwart = !(Math.abs(starboard) >= 2) ? '' : `M0 ${y}H${starboard}M${starboard - head(starboard)} ${y - 4}L${starboard} ${y}L${starboard - head(starboard)} ${y + 4}`;
   return along + athwart;
 }
