@@ -36,6 +36,7 @@ Command make_record_command(CLI::App& app);
 Command make_coast_command(CLI::App& app);
 Command make_picture_command(CLI::App& app);
 Command make_radar_command(CLI::App& app);
+Command make_scenario_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
 Command make_recording_command(CLI::App& app);
 

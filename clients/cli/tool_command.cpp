@@ -1,5 +1,5 @@
-// skerry coast, picture and radar: hand over to the programs skerry-coast and skerry-picture, which
-// know how echoes are made.  Clients do not.
+// skerry coast, picture, radar and scenario: hand over to the programs skerry-coast, skerry-picture
+// and skerry-exercise, which know how echoes are made.  Clients do not.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -62,6 +62,11 @@ Command make_picture_command(CLI::App& app) {
 
 Command make_radar_command(CLI::App& app) {
   return hand_over(app, "radar", "Finds the set of a recorded radar", "skerry-picture", {"radar"});
+}
+
+Command make_scenario_command(CLI::App& app) {
+  return hand_over(app, "scenario", "Makes, checks, lists and runs exercises", "skerry-exercise",
+                   {});
 }
 
 }  // namespace skerry::client

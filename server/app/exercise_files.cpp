@@ -15,9 +15,11 @@
 #include "server/app/control/control_ranges.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
+#include "server/config/yaml_include.hpp"
 #include "server/config/yaml_message.hpp"
 #include "server/replay/recorded_exercise.hpp"
 #include "server/world/scenario.hpp"
+#include "server/world/shipped_exercises.hpp"
 
 namespace skerry::server {
 namespace {
@@ -99,19 +101,41 @@ std::string same_file(const Json& recorded, const std::string& instead) {
   return path;
 }
 
-}  // namespace
-
-std::string scenario_text(const std::string& path) {
-  return path.empty() ? default_scenario_yaml() : read_yaml_file(path);
+void set_number(YamlNode& map, const std::string& key, std::uint64_t value) {
+  YamlNode number{YamlNode::Kind::plain, {}, fmt::format("{}", value), {}, {}};
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    if (map.keys[i].text != key) continue;
+    map.items[i] = std::move(number);
+    return;
+  }
+  if (map.kind != YamlNode::Kind::map) return;
+  map.keys.push_back({YamlNode::Kind::plain, {}, key, {}, {}});
+  map.items.push_back(std::move(number));
 }
 
-scenario::Scenario exercise_scenario(const std::string& yaml, const std::string& file_name) {
-  YamlSource source(file_name);
-  scenario::Scenario scenario = read_scenario(yaml, source);
+scenario::Scenario checked(scenario::Scenario scenario, YamlSource& source) {
   check_coast(scenario, source);
   check_locks(scenario, source);
   source.require_sound();
   return scenario;
+}
+
+}  // namespace
+
+ScenarioFile open_scenario(const std::string& path, std::optional<std::uint64_t> seed) {
+  const std::string file = find_scenario(path);
+  YamlSource source(path.empty() ? "built-in bergen.yaml" : file);
+  std::string text = path.empty() ? default_scenario_yaml() : read_yaml_file(file);
+  YamlNode root = parse_yaml_whole(text, source);
+  if (seed) set_number(root, "seed", *seed);
+  scenario::Scenario scenario = checked(read_scenario(root, source), source);
+  if (source.file_count() == 1 && !seed) return {std::move(text), std::move(scenario)};
+  return {yaml_text(root), std::move(scenario)};
+}
+
+scenario::Scenario exercise_scenario(const std::string& yaml, const std::string& file_name) {
+  YamlSource source(file_name);
+  return checked(read_scenario(yaml, source), source);
 }
 
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
@@ -151,8 +175,12 @@ ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& ins
 }
 
 ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name) {
+  return exercise_plan(exercise_scenario(scenario_yaml, file_name));
+}
+
+ExercisePlan exercise_plan(scenario::Scenario scenario) {
   ExercisePlan plan;
-  plan.scenario = exercise_scenario(scenario_yaml, file_name);
+  plan.scenario = std::move(scenario);
   for (int i = 0; i < plan.scenario.own_ships_size(); ++i) {
     for (const scenario::Radar& radar : plan.scenario.own_ships(i).radars()) {
       plan.radars.push_back(radar_config(radar, static_cast<std::uint32_t>(plan.radars.size()),

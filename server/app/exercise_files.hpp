@@ -2,6 +2,8 @@
 // back.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +19,16 @@ struct ChartFiles {
   std::string elevation;
 };
 
-// The YAML of a scenario file, or of the built-in one for an empty path.
-// Error: ConfigError naming the file.
-std::string scenario_text(const std::string& path);
+// A scenario file with those that it includes.
+struct ScenarioFile {
+  std::string yaml;  // all of it, in one text that includes nothing: what a recording keeps
+  scenario::Scenario scenario;
+};
+
+// The file, or the shipped exercise of that name, or the built-in scenario for an empty path;
+// checked as by exercise_scenario().  `seed` instead of the file's.
+// Error: ConfigError with all that is wrong.
+ScenarioFile open_scenario(const std::string& path, std::optional<std::uint64_t> seed = {});
 
 // parse_scenario() and what the radars and the coast need beyond it.
 // Error: ConfigError with all that is wrong.
@@ -38,5 +47,6 @@ ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& ins
 // The plan that RadarServer makes of that scenario.
 // Error: as exercise_scenario().
 ExercisePlan exercise_plan(const std::string& scenario_yaml, const std::string& file_name);
+ExercisePlan exercise_plan(scenario::Scenario scenario);  // of one that was checked
 
 }  // namespace skerry::server

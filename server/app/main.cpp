@@ -168,9 +168,7 @@ int run(const Options& options, LogTap& tap) {
                    options.workers});
   }
   if (!options.playback.file.empty()) return run_playback(options, tap);
-  const std::string yaml = scenario_text(options.scenario);
-  const auto scenario =
-      exercise_scenario(yaml, options.scenario.empty() ? "built-in bergen.yaml" : options.scenario);
+  const auto [yaml, scenario] = open_scenario(options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {
     std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());

@@ -33,6 +33,12 @@ TextPlace YamlSource::place_of(std::string path) const {
   }
 }
 
+std::string YamlSource::where(const std::string& path) const {
+  const TextPlace place = place_of(path);
+  const std::string line = fmt::format("line {}", place.line);
+  return place.file == 0 ? line : printable(files_.at(static_cast<std::size_t>(place.file)), 4096) + ", " + line;
+}
+
 void YamlSource::refuse(const std::string& path, const std::string& text) {
   refuse(path, text, place_of(path));
 }
@@ -48,7 +54,7 @@ void YamlSource::add_error(const std::string& path, const std::string& text, Tex
   ++errors_;
   const auto after = std::upper_bound(shown_.begin(), shown_.end(), place,
                                       [](TextPlace p, const Shown& s) { return p < s.place; });
-  shown_.insert(after, {place, message_of(file_name_, place, path, text)});
+  shown_.insert(after, {place, message_of(files_.at(static_cast<std::size_t>(place.file)), place, path, text)});
   if (shown_.size() > kMostShown) shown_.pop_back();
 }
 
@@ -80,7 +86,7 @@ void YamlSource::fail(const std::string& text, TextPlace place) {
 ConfigError YamlSource::all_errors() const {
   std::string all;
   for (const Shown& each : shown_) all += (all.empty() ? "" : "\n") + each.message;
-  if (errors_ > 1) all += fmt::format("\n{}: {} errors", printable(file_name_, 4096), errors_);
+  if (errors_ > 1) all += fmt::format("\n{}: {} errors", printable(file_name(), 4096), errors_);
   if (errors_ > shown_.size()) {
     all += fmt::format(": {} shown and {} more", shown_.size(), errors_ - shown_.size());
   }

@@ -8,15 +8,21 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace skerry::server {
 
-// A place in a text: both count from 1, columns in characters.
+// A place in a text: line and column count from 1, columns in characters.  `file` is 0 for the file
+// itself and YamlSource::add_file()'s number for one that it includes.
 struct TextPlace {
   int line = 1;
   int column = 1;
-  auto operator<=>(const TextPlace&) const = default;
+  int file = 0;
+  auto operator<=>(const TextPlace& other) const {
+    return std::tie(file, line, column) <=> std::tie(other.file, other.line, other.column);
+  }
+  bool operator==(const TextPlace&) const = default;
 };
 
 // what() has one line for each error, in the order of the text:
@@ -40,7 +46,13 @@ class YamlSource {
   // The first errors in the order of the text that a message shows; the others are counted.
   static constexpr std::size_t kMostShown = 100;
 
-  explicit YamlSource(std::string file_name) : file_name_(std::move(file_name)) {}
+  explicit YamlSource(std::string file_name) : files_{std::move(file_name)} {}
+
+  // A file that this one includes; gives the number for its places.
+  int add_file(std::string name) {
+    files_.push_back(std::move(name));
+    return static_cast<int>(files_.size()) - 1;
+  }
 
   void add(const std::string& path, TextPlace place) { places_[path] = place; }
 
@@ -68,7 +80,10 @@ class YamlSource {
   // Adds an error behind which nothing can be read.  Error: ConfigError with all errors.
   [[noreturn]] void fail(const std::string& text, TextPlace place);
 
-  const std::string& file_name() const { return file_name_; }
+  const std::string& file_name() const { return files_.front(); }
+  std::size_t file_count() const { return files_.size(); }
+  // "line 12", or "harbour.yaml, line 12" of an included file: for messages about another place.
+  std::string where(const std::string& path) const;
 
  private:
   struct Shown {
@@ -79,7 +94,7 @@ class YamlSource {
   void add_error(const std::string& path, const std::string& text, TextPlace place);
   ConfigError all_errors() const;
 
-  std::string file_name_;
+  std::vector<std::string> files_;  // this one first
   std::map<std::string, TextPlace> places_;
   std::set<std::string> refused_;  // paths
   std::vector<Shown> shown_;       // by place, then as they came

@@ -199,7 +199,10 @@ class MessageReader {
 }  // namespace
 
 void read_yaml(const std::string& text, YamlSource& source, Message& out) {
-  const YamlNode root = parse_yaml(text, source);
+  read_yaml(parse_yaml(text, source), source, out);
+}
+
+void read_yaml(const YamlNode& root, YamlSource& source, Message& out) {
   out.Clear();
   MessageReader(source).read(root, "", out);
 }

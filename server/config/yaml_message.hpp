@@ -6,6 +6,7 @@
 #include <string>
 
 #include "server/config/config_error.hpp"
+#include "server/config/yaml_tree.hpp"
 
 namespace skerry::server {
 
@@ -22,6 +23,9 @@ namespace skerry::server {
 // std::logic_error for a schema with bytes or maps.
 // Thread: any.
 void read_yaml(const std::string& text, YamlSource& source, google::protobuf::Message& out);
+
+// The same of a tree.
+void read_yaml(const YamlNode& root, YamlSource& source, google::protobuf::Message& out);
 
 // The same where nothing remains to be checked.  Returns where everything stands.
 // Error: ConfigError with all that is wrong; then `out` is as before.

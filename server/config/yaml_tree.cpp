@@ -22,7 +22,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 // Turns yaml-cpp's marks, which count bytes from 0, into lines and columns.
 class Places {
  public:
-  explicit Places(std::string_view text) : text_(text) {
+  Places(std::string_view text, int file) : text_(text), file_(file) {
     for (std::size_t at = 0; at < text.size(); ++at) {
       if (at % kStride == 0) characters_before_.push_back(characters_);
       characters_ += static_cast<int>(character_count(text.substr(at, 1)));
@@ -40,7 +40,7 @@ class Places {
     byte = std::min(byte, text_.size());
     const auto after = std::upper_bound(starts_.begin(), starts_.end(), byte);
     return {static_cast<int>(after - starts_.begin()),
-            characters_before(byte) - characters_before(*(after - 1)) + 1};
+            characters_before(byte) - characters_before(*(after - 1)) + 1, file_};
   }
 
  private:
@@ -56,6 +56,7 @@ class Places {
   }
 
   std::string_view text_;
+  int file_;
   std::vector<std::size_t> starts_{0};
   std::vector<int> characters_before_;
   int characters_ = 0;  // of the whole text
@@ -199,7 +200,7 @@ void require_text(std::string_view text, YamlSource& source, const Places& place
 
 }  // namespace
 
-YamlNode parse_yaml(const std::string& text, YamlSource& source) {
+YamlNode parse_yaml(const std::string& text, YamlSource& source, int file) {
   if (text.size() > kMaxYamlBytes) {
     source.fail(fmt::format("too long: {} bytes; allowed: at most {}", text.size(), kMaxYamlBytes),
                 {});
@@ -210,7 +211,7 @@ YamlNode parse_yaml(const std::string& text, YamlSource& source) {
   }
   // yaml-cpp takes the end of the text for the end of a quoted value if a line ends before it.
   body = body.substr(0, body.find_last_not_of(" \t\r\n") + 1);
-  const Places places(body);
+  const Places places(body, file);
   require_text(body, source, places);
   TreeBuilder builder(source, places);
   try {

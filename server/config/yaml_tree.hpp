@@ -33,6 +33,7 @@ inline constexpr std::size_t kMaxYamlDepth = 32;       // lists and maps within 
 // Error: ConfigError with the first place from which the text cannot be read further, and what was
 // complained of before it: no YAML, not UTF-8, a control character, a limit passed, a second
 // document.
-YamlNode parse_yaml(const std::string& text, YamlSource& source);
+// `file`: whose text it is, as TextPlace has it.
+YamlNode parse_yaml(const std::string& text, YamlSource& source, int file = 0);
 
 }  // namespace skerry::server

@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "protocol/quantity/length.hpp"
+#include "server/config/yaml_include.hpp"
 #include "server/config/yaml_message.hpp"
 #include "server/world/ais_identities.hpp"
 #include "server/world/board_registers.hpp"
 #include "server/world/exercise_events.hpp"
+#include "server/world/exercise_sheet.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/route_checks.hpp"
 #include "server/world/ship_units.hpp"
@@ -54,7 +56,12 @@ class ScenarioChecker {
       check_hull(scenario.own_ships(i), path, source_);
       check_radars(*scenario.mutable_own_ships(i), path, radars);
     }
+    if (scenario.include_size() > 0) {
+      source_.refuse("include", "this text is no file of a folder; allowed: in a scenario's file");
+    }
+    name_sarts(scenario);
     check_events(scenario, source_);
+    check_sheet(scenario, source_);
     check_mmsi(scenario);
     fill_in_mmsi(scenario);
     check_any_radar(scenario);
@@ -90,8 +97,8 @@ class ScenarioChecker {
     const auto [other, is_new] = names.emplace(name, path);
     if (is_new) return;
     source_.refuse(path + ".name",
-                   fmt::format("\"{}\" is the name of {} too (line {}); names must differ", name,
-                               other->second, source_.place_of(other->second + ".name").line));
+                   fmt::format("\"{}\" is the name of {} too ({}); names must differ", name,
+                               other->second, source_.where(other->second + ".name")));
   }
 
   void check_radars(scenario::OwnShip& ship, const std::string& path, Names& names) const {
@@ -173,9 +180,9 @@ class ScenarioChecker {
         if (!source_.is_sound(path)) continue;
         const auto [other, is_new] = paths.emplace(bearers[i].mmsi(), path);
         if (is_new) continue;
-        source_.refuse(path, fmt::format("{} is that of {} too (line {}); numbers must differ",
+        source_.refuse(path, fmt::format("{} is that of {} too ({}); numbers must differ",
                                          bearers[i].mmsi(), other->second,
-                                         source_.place_of(other->second).line));
+                                         source_.where(other->second)));
       }
     };
     check(scenario.own_ships(), "own_ships");
@@ -227,8 +234,12 @@ class ScenarioChecker {
 }  // namespace
 
 scenario::Scenario read_scenario(const std::string& text, YamlSource& source) {
+  return read_scenario(parse_yaml(text, source), source);
+}
+
+scenario::Scenario read_scenario(const YamlNode& root, YamlSource& source) {
   scenario::Scenario scenario;
-  read_yaml(text, source, scenario);
+  read_yaml(root, source, scenario);
   ScenarioChecker(source).check(scenario);
   return scenario;
 }
@@ -241,7 +252,11 @@ scenario::Scenario parse_scenario(const std::string& text, const std::string& fi
 }
 
 scenario::Scenario load_scenario(const std::string& path) {
-  return parse_scenario(read_yaml_file(path), path);
+  YamlSource source(path);
+  const YamlNode root = parse_yaml_whole(read_yaml_file(path), source);
+  scenario::Scenario scenario = read_scenario(root, source);
+  source.require_sound();
+  return scenario;
 }
 
 scenario::Scenario default_scenario() {

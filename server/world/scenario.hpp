@@ -4,6 +4,7 @@
 #include <string>
 
 #include "server/config/config_error.hpp"
+#include "server/config/yaml_tree.hpp"
 #include "server/world/scenario.pb.h"
 
 namespace skerry::server {
@@ -34,6 +35,8 @@ inline constexpr int kMaxCoastPlaces = 1000;
 // - no ship is broader than long;
 // - a target has only keys of its kind; a reflector stands still;
 // - no two MMSI are the same; what has none gets one (ais_identities.hpp);
+// - the exercise's sheet names what is there (exercise_sheet.hpp);
+// - it includes no other file: that is for load_scenario();
 // - a racon's code is 1 to 4 letters, it is on for at most its period and on one band or both;
 // - a cable is 1 m to 20 km long;
 // - a target with waypoints has a speed, no course, and legs of 1 m to 5000 NM.
@@ -42,12 +45,13 @@ inline constexpr int kMaxCoastPlaces = 1000;
 // allowed; messages call the text `file_name`.
 scenario::Scenario parse_scenario(const std::string& text, const std::string& file_name);
 
-// parse_scenario() of a file.
+// parse_scenario() of a file and of those that it includes.
 scenario::Scenario load_scenario(const std::string& path);
 
 // The same for those who check more: all that is wrong goes to `source`, and what could be read is
 // returned.  Error: ConfigError as read_yaml().
 scenario::Scenario read_scenario(const std::string& text, YamlSource& source);
+scenario::Scenario read_scenario(const YamlNode& root, YamlSource& source);
 
 // scenarios/bergen.yaml as built into the program, and what it says.
 const std::string& default_scenario_yaml();

@@ -171,6 +171,8 @@ const std::vector<Room>& table() {
       {"server/app", {"protocol/", "echo/", "server/"}},
       {"server/app/control", {"protocol/", "echo/", "server/"}},
       {"server/app/options", {"protocol/", "echo/", "server/"}},
+      // The tool that makes, checks and runs exercises without a network.
+      {"server/exercise_tool", {"protocol/", "echo/", "server/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.
@@ -217,7 +219,7 @@ const std::vector<Owned>& owned_headers() {
       {"yaml-cpp/", {"server/config/"}, "use server/config/yaml_message.hpp"},
       {"CLI/",
        {"server/app/", "clients/cli/", "echo/coast_tool/", "echo/picture_tool/",
-        "echo/tool_console/"},
+        "echo/tool_console/", "server/exercise_tool/"},
        "pass the options in as values"},
       {"png.h", {"protocol/picture/"}, "use protocol/picture/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},

@@ -79,7 +79,7 @@ void add_options(CLI::App& cli, CommandLine& line) {
   FieldOptions add(cli);
   cli.add_option("--config", line.config_file, "configuration file (YAML)");
   add.text("--scenario", config, &ServerConfig::mutable_scenario,
-           "scenario file (YAML); the built-in Bergen without");
+           "scenario file (YAML) or shipped exercise; the built-in Bergen without");
   cli.add_option_function<std::vector<std::string>>(
       "--chart",
       [&config](const std::vector<std::string>& charts) {

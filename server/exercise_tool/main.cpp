@@ -1,0 +1,62 @@
+// skerry-exercise: makes, checks, lists and runs scenarios.  `skerry scenario` runs it.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+
+#include "echo/tool_console/command.hpp"
+#include "echo/tool_console/console.hpp"
+#include "server/exercise_tool/commands.hpp"
+
+namespace {
+
+using namespace skerry::server;
+namespace console = skerry::echo;
+
+int run(int argc, char** argv) {
+  CLI::App app{"Makes, checks, lists and runs scenarios and exercises, without a network.",
+               "skerry scenario"};
+  app.set_version_flag("--version", "skerry-exercise " SKERRY_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  app.footer(
+      "Examples:\n"
+      "  skerry scenario list\n"
+      "  skerry scenario new mine.yaml --template fairway --lat 57.5 --lon 11.2\n"
+      "  skerry scenario check mine.yaml\n"
+      "  skerry scenario run crossing --fast --checks --pictures pictures\n"
+      "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done or a check\n"
+      "failed, 2 the command line cannot be understood.\n");
+  const std::array commands = {make_new_command(app), make_check_command(app),
+                               make_list_command(app), make_run_command(app)};
+  if (argc == 1) {
+    fmt::print(stderr, "{}", app.help());
+    return console::kExitUsage;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? console::kExitOk : console::kExitUsage;
+  }
+  for (const console::Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return console::kExitUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  console::name_program("skerry scenario");
+  console::watch_pipe();
+  spdlog::set_level(spdlog::level::warn);
+  try {
+    return run(argc, argv);
+  } catch (const console::ReaderGone&) {
+    return console::kExitOk;
+  } catch (const std::exception& error) {
+    return console::report(error.what());
+  }
+}
