@@ -39,7 +39,8 @@ class PolarVideo {
   double spoke_deg() const { return 360.0 / spokes_; }
 
   int level(int spoke, int cell) const {
-    const auto& row = scan_.spokes[static_cast<std::size_t>(((spoke % spokes_) + spokes_) % spokes_)];
+    const auto& row =
+        scan_.spokes[static_cast<std::size_t>(((spoke % spokes_) + spokes_) % spokes_)];
     return row ? scale_ * row->cells[static_cast<std::size_t>(cell)] : 0;
   }
   double mean(int spoke, int cell, int half_width) const {
@@ -139,16 +140,15 @@ EchoStand hull_stand(const EchoPlace& place, const PolarVideo& video, const Wher
   const auto around = around_of(ring);
   if (!around) return {false, "land is all round her"};
   const double rise = strongest - around->median;
-  const double least =
-      std::max(kLeastRise, kLeastSpread * (around->upper_tenth - around->median));
+  const double least = std::max(kLeastRise, kLeastSpread * (around->upper_tenth - around->median));
   return {rise >= least, fmt::format("level {:.0f}, {:.0f} over her surroundings (needs {:.0f})",
                                      strongest, rise, least)};
 }
 
 EchoStand beacon_stand(const EchoPlace& place, const PolarVideo& video, const Where& at) {
   const int first = static_cast<int>((at.range_m + kBoxMargin_m) / video.cell_m());
-  const int last = std::min(video.cells() - 1,
-                            static_cast<int>((at.range_m + place.trail_m) / video.cell_m()));
+  const int last =
+      std::min(video.cells() - 1, static_cast<int>((at.range_m + place.trail_m) / video.cell_m()));
   const int side = std::max(2, static_cast<int>(6.0 * at.half_beam));
   std::vector<double> ring;
   for (int cell = first; cell <= last; ++cell) {
