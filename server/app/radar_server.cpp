@@ -21,6 +21,7 @@
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/ship_reading.hpp"
 #include "server/world/world.hpp"
+#include "server/world/world_change.hpp"
 
 namespace skerry::server {
 namespace {
