@@ -67,7 +67,10 @@ LabelText label_text(const Scan& scan, Orientation orientation, const PpiLabels&
       {no_heading ? std::string("HDG ---")
                   : fmt::format("HDG {}", bearing_text(header.heading.in_degrees()))});
   if (labels.own_ship) {
-    text.top_right.push_back({labels.own_ship->no_motion()
+    // A recording that knows no motion has no log either.
+    const wire::OwnShip& own = *labels.own_ship;
+    const bool no_speed = own.no_log() || (own.no_motion() && own.speed_kn() == 0.0);
+    text.top_right.push_back({no_speed
                                   ? std::string("SPD --- KN")
                                   : fmt::format("SPD {:.1f} KN", labels.own_ship->speed_kn())});
   }

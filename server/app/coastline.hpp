@@ -12,6 +12,6 @@ namespace skerry::server {
 // nearer than `detail_m` to the one before are left out: a 4000th of the diameter, and twice, four
 // times ... that until there are at most `most_points`.  Places are right to that and 0.1 m.
 wire::Coastline coastline_of(const echo::CoastChart& chart, const wire::GetCoastline& place,
-                             std::size_t most_points = 150'000);
+                             std::size_t most_points = 120'000);
 
 }  // namespace skerry::server

@@ -91,6 +91,18 @@ TrafficItem item_of(const scenario::Racon& racon) {
   return item;
 }
 
+// The same of a target whose AIS is off or errs; the place it tells is so far ahead of her own.
+std::optional<AisSaid> said_of_target(const ShipState& ship, const TrafficItem& item) {
+  if (!ship.ais_off && ship.ais_heading_error_deg == 0.0 && ship.ais_position_error_m == 0.0) {
+    return std::nullopt;
+  }
+  AisSaid said = said_by_ais(item);
+  said.silent = ship.ais_off;
+  said.heading_deg = wrapped_degrees(item.heading_deg + ship.ais_heading_error_deg);
+  said.position = advanced(item.position, item.heading_deg, ship.ais_position_error_m).position;
+  return said;
+}
+
 }  // namespace
 
 std::vector<TrafficItem> traffic_of(const WorldState& state, ScenarioTime now) {
@@ -122,7 +134,9 @@ std::vector<TrafficItem> traffic_of(const WorldState& state, ScenarioTime now) {
   }
   std::vector<bool> on_water(places.size(), false);
   for (const ShipState& ship : state.targets) {
-    put(ship, dt, items[places[ship.number]]);
+    TrafficItem& item = items[places[ship.number]];
+    put(ship, dt, item);
+    item.ais = said_of_target(ship, item);
     on_water[ship.number] = true;
   }
   for (const SmallTargetState& small : state.adrift) {

@@ -36,7 +36,9 @@ TextPlace YamlSource::place_of(std::string path) const {
 std::string YamlSource::where(const std::string& path) const {
   const TextPlace place = place_of(path);
   const std::string line = fmt::format("line {}", place.line);
-  return place.file == 0 ? line : printable(files_.at(static_cast<std::size_t>(place.file)), 4096) + ", " + line;
+  return place.file == 0
+             ? line
+             : printable(files_.at(static_cast<std::size_t>(place.file)), 4096) + ", " + line;
 }
 
 void YamlSource::refuse(const std::string& path, const std::string& text) {
@@ -54,7 +56,8 @@ void YamlSource::add_error(const std::string& path, const std::string& text, Tex
   ++errors_;
   const auto after = std::upper_bound(shown_.begin(), shown_.end(), place,
                                       [](TextPlace p, const Shown& s) { return p < s.place; });
-  shown_.insert(after, {place, message_of(files_.at(static_cast<std::size_t>(place.file)), place, path, text)});
+  shown_.insert(after, {place, message_of(files_.at(static_cast<std::size_t>(place.file)), place,
+                                          path, text)});
   if (shown_.size() > kMostShown) shown_.pop_back();
 }
 

@@ -178,10 +178,12 @@ void write_flow(const YamlNode& node, std::string& out) {
       write_quoted(node.text, out);
       break;
     case Kind::plain: {
-      const bool simple = !node.text.empty() && node.text.find_first_not_of(
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+- ") ==
-                                                    std::string::npos &&
-                          node.text.find("- ") != 0 && node.text != "-";
+      const bool simple =
+          !node.text.empty() &&
+          node.text.find_first_not_of(
+              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+- ") ==
+              std::string::npos &&
+          node.text.find("- ") != 0 && node.text != "-";
       if (simple) {
         out += node.text;
       } else {

@@ -25,11 +25,11 @@ std::string summary_of(const scenario::Scenario& scenario) {
     if (target.kind() == scenario::Target::ship) ++ships;
   }
   for (const auto& own : scenario.own_ships()) radars += own.radars_size();
-  return fmt::format("{}: {} own ships with {} radars, {} ships, {} marks and boats, {} events, "
-                     "{} checks, {:.0f} min",
-                     scenario.name(), scenario.own_ships_size(), radars, ships,
-                     scenario.targets_size() - ships, scenario.events_size(),
-                     scenario.exercise().checks_size(), length_in_minutes(scenario));
+  return fmt::format(
+      "{}: {} own ships with {} radars, {} ships, {} marks and boats, {} events, "
+      "{} checks, {:.0f} min",
+      scenario.name(), scenario.own_ships_size(), radars, ships, scenario.targets_size() - ships,
+      scenario.events_size(), scenario.exercise().checks_size(), length_in_minutes(scenario));
 }
 
 // True if it is good.
@@ -71,8 +71,7 @@ echo::Command make_check_command(CLI::App& app) {
       "check", "Says all that is wrong with scenarios, and sums up those that are good");
   command->add_option("FILE", options->files, "scenario files, or names of shipped exercises")
       ->required();
-  command->add_option("--chart", options->charts, "charts over the built-in shoreline")
-      ->take_all();
+  command->add_option("--chart", options->charts, "charts over the built-in shoreline")->take_all();
   command->add_flag("--force", options->force, "ships on land are warnings");
   command->footer(
       "Besides what the server checks, nobody may begin on land, have a leg over land, or come on\n"

@@ -67,9 +67,8 @@ void ClosestApproaches::look(const ShipState& own, const ShipState& other, Durat
 std::vector<Approach> ClosestApproaches::nearest() const {
   std::vector<Approach> all;
   for (const auto& [names, approach] : approaches_) all.push_back(approach);
-  std::stable_sort(all.begin(), all.end(), [](const Approach& a, const Approach& b) {
-    return a.closest_m < b.closest_m;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Approach& a, const Approach& b) { return a.closest_m < b.closest_m; });
   return all;
 }
 

@@ -39,7 +39,8 @@ class PolarVideo {
   double spoke_deg() const { return 360.0 / spokes_; }
 
   int level(int spoke, int cell) const {
-    const auto& row = scan_.spokes[static_cast<std::size_t>(((spoke % spokes_) + spokes_) % spokes_)];
+    const auto& row =
+        scan_.spokes[static_cast<std::size_t>(((spoke % spokes_) + spokes_) % spokes_)];
     return row ? scale_ * row->cells[static_cast<std::size_t>(cell)] : 0;
   }
   double mean(int spoke, int cell, int half_width) const {
@@ -95,9 +96,7 @@ double quantile(std::vector<double>& values, double share) {
 
 struct Around {
   double median = 0.0, upper_tenth = 0.0;
-  double least_rise() const {
-    return std::max(kLeastRise, kLeastSpread * (upper_tenth - median));
-  }
+  double least_rise() const { return std::max(kLeastRise, kLeastSpread * (upper_tenth - median)); }
 };
 
 std::optional<Around> around_of(std::vector<double>& levels) {
@@ -149,8 +148,8 @@ EchoStand hull_stand(const EchoPlace& place, const PolarVideo& video, const Wher
 
 EchoStand beacon_stand(const EchoPlace& place, const PolarVideo& video, const Where& at) {
   const int first = static_cast<int>((at.range_m + kBoxMargin_m) / video.cell_m());
-  const int last = std::min(video.cells() - 1,
-                            static_cast<int>((at.range_m + place.trail_m) / video.cell_m()));
+  const int last =
+      std::min(video.cells() - 1, static_cast<int>((at.range_m + place.trail_m) / video.cell_m()));
   const int side = std::max(2, static_cast<int>(6.0 * at.half_beam));
   std::vector<double> ring;
   for (int cell = first; cell <= last; ++cell) {

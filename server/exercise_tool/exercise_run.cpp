@@ -35,8 +35,8 @@ void ExerciseRun::judge_due(const Listener& listener) {
   const Duration now = World::kTick * static_cast<std::int64_t>(world_.tick());
   while (!due_.empty() && in_minutes(due_.back()->at_min()) <= now) {
     std::vector<CheckedTurn> turns;
-    const CheckResult result = judge(*due_.back(), plan_, chart_, world_,
-                                     options_.keep_turns ? &turns : nullptr);
+    const CheckResult result =
+        judge(*due_.back(), plan_, chart_, world_, options_.keep_turns ? &turns : nullptr);
     due_.pop_back();
     ++judged_;
     if (!result.passed()) ++failed_;

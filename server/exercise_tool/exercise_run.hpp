@@ -14,9 +14,9 @@ namespace skerry::server {
 class ExerciseRun {
  public:
   struct Options {
-    double until_min = 0.0;     // 0: the sheet's length, or 30 min
-    bool checks = true;         // judge them
-    bool keep_turns = false;    // of checked pictures
+    double until_min = 0.0;   // 0: the sheet's length, or 30 min
+    bool checks = true;       // judge them
+    bool keep_turns = false;  // of checked pictures
   };
   // What is heard of while it runs; all may be empty.
   struct Listener {

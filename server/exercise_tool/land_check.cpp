@@ -103,13 +103,13 @@ class LandChecker {
       const int looks = std::min(100'000, 1 + static_cast<int>(metres_of(way) / kLookEvery_m));
       for (int k = 1; k <= looks; ++k) {
         const double share = static_cast<double>(k) / looks;
-        const GeoPoint at{from.latitude_deg + share * (to.latitude_deg - from.latitude_deg),
-                          wrapped_longitude(from.longitude_deg +
-                                            share * wrapped_longitude(to.longitude_deg -
-                                                                      from.longitude_deg))};
+        const GeoPoint at{
+            from.latitude_deg + share * (to.latitude_deg - from.latitude_deg),
+            wrapped_longitude(from.longitude_deg +
+                              share * wrapped_longitude(to.longitude_deg - from.longitude_deg))};
         if (!land_.is_land(at)) continue;
-        complaints_.push_back(fmt::format("{}: the leg to {}[{}] is over land at {}", who, list, i,
-                                          text_of(at)));
+        complaints_.push_back(
+            fmt::format("{}: the leg to {}[{}] is over land at {}", who, list, i, text_of(at)));
         ashore_.insert(who.substr(who.find('(') + 1, who.size() - who.find('(') - 2));
         return;
       }
@@ -134,10 +134,10 @@ class LandChecker {
 LandAround::LandAround(const echo::ChartSource& chart, GeoPoint centre, double radius_m)
     : chart_(chart.load(centre, metres(radius_m))),
       lookup_(chart_.rings,
-              wrapped_longitude(centre.longitude_deg -
-                                std::min(179.0, radius_m / 111'000.0 /
-                                                    std::max(0.05, std::cos(0.0174533 *
-                                                                            centre.latitude_deg)))),
+              wrapped_longitude(
+                  centre.longitude_deg -
+                  std::min(179.0, radius_m / 111'000.0 /
+                                      std::max(0.05, std::cos(0.0174533 * centre.latitude_deg)))),
               std::min(358.0, 2.0 * radius_m / 111'000.0 /
                                   std::max(0.05, std::cos(0.0174533 * centre.latitude_deg))),
               std::max(-90.0, centre.latitude_deg - radius_m / 110'000.0)) {}

@@ -40,9 +40,10 @@ int make_new(const NewOptions& options) {
                         "Choose another --lat and --lon, or give --force.");
   }
   echo::write_file(options.file, *text);
-  echo::write_out(fmt::format("{}: written. Next:\n  skerry scenario check {}\n"
-                              "  skerry scenario run {} --fast --checks\n",
-                              options.file, options.file, options.file));
+  echo::write_out(
+      fmt::format("{}: written. Next:\n  skerry scenario check {}\n"
+                  "  skerry scenario run {} --fast --checks\n",
+                  options.file, options.file, options.file));
   return echo::kExitOk;
 }
 

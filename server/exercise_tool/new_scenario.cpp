@@ -66,7 +66,8 @@ std::string open_sea(const std::string& name, GeoPoint p) {
              "  - {{name: Charlie, ship_class: fishing, position: {}, fishes_within_nm: 1}}\n"
              "\n"
              "events:\n"
-             "  - {{name: wind rises, at_min: 10, weather: {{wind_kn: 20}}, mark: The wind rises}}\n",
+             "  - {{name: wind rises, at_min: 10, weather: {{wind_kn: 20}}, mark: The wind "
+             "rises}}\n",
              at(p, 45.0, 4.5), at(p, 300.0, 4.0)) +
          sheet("See the ship that crosses and keep clear of her.",
                "Bravo comes from starboard on a steady bearing: Alfa gives way.",
@@ -95,10 +96,8 @@ std::string fairway(const std::string& name, GeoPoint p) {
              "\n"
              "racons: [{{name: Landfall, position: {}, code: K}}]\n",
              at(advanced(p, 0.0, 1852.0 * 5.5).position, 270.0, 0.08),
-             at(advanced(p, 180.0, 1852.0 * 2.0).position, 270.0, 0.15), marks,
-             at(p, 0.0, 4.6)) +
-         sheet("Keep to the starboard side of the fairway.",
-               "Bravo is met port to port.",
+             at(advanced(p, 180.0, 1852.0 * 2.0).position, 270.0, 0.15), marks, at(p, 0.0, 4.6)) +
+         sheet("Keep to the starboard side of the fairway.", "Bravo is met port to port.",
                "    - {at_min: 1, says: ship and buoys are seen, range_nm: 3, sees: [Green 3, Red "
                "4]}\n"
                "    - {at_min: 2, sees: [Bravo]}\n");
@@ -114,8 +113,7 @@ std::string anchorage(const std::string& name, GeoPoint p) {
              "traffic:                     # more ships, laid out by chance\n"
              "  - {{name: Anchored, kind: anchorage, count: 8, from: {}, radius_nm: 1.5}}\n",
              at(p, 20.0, 3.0), at(p, 340.0, 3.5), at(p, 0.0, 5.5)) +
-         sheet("Find a free berth among the ships at anchor.",
-               "Bravo and Charlie lie still.",
+         sheet("Find a free berth among the ships at anchor.", "Bravo and Charlie lie still.",
                "    - {at_min: 1, says: the nearest are seen, sees: [Bravo, Charlie]}\n");
 }
 

@@ -56,8 +56,8 @@ std::optional<EchoPlace> PictureLooks::place_of(const std::string& name,
     place.trail_m = (racon.delay_us() + racon.length_us()) * kMetresPerMicrosecond;
     return place;
   }
-  const std::size_t carried = state.sarts.size() - static_cast<std::size_t>(
-                                                       state.scenario->sarts_size());
+  const std::size_t carried =
+      state.sarts.size() - static_cast<std::size_t>(state.scenario->sarts_size());
   for (int i = 0; i < state.scenario->sarts_size(); ++i) {
     if (state.scenario->sarts(i).name() != name) continue;
     place.sort = EchoPlace::Sort::sart;

@@ -53,8 +53,8 @@ void RadarTurns::pass(Duration time) {
 Scan RadarTurns::turn() {
   const std::uint32_t spokes = config_.geometry.spokes_per_turn;
   const ScenarioTime now(World::kTick * static_cast<std::int64_t>(world_.tick()));
-  const double turns = in_seconds(now - maker_.clock().time_of(0)) /
-                       (maker_.clock().seconds_per_spoke() * spokes);
+  const double turns =
+      in_seconds(now - maker_.clock().time_of(0)) / (maker_.clock().seconds_per_spoke() * spokes);
   next_ = std::max(next_, static_cast<std::uint64_t>(turns) * spokes);
   while (maker_.clock().time_of(next_) < now) next_ += spokes;
   step_to(maker_.clock().time_of(next_));

@@ -61,8 +61,8 @@ class RunReport {
 
   // Waits for the exercise's time if it is not to run fast.
   bool second(Duration now, Duration length) {
-    progress_.show(fmt::format("{} of {}", clock_text(in_seconds(now)),
-                               clock_text(in_seconds(length))));
+    progress_.show(
+        fmt::format("{} of {}", clock_text(in_seconds(now)), clock_text(in_seconds(length))));
     if (options_.fast) return !interrupted;
     const auto due = began_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(now);
     while (!interrupted && std::chrono::steady_clock::now() < due) {
@@ -113,7 +113,8 @@ void report_approaches(const ExerciseRun& run, RunReport& report) {
                            approach.other));
   }
   if (nearest.size() > kApproachesShown) {
-    report.say(fmt::format("and {} more pairs, farther apart\n", nearest.size() - kApproachesShown));
+    report.say(
+        fmt::format("and {} more pairs, farther apart\n", nearest.size() - kApproachesShown));
   }
 }
 
@@ -127,12 +128,12 @@ int run_scenario(const RunOptions& options) {
   ExerciseRun run(plan, *chart, {options.until_min, checks, !options.pictures.empty()});
   RunReport report(options);
   report.say(fmt::format("{}\n", plan.scenario.name()));
-  const bool whole = run.run(
-      {[&](const wire::ExerciseMark& mark) { report.marked(mark); },
-       [&](const CheckResult& result, const std::vector<CheckedTurn>& turns) {
-         report.judged(result, turns);
-       },
-       [&](Duration now) { return report.second(now, run.length()); }});
+  const bool whole =
+      run.run({[&](const wire::ExerciseMark& mark) { report.marked(mark); },
+               [&](const CheckResult& result, const std::vector<CheckedTurn>& turns) {
+                 report.judged(result, turns);
+               },
+               [&](Duration now) { return report.second(now, run.length()); }});
   const double took_s = report.seconds();
   const double sailed_s = in_seconds(World::kTick * static_cast<std::int64_t>(run.world().tick()));
   report_approaches(run, report);
@@ -140,10 +141,9 @@ int run_scenario(const RunOptions& options) {
   report.say(fmt::format("{} min in {:.1f} s: {:.0f} times real time\n", clock_text(sailed_s),
                          took_s, sailed_s / std::max(took_s, 1e-3)));
   if (checks) {
-    report.say(fmt::format("checks: {} of {} passed{}\n", run.judged() - run.failed(), run.judged(),
-                           run.not_reached() > 0
-                               ? fmt::format(", {} not reached", run.not_reached())
-                               : ""));
+    report.say(fmt::format(
+        "checks: {} of {} passed{}\n", run.judged() - run.failed(), run.judged(),
+        run.not_reached() > 0 ? fmt::format(", {} not reached", run.not_reached()) : ""));
   }
   return run.failed() == 0 ? echo::kExitOk : echo::kExitFailure;
 }
@@ -161,8 +161,7 @@ echo::Command make_run_command(CLI::App& app) {
   command->add_flag("--checks", options->checks, "make video where checks ask for it, and judge");
   command->add_option("--pictures", options->pictures, "a folder for a PNG of each checked turn");
   command->add_option("--seed", options->seed, "instead of the scenario's");
-  command->add_option("--chart", options->charts, "charts over the built-in shoreline")
-      ->take_all();
+  command->add_option("--chart", options->charts, "charts over the built-in shoreline")->take_all();
   command->footer(
       "Nobody steers: own ships keep their routes and courses.  Exit codes: 0 done, 1 a check\n"
       "failed or it could not be done, 2 the command line cannot be understood.  Ctrl-C ends it.\n"

@@ -71,12 +71,11 @@ class Judge {
     const double apart_nm = metres_apart(*a, *b) / 1852.0;
     const bool well = (!apart.has_least_nm() || apart_nm >= apart.least_nm()) &&
                       (!apart.has_most_nm() || apart_nm <= apart.most_nm());
-    add(well, fmt::format("{} are {:.2f} NM apart (asked: {}{}{})", who, apart_nm,
-                          apart.has_least_nm() ? fmt::format("at least {} NM", apart.least_nm())
-                                               : "",
-                          apart.has_least_nm() && apart.has_most_nm() ? ", " : "",
-                          apart.has_most_nm() ? fmt::format("at most {} NM", apart.most_nm())
-                                              : ""));
+    add(well,
+        fmt::format("{} are {:.2f} NM apart (asked: {}{}{})", who, apart_nm,
+                    apart.has_least_nm() ? fmt::format("at least {} NM", apart.least_nm()) : "",
+                    apart.has_least_nm() && apart.has_most_nm() ? ", " : "",
+                    apart.has_most_nm() ? fmt::format("at most {} NM", apart.most_nm()) : ""));
   }
 
   void judge_errors() {
@@ -120,9 +119,8 @@ class Judge {
       add(well, fmt::format("land {}: {:.1f} % of the chart's land in reach is lit",
                             check_.land() ? "is there" : "is not there", 100.0 * shares.land));
     }
-    const std::string clutter =
-        fmt::format("clutter: {:.1f} % of the water within {} NM is lit", 100.0 * shares.water,
-                    check_.clutter_within_nm());
+    const std::string clutter = fmt::format("clutter: {:.1f} % of the water within {} NM is lit",
+                                            100.0 * shares.water, check_.clutter_within_nm());
     if (check_.has_clutter_least_percent()) {
       add(100.0 * shares.water >= check_.clutter_least_percent(),
           fmt::format("{} (asked: at least {} %)", clutter, check_.clutter_least_percent()));

@@ -32,6 +32,8 @@ constexpr Range kRanges[] = {
     {"from_deg", 0.0, 360.0},
     {"to_deg", 0.0, 360.0},
     {"scenario_s", 0.0, 1e9},
+    {"exercise_s", 0.0, 1e10},
+    {"rate", 0.0, 20.0},
     {"sea_state", 0.0, 6.0},
     {"wind_from_deg", 0.0, kLast},
     {"swell_height_m", 0.0, 15.0},

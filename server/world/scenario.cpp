@@ -180,9 +180,9 @@ class ScenarioChecker {
         if (!source_.is_sound(path)) continue;
         const auto [other, is_new] = paths.emplace(bearers[i].mmsi(), path);
         if (is_new) continue;
-        source_.refuse(path, fmt::format("{} is that of {} too ({}); numbers must differ",
-                                         bearers[i].mmsi(), other->second,
-                                         source_.where(other->second)));
+        source_.refuse(
+            path, fmt::format("{} is that of {} too ({}); numbers must differ", bearers[i].mmsi(),
+                              other->second, source_.where(other->second)));
       }
     };
     check(scenario.own_ships(), "own_ships");

@@ -35,8 +35,8 @@ class SheetChecker {
                                              sheet_.answers_size(), kMaxSheetAnswers));
     }
     if (sheet_.checks_size() > kMaxSheetChecks) {
-      refuse("exercise.checks", fmt::format("{} entries; allowed: at most {}",
-                                            sheet_.checks_size(), kMaxSheetChecks));
+      refuse("exercise.checks",
+             fmt::format("{} entries; allowed: at most {}", sheet_.checks_size(), kMaxSheetChecks));
       return;
     }
     for (int i = 0; i < sheet_.checks_size(); ++i) {
@@ -85,8 +85,9 @@ class SheetChecker {
                       check.has_position_error_least_m() || check.has_land() ||
                       check.has_clutter_least_percent() || check.has_clutter_most_percent();
     if (!asks && source_.is_sound(path)) {
-      refuse(path, "asks nothing; expected sees, misses, apart, event, land, clutter_least_percent, "
-                   "clutter_most_percent, gyro_error_least_deg or position_error_least_m");
+      refuse(path,
+             "asks nothing; expected sees, misses, apart, event, land, clutter_least_percent, "
+             "clutter_most_percent, gyro_error_least_deg or position_error_least_m");
     }
   }
 

@@ -11,6 +11,8 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kMarksTold = 100;  // as exercise.proto says
+// Waypoints of one ship and of all: a message stays well below the longest frame.
+constexpr int kMostOfAShip = 50, kMostOfAll = 10'000;
 
 void tell_motion(const ShipState& ship, wire::ExerciseShip& told) {
   told.set_number(static_cast<std::uint32_t>(ship.number));
@@ -60,6 +62,7 @@ void World::tell(wire::ExerciseState& out) const {
     told.set_gnss_error_m(std::hypot(reading.north_m, reading.east_m));
   }
   std::size_t next = 0;
+  int waypoints = 0;
   for (int i = 0; i < part_.scenario->targets_size(); ++i) {
     const auto number = static_cast<std::size_t>(i);
     if (!part_.traffic.has(number)) continue;
@@ -72,6 +75,9 @@ void World::tell(wire::ExerciseState& out) const {
       told.set_removed(true);
     }
     part_.traffic.tell(number, now.exercise, told);
+    const int most = waypoints < kMostOfAll ? kMostOfAShip : 1;
+    while (told.route_size() > most) told.mutable_route()->RemoveLast();
+    waypoints += told.route_size();
   }
   tell_log(*log_, out);
 }

@@ -122,13 +122,18 @@ const std::vector<Room>& table() {
       {"server/world",
        {"protocol/", "server/config/", "echo/radar/", "echo/scene/artefacts.hpp",
         "echo/scene/weather.hpp", "echo/kernel/exact_math.hpp", "echo/kernel/hash.hpp",
-        "server/core/traffic.hpp", "server/world/handling/", "server/world/sensors/"}},
+        "server/core/traffic.hpp", "server/world/handling/", "server/world/sensors/",
+        "server/world/traffic/"}},
       // How ships answer rudder, engine, wind and waves: arithmetic alone.
       {"server/world/handling",
        {"protocol/quantity/", "echo/kernel/exact_math.hpp", "echo/kernel/hash.hpp"}},
       // How sensors err: arithmetic too.
       {"server/world/sensors",
        {"protocol/quantity/", "protocol/wire/exercise.pb.h", "echo/kernel/exact_math.hpp",
+        "echo/kernel/hash.hpp"}},
+      // The ships among the targets.
+      {"server/world/traffic",
+       {"protocol/", "server/config/", "server/world/", "echo/kernel/exact_math.hpp",
         "echo/kernel/hash.hpp"}},
       {"server/radar", {"protocol/", "echo/", "server/core/", "server/world/"}},
       // The video of a recorded exercise, made again.

@@ -28,8 +28,11 @@ std::string with_degree_signs(std::string text) {
 }
 
 std::string speed_and_turn(const wire::OwnShip& ship) {
-  if (ship.no_motion()) return fmt::format("{:>9} {:>10}", "-", "-");
-  return fmt::format("{:>6.1f} kn {:>9.1f}^", ship.speed_kn(), ship.rate_of_turn_deg_min());
+  // A recording that knows no motion has neither log nor rate of turn.
+  const bool no_motion = ship.no_motion() && ship.speed_kn() == 0.0;
+  const bool no_speed = no_motion || ship.no_log(), no_turn = no_motion || ship.no_heading();
+  return fmt::format("{:>9} {:>10}", no_speed ? "-" : fmt::format("{:.1f} kn", ship.speed_kn()),
+                     no_turn ? "-" : fmt::format("{:.1f}^", ship.rate_of_turn_deg_min()));
 }
 
 std::string own_ships(const wire::Status& status) {

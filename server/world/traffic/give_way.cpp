@@ -101,7 +101,11 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     seen.gives_way = kept_from || encounter_of(ship, course_deg, other, to_her) != Encounter::none;
     in_sight.push_back(seen);
     if (!seen.gives_way) continue;
-    const Approach approach = approach_of(to_her, alone, other.way);
+    Approach approach = approach_of(to_her, alone, other.way);
+    if (kept_from) {
+      const Approach then = approach_of(to_her, alone, now->way_then);
+      if (then.time_s > 0.0 && then.distance_m < approach.distance_m) approach = then;
+    }
     if (approach.time_s < 0.0) continue;
     // Who has altered already does not count the minutes again.
     const double limit_m = now ? kMarginToReturn * seen.clear_m : seen.clear_m;
@@ -133,7 +137,8 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     return worst;
   };
 
-  Evasion best{0.0, 1.0, whom->number, whom->own};
+  const bool same = now && now->for_number == whom->number && now->for_own == whom->own;
+  Evasion best{0.0, 1.0, whom->number, whom->own, same ? now->way_then : whom->way};
   double best_short = 1e9;
   const double held = now ? now->alteration_deg : 0.0;
   for (double alteration = 0.0; alteration <= 90.0; alteration += 15.0) {

@@ -58,6 +58,7 @@ struct Evasion {
   double share_of_speed = 1.0;
   std::size_t for_number = 0;  // of the ship that she gives way to
   bool for_own = false;
+  PlanePoint way_then;  // of that ship, when she began: she may come back to it
 };
 
 // Looks round.  `course_deg` and `speed_mps`: what she would do alone; `now`: what she does

@@ -15,7 +15,8 @@ constexpr double kOntoTrack_deg = 5.0;   // a turn is done
 constexpr double kIntercept_deg = 40.0;  // steepest, back to the line
 constexpr double kSpeedMoved = 0.02;     // of it: then the wheel-over is worked out anew
 constexpr double kThere_m = 0.5;
-constexpr double kSlowest_mps = 0.1;
+constexpr double kStopsAt_m = 0.02;
+constexpr double kSlowest_mps = 0.05;
 
 double length_of_way(ShortWay way) {
   return std::sqrt(way.north_m * way.north_m + way.east_m * way.east_m);
@@ -164,12 +165,12 @@ RouteOrder RoutePilot::steer(GeoPoint position, double heading_deg, double speed
       order.leg_deg = course_of_way(leg);
     }
     if (lies_there()) {
-      if (left_m <= kThere_m) {
+      if (left_m <= kStopsAt_m) {
         const double due = due_s_.value_or(now_s);
         lies_until_s_ = std::max(now_s, due + to().stop_s);
         if (is_end() && route_->end == wire::END_STOP) over_ = true;
         order.course_deg = heading_deg;
-        order.brake_mps2 = std::max(answer.braking(), speed_mps * speed_mps / (2.0 * kThere_m));
+        order.brake_mps2 = std::max(answer.braking(), speed_mps * speed_mps / (2.0 * kStopsAt_m));
         return order;
       }
       // v^2 / 2s takes her to rest just there.
@@ -212,7 +213,7 @@ RouteOrder RoutePilot::steer(GeoPoint position, double heading_deg, double speed
         }
       }
       // By the round of the turn, of which half belongs to this leg, it is less far.
-      const double half = 0.5 * std::min(std::fabs(turn_deg_), 150.0) * kRadiansPerDegree;
+      const double half = 0.5 * std::min(std::fabs(turn_deg_), 120.0) * kRadiansPerDegree;
       const echo::SinCos corner = echo::sin_cos_degrees(half * kDegreesPerRadian);
       const double round_m =
           half < 1e-3 ? wheel_over_m_ : wheel_over_m_ * half * corner.cos / corner.sin;

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kAtRest = 0.3;              // of the greatest rate of turn
 constexpr double kFullRateFrom = 1.0 / 3.0;  // of the service speed
-constexpr double kSteepest_deg = 150.0;
+// Up to this turn she comes out on the next leg; to turn back she goes on to the waypoint first,
+// and returns to the line after it.
+constexpr double kSteepest_deg = 120.0;
 constexpr double kTurned_deg = 0.5;
 constexpr int kLongestTurn_s = 1800;
 
@@ -47,6 +49,8 @@ TickMotion tick_motion(const ShipAnswer& answer, WayAndTurn now, const Wanted& w
 
 double wheel_over_m(const ShipAnswer& answer, double speed_mps, double turn_deg) {
   const double turn = std::min(std::fabs(turn_deg), kSteepest_deg);
+  const double share =
+      std::clamp((180.0 - std::fabs(turn_deg)) / (180.0 - kSteepest_deg), 0.0, 1.0);
   if (turn < kTurned_deg || speed_mps <= 0.0) return 0.0;
   double heading = 0.0, ahead_m = 0.0, aside_m = 0.0;
   WayAndTurn motion{speed_mps, 0.0};
@@ -60,7 +64,7 @@ double wheel_over_m(const ShipAnswer& answer, double speed_mps, double turn_deg)
   }
   // The end of the turn lies on the next leg.
   const echo::SinCos next = echo::sin_cos_degrees(turn);
-  return std::max(0.0, ahead_m - aside_m * next.cos / next.sin);
+  return share * std::max(0.0, ahead_m - aside_m * next.cos / next.sin);
 }
 
 }  // namespace skerry::server

@@ -42,8 +42,9 @@ TickMotion tick_motion(const ShipAnswer& answer, WayAndTurn now, const Wanted& w
                        double tick_s);
 
 // How far ahead of a waypoint she puts her wheel over so that the turn ends on the next leg: the
-// turn is sailed in steps of a second.  At most that of a turn of 150 deg.
-// Error: under 5 % of the distance, held by TrafficShip.TurnsAtAWaypointWithoutOvershoot.
+// turn is sailed in steps of a second.  From 120 deg on less and less, down to nothing.
+// Error: under 5 % of the radius of her turn, up to 120 deg.  Held by
+// TrafficShip.TurnsAtAWaypointWithoutOvershoot.
 double wheel_over_m(const ShipAnswer& answer, double speed_mps, double turn_deg);
 
 }  // namespace skerry::server

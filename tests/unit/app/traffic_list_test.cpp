@@ -77,5 +77,53 @@ TEST(TrafficList, EverybodyHasAnMmsiOfItsOwn) {
   EXPECT_EQ(scenario.targets(3).mmsi(), parse_scenario(kScenario, "f").targets(3).mmsi());
 }
 
+TEST(TrafficList, LeavesOutWhoIsRemovedAndAddsBehindAllOthers) {
+  World world(parse_scenario(kScenario, "f"));
+  wire::ExerciseOrder order;
+  order.mutable_new_target()->set_name("Late");
+  order.mutable_new_target()->set_latitude_deg(60.0);
+  order.mutable_new_target()->set_longitude_deg(5.5);
+  ASSERT_EQ(world.fault_of(order), std::nullopt);
+  world.order(order, "test");
+  order.mutable_target()->set_target(0);
+  order.mutable_target()->set_removed(true);
+  world.order(order, "test");
+  world.step();
+  const WorldState state = world.state();
+  const auto items = traffic_of(state, state.time);
+  ASSERT_EQ(items.size(), 7u) << "one more and one less";
+  EXPECT_EQ(items[2].name, "Green");
+  EXPECT_EQ(items[2].number, 4u) << "numbers stay";
+  EXPECT_EQ(items[5].name, "Holmen");
+  EXPECT_EQ(items[5].number, 7u);
+  EXPECT_EQ(items[6].name, "Late");
+  EXPECT_EQ(items[6].number, 8u);
+}
+
+TEST(TrafficList, HasWhatAFaultyAisSaysBesideTheTruth) {
+  World world(parse_scenario(kScenario, "f"));
+  wire::ExerciseOrder order;
+  order.mutable_target()->set_target(0);
+  order.mutable_target()->set_ais_heading_error_deg(15.0);
+  order.mutable_target()->set_ais_position_error_m(300.0);
+  world.order(order, "test");
+  order.mutable_target()->Clear();
+  order.mutable_target()->set_target(3);
+  order.mutable_target()->set_ais_off(true);
+  world.order(order, "test");
+  world.step();
+  const WorldState state = world.state();
+  const auto items = traffic_of(state, state.time);
+  const TrafficItem& tanker = items[2];
+  EXPECT_EQ(tanker.heading_deg, 0.0);
+  ASSERT_TRUE(tanker.ais.has_value());
+  EXPECT_EQ(tanker.ais->heading_deg, 15.0);
+  EXPECT_NEAR((tanker.ais->position->latitude_deg - tanker.position.latitude_deg) * 60.0 * 1852.0,
+              300.0, 2.0);
+  EXPECT_FALSE(tanker.ais->silent);
+  ASSERT_TRUE(items[5].ais.has_value());
+  EXPECT_TRUE(items[5].ais->silent);
+}
+
 }  // namespace
 }  // namespace skerry::server

@@ -8,7 +8,7 @@
 namespace skerry::server {
 namespace {
 
-constexpr ScenarioTime kNow{std::chrono::minutes(10)};
+constexpr Duration kNow{std::chrono::minutes(10)};
 
 Environment with_rain() {
   return environment_of(

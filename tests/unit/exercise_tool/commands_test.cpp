@@ -55,7 +55,8 @@ class ScenarioCommands : public testing::Test {
 
 TEST_F(ScenarioCommands, ANewScenarioIsGoodAndRuns) {
   for (const std::string& scheme : scenario_templates()) {
-    const Ran made = ran({"new", file_, "--template", scheme, "--force", "--name", "It's \"mine\""});
+    const Ran made =
+        ran({"new", file_, "--template", scheme, "--force", "--name", "It's \"mine\""});
     EXPECT_EQ(made.code, 0) << made.err;
     const Ran checked = ran({"check", file_});
     EXPECT_EQ(checked.code, 0) << scheme << "\n" << checked.err;
@@ -107,10 +108,11 @@ TEST_F(ScenarioCommands, ListHasTheShippedAndThoseOfAFolder) {
 }
 
 TEST_F(ScenarioCommands, RunFailsWhereACheckDoesAndDrawsPictures) {
-  std::ofstream(file_) << "name: A\nown_ships:\n"
-                          "  - {name: B, position: {lat: 57, lon: 3}, radars: [{}]}\n"
-                          "targets: [{name: C, position: {lat: 57.02, lon: 3}}]\n"
-                          "exercise: {goal: g, length_min: 1, checks: [{at_min: 0.5, misses: [C]}]}\n";
+  std::ofstream(file_)
+      << "name: A\nown_ships:\n"
+         "  - {name: B, position: {lat: 57, lon: 3}, radars: [{}]}\n"
+         "targets: [{name: C, position: {lat: 57.02, lon: 3}}]\n"
+         "exercise: {goal: g, length_min: 1, checks: [{at_min: 0.5, misses: [C]}]}\n";
   const std::string pictures = (folder_ / "pictures").string();
   const Ran run = ran({"run", file_, "--fast", "--pictures", pictures});
   EXPECT_EQ(run.code, 1) << run.out << run.err;

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <random>
 
 #include "echo/radar/radar_set.hpp"
 #include "tests/unit/radar/faulty_radar.hpp"
+#include "tests/unit/world/random_faults.hpp"
 
 namespace skerry::server {
 namespace {
@@ -223,6 +225,24 @@ TEST(RadarFaults, WithoutGyroAndReceiverTheLastStampStays) {
   for (const SpokePtr& spoke : radar.spokes(128, 2)) {
     EXPECT_NEAR(spoke->header.heading.in_degrees(), 123.0, 1e-6);
     EXPECT_EQ(spoke->header.own_ship, (GeoPoint{61.0, 4.0}));
+  }
+}
+
+// Whatever is wrong, at whatever time: spokes of the right sizes, stamped within their ranges.
+TEST(RadarFaults, NoFaultsBreakAPicture) {
+  std::mt19937_64 random(9);
+  FaultyRadar radar;
+  for (int i = 0; i < 60; ++i) {
+    const wire::Faults faults = random_faults(random);
+    radar.set(faults);
+    radar.state().exercise = std::chrono::seconds(random() % 400'000);
+    for (const SpokePtr& spoke : radar.spokes(random() % 4096 / 16 * 16, 1)) {
+      ASSERT_EQ(spoke->cells.size(), FaultyRadar::kCells);
+      const double heading = spoke->header.heading.in_degrees();
+      ASSERT_TRUE(heading >= 0.0 && heading < 360.0);
+      ASSERT_LE(std::fabs(spoke->header.own_ship.latitude_deg), 90.0) << faults.DebugString();
+      ASSERT_LE(std::fabs(spoke->header.own_ship.longitude_deg), 180.0);
+    }
   }
 }
 

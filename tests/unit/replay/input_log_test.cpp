@@ -53,7 +53,7 @@ TEST(InputLog, IsBoundedAndSaysSo) {
   InputLog log(1, {});
   wire::WorldChange change;
   for (int i = 0; i < 64; ++i) change.add_rain()->set_rate_mm_h(1.0);
-  for (int i = 0; i < 150'000; ++i) log.changed(1, change, ScenarioTime{});
+  for (int i = 0; i < 150'000; ++i) log.changed(1, change, Duration{});
   std::size_t bytes = 0;
   std::vector<std::string> inputs;
   for (auto some = log.since(0); !some.empty(); some = log.since(inputs.size())) {

@@ -33,6 +33,7 @@ class Changer {
       : server_(server), collector_(collector) {}
 
   void change(unsigned number) {
+    order(number);
     wire::Set set;
     set.set_radar(random(3));
     switch (number % 10) {
@@ -87,6 +88,50 @@ class Changer {
  private:
   unsigned random(unsigned below) {
     return std::uniform_int_distribution<unsigned>(0, below - 1)(random_);
+  }
+  // As an instructor; what there is nothing of to restore or undo is refused, which is no change.
+  void order(unsigned number) {
+    wire::Set set;
+    set.set_instructor(true);
+    wire::ExerciseOrder& order = *set.mutable_exercise();
+    switch (number % 9) {
+      case 0:
+        order.mutable_clock()->set_rate(0.5 * (1 + random(6)));
+        break;
+      case 1:
+        order.mutable_new_target()->set_latitude_deg(60.42 + 0.0001 * random(300));
+        order.mutable_new_target()->set_longitude_deg(5.02 + 0.0001 * random(300));
+        order.mutable_new_target()->set_course_deg(random(360));
+        order.mutable_new_target()->set_speed_kn(random(15));
+        break;
+      case 2:
+        order.mutable_target()->set_target(random(2));
+        order.mutable_target()->set_course_deg(random(360));
+        break;
+      case 3:
+        order.set_snapshot("kept");
+        break;
+      case 4:
+        order.mutable_clock()->set_frozen(number % 2 == 0);
+        break;
+      case 5:
+        order.mutable_fault()->set_own_ship(random(2));
+        order.mutable_fault()->mutable_faults()->set_gyro_bias_deg(random(20));
+        order.mutable_fault()->mutable_faults()->set_gnss_north_m(random(900));
+        order.mutable_fault()->mutable_faults()->set_radar_power_loss_db(random(20));
+        order.mutable_fault()->mutable_faults()->set_radar_spoke_loss_percent(random(50));
+        break;
+      case 6:
+        order.set_undo(true);
+        break;
+      case 7:
+        order.mutable_own_ship()->set_own_ship(1);
+        order.mutable_own_ship()->set_heading_deg(random(360));
+        break;
+      default:
+        order.set_restore("kept");
+    }
+    server_.apply(set, "instructor");
   }
   void open_view() {
     const auto opened = server_.open_view(

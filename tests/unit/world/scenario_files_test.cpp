@@ -49,13 +49,15 @@ class ScenarioFiles : public testing::Test {
 const std::string kShip = "own_ships:\n  - {name: A, position: {lat: 50, lon: 1}, radars: [{}]}\n";
 
 TEST_F(ScenarioFiles, ListsAreAppendedAndTheIncludingFileWins) {
-  write("parts/sea.yaml", "sea: {state: 5, wind_from_deg: 10}\nseed: 4\n"
-                          "targets:\n  - {name: One, position: {lat: 50, lon: 2}}\n");
+  write("parts/sea.yaml",
+        "sea: {state: 5, wind_from_deg: 10}\nseed: 4\n"
+        "targets:\n  - {name: One, position: {lat: 50, lon: 2}}\n");
   write("parts/more.yaml",
         "include: [sea.yaml]\nseed: 5\ntargets:\n  - {name: Two, position: {lat: 51, lon: 2}}\n");
-  const std::string path = write(
-      "main.yaml", "include: [parts/more.yaml]\nname: Main\n" + kShip +
-                       "sea: {state: 2}\ntargets:\n  - {name: Three, position: {lat: 52, lon: 2}}\n");
+  const std::string path =
+      write("main.yaml",
+            "include: [parts/more.yaml]\nname: Main\n" + kShip +
+                "sea: {state: 2}\ntargets:\n  - {name: Three, position: {lat: 52, lon: 2}}\n");
   const scenario::Scenario scenario = load_scenario(path);
   EXPECT_EQ(scenario.sea().state(), 2.0);
   EXPECT_EQ(scenario.sea().wind_from_deg(), 10.0);
@@ -92,16 +94,16 @@ TEST_F(ScenarioFiles, ErrorsNameTheFileTheyAreIn) {
   write("parts/targets.yaml", "targets: [\n");
   EXPECT_EQ(refused(path).find("parts/targets.yaml:"), 0u) << refused(path);
   write("parts/targets.yaml", kShip);
-  EXPECT_NE(refused(path).find("\"A\" is the name of own_ships[0] too (parts/targets.yaml, line 2)"),
-            std::string::npos)
+  EXPECT_NE(
+      refused(path).find("\"A\" is the name of own_ships[0] too (parts/targets.yaml, line 2)"),
+      std::string::npos)
       << refused(path);
 }
 
 TEST_F(ScenarioFiles, CyclesAndRepeatsAndMissingFilesAreRefused) {
   write("a.yaml", "include: [b.yaml]\nname: A\n" + kShip);
   write("b.yaml", "include: [a.yaml]\n");
-  EXPECT_EQ(refused((folder_ / "a.yaml").string()),
-            "b.yaml:1:11: include: a.yaml includes itself");
+  EXPECT_EQ(refused((folder_ / "a.yaml").string()), "b.yaml:1:11: include: a.yaml includes itself");
   write("b.yaml", "seed: 1\n");
   const std::string twice = write("c.yaml", "include: [b.yaml, b.yaml]\nname: A\n" + kShip);
   EXPECT_EQ(refused(twice), "c.yaml:1:19: include: b.yaml is included already");

@@ -1,0 +1,98 @@
+// What a client of the native protocol asks for beside spokes and settings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/wire/schema.hpp"
+#include "server/net/native/native_session.hpp"
+
+namespace skerry::server {
+namespace {
+
+// What is wrong with a request for a coastline.
+std::optional<std::string> refusal_of_coastline(const wire::GetCoastline& place) {
+  for (const wire::FieldDescriptor* field : wire::fields_of(*wire::GetCoastline::descriptor())) {
+    const double value = place.GetReflection()->GetDouble(place, field);
+    if (wire::is_allowed(*field, value)) continue;
+    return fmt::format("coastline: {} {} is out of range; allowed: {}", wire::spoken_name(*field),
+                       value, wire::allowed_by(wire::rule_of(*field)));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastline& place) {
+  if (auto wrong = refusal_of_coastline(place)) {
+    return reply(request, wire::Reply::OUT_OF_RANGE, *std::move(wrong));
+  }
+  if (std::exchange(coastline_asked_, true)) {
+    return reply(request, wire::Reply::REFUSED,
+                 "coastline: one was asked for and has not come yet; ask when it has");
+  }
+  context_.host.find_coastline(place, [self = weak_from_this(), io = &context_.io,
+                                       request](std::optional<wire::Coastline> coastline) {
+    asio::post(*io, [self, request, coastline = std::move(coastline)]() mutable {
+      const auto session = self.lock();
+      if (session == nullptr || session->closed_) return;
+      session->coastline_asked_ = false;
+      if (!coastline) {
+        session->reply(request, wire::Reply::REFUSED,
+                       "coastline: the server has no chart here, or too many ask at once");
+      } else {
+        wire::ServerMessage message;
+        *message.mutable_coastline() = *std::move(coastline);
+        session->send(message);
+        session->reply(request, wire::Reply::OK, "");
+      }
+      session->pump();
+    });
+  });
+}
+
+void NativeSession::record(std::uint32_t request, const wire::Record& record) {
+  RecordingPort* port = context_.host.recording();
+  if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server does not record");
+  if (!may_control(request, record.token())) return;
+  reply(request, port->record(record, "console " + client_->peer));
+}
+
+void NativeSession::control_playback(std::uint32_t request, const wire::Playback& playback) {
+  PlaybackPort* port = context_.host.playback();
+  if (port == nullptr) {
+    return reply(request, wire::Reply::REFUSED,
+                 "nothing is played back here; skerryd --play FILE does");
+  }
+  if (!may_control(request, playback.token())) return;
+  reply(request, port->control(playback, "console " + client_->peer));
+}
+
+void NativeSession::ask_board(const wire::ClientMessage& message) {
+  const std::uint32_t request = message.request();
+  BoardRequests::Answer answer;
+  if (message.has_board_access()) {
+    const wire::BoardAccess& access = message.board_access();
+    const bool writes =
+        std::any_of(access.operations().begin(), access.operations().end(),
+                    [](const wire::BoardOperation& each) { return each.has_write(); });
+    if (writes && !may_control(request, access.token())) return;
+    answer = boards_.access(access);
+  } else if (message.has_board_stream()) {
+    answer = boards_.stream(message.board_stream());
+    if (boards_.streams()) {
+      client_->radar.store(message.board_stream().radar(), std::memory_order_relaxed);
+    }
+    limit_send_buffer();
+  } else if (message.has_board_fifo()) {
+    if (!may_control(request, message.board_fifo().token())) return;
+    answer = boards_.read_fifo(message.board_fifo());
+  } else {
+    if (!may_control(request, message.board_ring().token())) return;
+    answer = boards_.open_ring(message.board_ring());
+  }
+  if (answer.first) send(*answer.first);
+  reply(request, answer.reply.code(), answer.reply.text());
+}
+
+}  // namespace skerry::server
