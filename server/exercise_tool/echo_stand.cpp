@@ -96,6 +96,7 @@ double quantile(std::vector<double>& values, double share) {
 
 struct Around {
   double median = 0.0, upper_tenth = 0.0;
+  double least_rise() const { return std::max(kLeastRise, kLeastSpread * (upper_tenth - median)); }
 };
 
 std::optional<Around> around_of(std::vector<double>& levels) {
@@ -140,7 +141,7 @@ EchoStand hull_stand(const EchoPlace& place, const PolarVideo& video, const Wher
   const auto around = around_of(ring);
   if (!around) return {false, "land is all round her"};
   const double rise = strongest - around->median;
-  const double least = std::max(kLeastRise, kLeastSpread * (around->upper_tenth - around->median));
+  const double least = around->least_rise();
   return {rise >= least, fmt::format("level {:.0f}, {:.0f} over her surroundings (needs {:.0f})",
                                      strongest, rise, least)};
 }
@@ -167,7 +168,7 @@ EchoStand beacon_stand(const EchoPlace& place, const PolarVideo& video, const Wh
   for (int cell = first; cell <= last; ++cell) {
     const bool usable = !video.is_near_land(at.spoke, cell, at.half_beam);
     const bool is_lit =
-        usable && video.mean(at.spoke, cell, at.half_mean) >= around->median + kLeastRise;
+        usable && video.mean(at.spoke, cell, at.half_mean) >= around->median + around->least_rise();
     looked += usable ? 1 : 0;
     lit += is_lit ? 1 : 0;
     if (is_lit && !in_run) ++runs;

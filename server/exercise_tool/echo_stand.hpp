@@ -27,7 +27,7 @@ struct EchoStand {
 inline constexpr double kLeastRise = 40.0;  // levels of 255
 inline constexpr double kLeastSpread = 2.5;
 inline constexpr double kLeastTrail = 0.25;
-inline constexpr int kLeastDots = 4;
+inline constexpr int kLeastDots = 6;
 
 // Levels are means over half a beam's spokes at one range.  The box is where the echo can be: the
 // hull's half length and kBoxMargin to all sides, and half a beam besides.  The ring around it
@@ -37,9 +37,8 @@ inline constexpr int kLeastDots = 4;
 // A hull stands out if the strongest level of the box is over the ring's median by kLeastRise and
 // by kLeastSpread times what the ring's upper tenth is over its median: in a calm any clear echo,
 // in clutter one that no wave or shower makes.
-// A racon stands out if at least kLeastTrail of the cells behind it, as far as its trail, are over
-// the median of the same ranges to either side by kLeastRise; a SART if kLeastDots separate runs of
-// cells are.
+// A racon stands out if at least kLeastTrail of the cells behind it, as far as its trail, stand out
+// so of the same ranges to either side; a SART if kLeastDots separate runs of cells do.
 // Requires a scan of one range scale.
 EchoStand stand_of(const EchoPlace& place, const Scan& scan,
                    const std::function<bool(GeoPoint)>& is_land);

@@ -12,7 +12,7 @@
 namespace skerry::server {
 namespace {
 
-constexpr double kLandSeen = 0.05, kNoLandSeen = 0.005;  // of what the chart has within the scale
+constexpr double kLandSeen = 0.01, kNoLandSeen = 0.002;  // of what the chart has within the scale
 
 class Judge {
  public:
