@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
-import { launch, openConsole, state } from './browser.mjs';
+import { launch, openConsole, state, waitForScan } from './browser.mjs';
 import { start, startSkerryd } from './displays/skerryd.mjs';
 
 const SCENARIO = `name: Lesson
@@ -123,6 +123,87 @@ test('the con shows the instructor\'s text', async () => {
   await con.locator('#message-read').click();
   assert.equal(await con.locator('#message').isVisible(), false);
   assert.deepEqual([...page.problems, ...con.problems], []);
+});
+
+// Metres north and east from a ship to a place.
+const wayTo = (from, lat, lon) => {
+  const north = (lat - from.latitudeDeg) * 60 * 1852;
+  return { north, east: (lon - from.longitudeDeg) * 60 * 1852 * Math.cos(from.latitudeDeg * Math.PI / 180) };
+};
+
+// The strongest echo that the console shows within 250 m of a place.
+async function echoAt(console, ship, lat, lon) {
+  const { north, east } = wayTo(ship, lat, lon);
+  return console.evaluate(([n, e]) => {
+    const { rows, cols, cells, meta } = window.skerry.readPolar();
+    const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    const levels = bytes(cells), spokes = new Float32Array(bytes(meta).buffer);
+    let strongest = 0;
+    for (let row = 0; row < rows; ++row) {
+      const bearing = (row + 0.5) / rows * 2 * Math.PI, cellM = spokes[row * spokes.length / rows + 1];
+      for (let cell = 0; cell < cols && cellM > 0; ++cell) {
+        const range = (cell + 0.5) * cellM;
+        const off = Math.hypot(range * Math.cos(bearing) - n, range * Math.sin(bearing) - e);
+        if (off < 250) strongest = Math.max(strongest, levels[2 * (row * cols + cell)]);
+      }
+    }
+    return strongest;
+  }, [north, east]);
+}
+
+test('a target sails the route that an instructor draws, and a console sees her echo there within a turn', async () => {
+  const page = await open();
+  const there = { lat: 60.402, lon: 4.66 };
+  const was = (await state(page)).exercise.ships[2];
+  await choose(page, 'Lyngen');
+  await page.keyboard.press('r');
+  const at = await page.evaluate(([lat, lon]) => window.skerry.pixelOf(lat, lon), [there.lat, there.lon]);
+  const chart = await page.locator('#chart').boundingBox();
+  await page.mouse.click(chart.x + at.x, chart.y + at.y);
+  await until(page, 's.waypoints.length === 1');
+  const drawn = (await state(page)).waypoints[0];
+  assert.ok(Math.abs(drawn.lat - there.lat) < 0.002 && Math.abs(drawn.lon - there.lon) < 0.004, JSON.stringify(drawn));
+  await page.locator('#route-speed').fill('18');
+  await page.locator('#route-done').click();
+  await until(page, `${ship('Lyngen')}.route.length === 1`);
+  await page.locator('#to-exercise').click();
+  await page.locator('[data-rate="20"]').click();
+  await until(page, `${ship('Lyngen')}.route.length === 0`);
+  await page.locator('#freeze').click();
+  await until(page, 's.exercise.frozen');
+  const { exercise } = await state(page);
+  const lyngen = exercise.ships[2], tern = exercise.ships[0];
+  const off = wayTo(lyngen, drawn.lat, drawn.lon);
+  assert.ok(Math.hypot(off.north, off.east) < 400, `${Math.hypot(off.north, off.east)} m from the waypoint`);
+  const console = await open('?radar=0');
+  await waitForScan(console);
+  assert.ok(await echoAt(console, tern, lyngen.latitudeDeg, lyngen.longitudeDeg) > 100);
+  assert.ok(await echoAt(console, tern, was.latitudeDeg, was.longitudeDeg) < 100, 'where she was');
+  await page.locator('[data-rate="1"]').click();
+  await page.locator('#freeze').click();
+  await until(page, '!s.exercise.frozen && s.exercise.rate === 1');
+  assert.deepEqual([...page.problems, ...console.problems], []);
+});
+
+test('a gyro that fails is seen by the console and not by the instructor', async () => {
+  const page = await open(), console = await open('?radar=1');
+  await choose(page, 'Plain');
+  await until(console, 's.headingDeg !== null');
+  const told = (s) => s.exercise.ships[1].headingDeg;
+  const before = (await state(page));
+  assert.ok(Math.abs((await state(console)).headingDeg - told(before)) < 1);
+  await page.locator('#to-faults').click();
+  await page.locator('#fault-gyroBiasDeg').fill('12');
+  await page.locator('#fault-gyroBiasDeg').press('Enter');
+  await until(console, 'Math.abs(s.headingDeg - value) < 1', told(before) + 12);
+  const after = await state(page);
+  assert.ok(Math.abs(told(after) - told(before)) < 1, 'the instructor sees the truth');
+  assert.ok(Math.abs(after.exercise.ships[1].gyroErrorDeg - 12) < 0.1, 'and the error');
+  await page.locator('label:has(#fault-gyroLost)').click();
+  await console.waitForFunction(() => document.getElementById('heading').textContent === '–');
+  await page.locator('#faults-none').click();
+  await until(console, 's.headingDeg !== null && Math.abs(s.headingDeg - value) < 1', told(before));
+  assert.deepEqual([...page.problems, ...console.problems], []);
 });
 
 test('what is saved loads', async () => {

@@ -35,7 +35,7 @@ World world_of(const std::string& more = "") {
 }
 
 // All numbers of the ships as bits.
-std::string bits_of(const WorldState& state) {
+std::string ship_bits(const WorldState& state) {
   std::string bits;
   for (const auto* ships : {&state.own_ships, &state.targets}) {
     for (const ShipState& ship : *ships) {
@@ -49,7 +49,7 @@ std::string bits_of(const WorldState& state) {
   return bits;
 }
 
-void step(World& world, int ticks) {
+void run_ticks(World& world, int ticks) {
   for (int i = 0; i < ticks; ++i) world.step();
 }
 
@@ -80,10 +80,10 @@ TEST(Exercise, TwentyTimesAsFastIsTheSameWayBitForBit) {
   World slow = world_of(), fast = world_of();
   fast.order(clock(std::nullopt, 20.0), "test");
   for (int i = 0; i < 300; ++i) {  // ten minutes
-    step(slow, 20);
-    step(fast, 1);
+    run_ticks(slow, 20);
+    run_ticks(fast, 1);
     ASSERT_EQ(slow.state().exercise, fast.state().exercise);
-    ASSERT_TRUE(bits_of(slow.state()) == bits_of(fast.state())) << i;
+    ASSERT_TRUE(ship_bits(slow.state()) == ship_bits(fast.state())) << i;
   }
   EXPECT_EQ(fast.state().time.time_since_epoch(), std::chrono::seconds(30));
   EXPECT_EQ(fast.state().exercise, std::chrono::seconds(600));
@@ -93,27 +93,27 @@ TEST(Exercise, ATenthAsFastPassesThroughTheSamePlaces) {
   World real = world_of(), slow = world_of();
   slow.order(clock(std::nullopt, 0.1), "test");
   for (int i = 0; i < 50; ++i) {
-    const std::string before = bits_of(slow.state());
-    EXPECT_TRUE(bits_of(real.state()) == before);
-    step(slow, 4);
+    const std::string before = ship_bits(slow.state());
+    EXPECT_TRUE(ship_bits(real.state()) == before);
+    run_ticks(slow, 4);
     // In between too she moves, as far as she should.
     const ShipPlace there = position_at(real.state().own_ships[0], std::chrono::milliseconds(40));
     const ShortWay off = short_way_between(there.position, slow.state().own_ships[0].position);
     EXPECT_LT(std::hypot(off.north_m, off.east_m), 1e-6);
-    step(slow, 6);
-    step(real, 1);
+    run_ticks(slow, 6);
+    run_ticks(real, 1);
   }
 }
 
 TEST(Exercise, StandsWhileItIsFrozen) {
   World world = world_of(), other = world_of();
-  step(world, 200);
-  step(other, 200);
+  run_ticks(world, 200);
+  run_ticks(other, 200);
   world.order(clock(true, std::nullopt), "test");
-  const std::string before = bits_of(world.state());
-  step(world, 137);
+  const std::string before = ship_bits(world.state());
+  run_ticks(world, 137);
   const WorldState frozen = world.state();
-  EXPECT_TRUE(bits_of(frozen) == before);
+  EXPECT_TRUE(ship_bits(frozen) == before);
   EXPECT_EQ(frozen.time.time_since_epoch(), World::kTick * 337);
   EXPECT_EQ(frozen.exercise, World::kTick * 200);
   for (const ShipState& ship : {frozen.own_ships[0], frozen.targets[0]}) {
@@ -124,31 +124,31 @@ TEST(Exercise, StandsWhileItIsFrozen) {
   }
   EXPECT_EQ(frozen.rain[0].centre, other.state().rain[0].centre);
   world.order(clock(false, std::nullopt), "test");
-  step(world, 500);
-  step(other, 500);
-  EXPECT_TRUE(bits_of(world.state()) == bits_of(other.state()));
+  run_ticks(world, 500);
+  run_ticks(other, 500);
+  EXPECT_TRUE(ship_bits(world.state()) == ship_bits(other.state()));
   EXPECT_EQ(world.state().rain[0].centre, other.state().rain[0].centre);
 }
 
 TEST(Exercise, ARestoredSnapshotHasTheSameFuture) {
   World world = world_of();
-  step(world, 333);
+  run_ticks(world, 333);
   world.order(0, 30.0, std::nullopt);
   world.order(snapshot("before the turn"), "test");
-  step(world, 600);
-  const std::string first = bits_of(world.state());
+  run_ticks(world, 600);
+  const std::string first = ship_bits(world.state());
   const Duration then = world.state().exercise;
 
   Environment storm = *world.environment();
   storm.wind_kn = 60.0;
   world.set_environment(storm);
   world.order(0, 300.0, 3.0);
-  step(world, 400);
+  run_ticks(world, 400);
   world.order(restore("before the turn"), "test");
   EXPECT_EQ(world.tick(), 1333u) << "radars go on";
-  step(world, 600);
+  run_ticks(world, 600);
   EXPECT_EQ(world.state().exercise, then);
-  EXPECT_TRUE(bits_of(world.state()) == first);
+  EXPECT_TRUE(ship_bits(world.state()) == first);
   ASSERT_EQ(world.state().log->snapshots.size(), 1u);
   EXPECT_EQ(world.state().log->marks.back().text(), "restored \"before the turn\"");
 }
@@ -188,7 +188,7 @@ TEST(Exercise, SaysWhatIsWrongWithAnOrder) {
 
 TEST(Exercise, UndoTakesBackTheLastChange) {
   World world = world_of();
-  step(world, 50);
+  run_ticks(world, 50);
   const double wind = world.environment()->sea.wind_from_deg;
 
   wire::ExerciseOrder fault;
@@ -216,7 +216,7 @@ TEST(Exercise, UndoTakesBackTheLastChange) {
   EXPECT_EQ(world.state().log->last_by, "second");
   EXPECT_EQ(world.state().log->can_undo, "the new target Target 3");
   world.order(undo(), "test");
-  step(world, 1);
+  run_ticks(world, 1);
   EXPECT_EQ(world.state().targets.size(), 1u);
   EXPECT_NEAR(world.state().own_ships[1].position.latitude_deg, 61.0, 1e-3);
   world.order(undo(), "test");
@@ -261,14 +261,14 @@ events:
     const auto when = world.happened(event);
     return when ? in_seconds(*when) : -1.0;
   };
-  step(world, 599);
+  run_ticks(world, 599);
   EXPECT_EQ(at("Squall"), -1.0);
-  step(world, 1);
+  run_ticks(world, 1);
   EXPECT_EQ(world.happened("Squall"), std::chrono::seconds(60));
   EXPECT_EQ(world.environment()->sea.state, 5.0);
   EXPECT_EQ(world.environment()->rain.size(), 2u);
   EXPECT_EQ(world.state().log->texts[1].text, "A squall comes");
-  step(world, 400);
+  run_ticks(world, 400);
   EXPECT_EQ(world.happened("Later"), std::chrono::seconds(90));
   EXPECT_TRUE(world.state().own_ships[0].faults->faults.gyro_lost());
   EXPECT_EQ(world.state().log->texts[0].text, "Your gyro is gone");
@@ -276,15 +276,15 @@ events:
   EXPECT_EQ(world.state().log->texts[1].count, 1u);
 
   // 0.02 deg of longitude are 0.6 NM, at some 12.7 kn over ground.
-  while (!world.happened("Inside") && world.tick() < 4000) step(world, 1);
+  while (!world.happened("Inside") && world.tick() < 4000) run_ticks(world, 1);
   EXPECT_NEAR(world.state().own_ships[0].position.longitude_deg, 2.02, 0.0005);
-  while (!world.happened("Near") && world.tick() < 6000) step(world, 1);
+  while (!world.happened("Near") && world.tick() < 6000) run_ticks(world, 1);
   const ShortWay apart =
       short_way_between(world.state().own_ships[0].position, world.state().targets[0].position);
   EXPECT_NEAR(std::hypot(apart.north_m, apart.east_m) / 1852.0, 4.0, 0.02);
-  step(world, 2);
+  run_ticks(world, 2);
   EXPECT_EQ(world.state().own_ships[1].ordered_course_deg, 200.0);
-  while (!world.state().frozen && world.tick() < 9000) step(world, 1);
+  while (!world.state().frozen && world.tick() < 9000) run_ticks(world, 1);
   EXPECT_EQ(world.happened("Slow"), std::chrono::seconds(540));
   EXPECT_EQ(at("Never"), -1.0);
   std::string events;
@@ -382,9 +382,9 @@ TEST(Exercise, TwoHundredChangesInTenMinutesAreTheSameAgain) {
     World world = world_of();
     std::string bits;
     for (std::uint64_t n = 0; n < 200; ++n) {
-      step(world, 30);
+      run_ticks(world, 30);
       give_by_chance(world, seed + n);
-      bits += bits_of(world.state());
+      bits += ship_bits(world.state());
     }
     return bits;
   };
@@ -394,7 +394,7 @@ TEST(Exercise, TwoHundredChangesInTenMinutesAreTheSameAgain) {
 
 TEST(Exercise, TellsEveryShipToItsInstructors) {
   World world = world_of();
-  step(world, 100);
+  run_ticks(world, 100);
   wire::ExerciseOrder mark;
   mark.set_mark("look here");
   world.order(mark, "console 1");
