@@ -48,7 +48,7 @@ std::string sheet(const char* goal, const char* answer, const std::string& check
       "  goal: {}\n"
       "  briefing: You have the watch on Alfa.  Say what you see, and what you do.\n"
       "  answers:                   # what the instructor expects to hear\n"
-      "    - {}\n"
+      "    - \"{}\"\n"
       "  length_min: 20\n"
       "  checks:                    # what skerry scenario run --checks looks at\n{}",
       goal, answer, checks);

@@ -21,11 +21,10 @@ const std::string kScenario =
     "     radars: [{name: X, range_nm: 12, spokes: 2048, cells: 512}]}\n"
     "targets:\n"
     "  - {name: Near, position: {lat: 60.4900, lon: 4.9960}, length_m: 100, beam_m: 16}\n"
-    "  - {name: Hidden, position: {lat: 60.4886, lon: 4.8143}, length_m: 100, beam_m: 16, "
+    "  - {name: Hidden, position: {lat: 60.4744, lon: 5.2343}, length_m: 100, beam_m: 16, "
     "height_m: 4}\n"
     "  - {name: Far, position: {lat: 61.4, lon: 4}, length_m: 300, beam_m: 40}\n"
     "racons: [{name: Racon, position: {lat: 60.4840, lon: 5.0190}, code: K, height_m: 4}]\n"
-    "sarts: [{name: Raft, position: {lat: 60.4480, lon: 5.0280}, height_m: 2}]\n"
     "events: [{name: gone, at_min: 1, targets: [{target_name: Near, removed: true}]}]\n";
 
 class SheetJudge : public testing::Test {
@@ -72,13 +71,26 @@ TEST_F(SheetJudge, ARemovedShipIsNoLongerSeen) {
 
 TEST_F(SheetJudge, BeaconsAreSeenAndWithoutThemNothingIs) {
   EXPECT_TRUE(sees("Racon"));
-  EXPECT_TRUE(sees("Raft"));
   // Out of the bands that it answers on, the racon is silent; the picture is otherwise the same.
   plan_.scenario.mutable_racons(0)->set_x_band(false);
   plan_.scenario.mutable_racons(0)->set_s_band(true);
-  plan_.radars[0].controls.sea = 20.0;
   world_ = World(plan_.scenario);
   EXPECT_FALSE(sees("Racon"));
+}
+
+TEST_F(SheetJudge, ASartIsSeenByXBandAlone) {
+  plan_ = exercise_plan(
+      "name: Sart\nown_ships:\n"
+      "  - {name: Own, position: {lat: 57.0, lon: 3.0},\n"
+      "     radars: [{name: X, range_nm: 12}, {name: S, set: 30 kW S, range_nm: 12}]}\n"
+      "sarts: [{name: Raft, position: {lat: 57.05, lon: 3.0}, height_m: 1.5}]\n",
+      "sart.yaml");
+  world_ = World(plan_.scenario);
+  EXPECT_TRUE(sees("Raft"));
+  scenario::ExerciseCheck check;
+  check.set_radar("S");
+  check.add_sees("Raft");
+  EXPECT_FALSE(judged(check).passed());
 }
 
 TEST_F(SheetJudge, LandEventsAndDistancesAreJudged) {
@@ -122,8 +134,8 @@ TEST_F(SheetJudge, WhoIsOnLandIsComplainedOf) {
   wrong.mutable_targets(0)->mutable_position()->set_lon(5.3250);
   wrong.mutable_targets(1)->set_speed_kn(20.0);
   wire::Waypoint& over = *wrong.mutable_targets(1)->add_waypoints();
-  over.set_lat(60.4886);
-  over.set_lon(5.0);
+  over.set_lat(60.4700);
+  over.set_lon(5.0100);
   wrong.mutable_own_ships(0)->set_course_deg(90.0);
   wrong.mutable_own_ships(0)->set_speed_kn(30.0);
   const auto complaints = land_complaints(wrong, chart(), 20.0);

@@ -88,8 +88,9 @@ TEST_F(ScenarioFiles, ErrorsNameTheFileTheyAreIn) {
   const std::string path =
       write("main.yaml", "include: [parts/targets.yaml]\nname: M\nseed: x\n" + kShip);
   EXPECT_EQ(refused(path),
-            "main.yaml:3:7: seed: expected a whole number, given x\n"
-            "parts/targets.yaml:2:34: targets[0].position.lat: 99 is out of range; allowed: -90 to "
+            "main.yaml:3:7: seed: expected a whole number, given x; allowed: 0 to "
+            "18446744073709551615\n"
+            "parts/targets.yaml:2:31: targets[0].position.lat: 99 is out of range; allowed: -90 to "
             "90 deg\nmain.yaml: 2 errors");
   write("parts/targets.yaml", "targets: [\n");
   EXPECT_EQ(refused(path).find("parts/targets.yaml:"), 0u) << refused(path);
