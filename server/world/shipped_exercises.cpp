@@ -28,7 +28,8 @@ std::vector<fs::path> scenario_files(const fs::path& folder) {
 
 std::string find_scenario(const std::string& name) {
   std::error_code ignored;
-  if (name.empty() || name.find('/') != std::string::npos || fs::exists(name, ignored)) return name;
+  if (name.empty() || name.find('/') != std::string::npos || fs::is_regular_file(name, ignored))
+    return name;
   const fs::path file = exercises_folder() / (name + ".yaml");
   return fs::is_regular_file(file, ignored) ? file.string() : name;
 }

@@ -12,16 +12,16 @@
 namespace skerry::server {
 namespace {
 
-// Off Bergen, with an island between the own ship and one of two equal ships.
+// Off Bergen, with islands between the own ship and one of two ships.
 const std::string kScenario =
     "name: Judge\n"
     "seed: 3\n"
     "own_ships:\n"
     "  - {name: Own, position: {lat: 60.4700, lon: 5.0100}, course_deg: 0,\n"
-    "     radars: [{name: X, range_nm: 12, spokes: 2048, cells: 512}]}\n"
+    "     radars: [{name: X, range_nm: 12, spokes: 2048, cells: 512, antenna_height_m: 8}]}\n"
     "targets:\n"
     "  - {name: Near, position: {lat: 60.4900, lon: 4.9960}, length_m: 100, beam_m: 16}\n"
-    "  - {name: Hidden, position: {lat: 60.4744, lon: 5.2343}, length_m: 100, beam_m: 16, "
+    "  - {name: Hidden, position: {lat: 60.4700, lon: 4.6600}, length_m: 100, beam_m: 16, "
     "height_m: 4}\n"
     "  - {name: Far, position: {lat: 61.4, lon: 4}, length_m: 300, beam_m: 40}\n"
     "racons: [{name: Racon, position: {lat: 60.4840, lon: 5.0190}, code: K, height_m: 4}]\n"
