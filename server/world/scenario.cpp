@@ -61,6 +61,13 @@ class ScenarioChecker {
     }
     name_sarts(scenario);
     check_events(scenario, source_);
+    // A section that is left out is filled with defaults; an event shall change what it names.
+    for (int i = 0; i < scenario.events_size(); ++i) {
+      if (!source_.has(fmt::format("events[{}].weather.artefacts", i)) &&
+          scenario.events(i).has_weather()) {
+        scenario.mutable_events(i)->mutable_weather()->clear_artefacts();
+      }
+    }
     check_sheet(scenario, source_);
     check_mmsi(scenario);
     fill_in_mmsi(scenario);

@@ -12,17 +12,18 @@
 namespace skerry::server {
 namespace {
 
-// Off Bergen, with islands between the own ship and one of two ships.
+// Off Bergen, with an island between the own ship and one of two equal ships.
 const std::string kScenario =
     "name: Judge\n"
     "seed: 3\n"
     "own_ships:\n"
     "  - {name: Own, position: {lat: 60.4700, lon: 5.0100}, course_deg: 0,\n"
-    "     radars: [{name: X, range_nm: 12, spokes: 2048, cells: 512, antenna_height_m: 8}]}\n"
+    "     radars: [{name: X, range_nm: 12, spokes: 2048, cells: 512}]}\n"
     "targets:\n"
-    "  - {name: Near, position: {lat: 60.4900, lon: 4.9960}, length_m: 100, beam_m: 16}\n"
-    "  - {name: Hidden, position: {lat: 60.4700, lon: 4.6600}, length_m: 100, beam_m: 16, "
-    "height_m: 4}\n"
+    "  - {name: Near, position: {lat: 60.4900, lon: 4.9960}, length_m: 30, beam_m: 8, height_m: "
+    "4}\n"
+    "  - {name: Hidden, position: {lat: 60.4174, lon: 5.2590}, length_m: 30, beam_m: 8, height_m: "
+    "4}\n"
     "  - {name: Far, position: {lat: 61.4, lon: 4}, length_m: 300, beam_m: 40}\n"
     "racons: [{name: Racon, position: {lat: 60.4840, lon: 5.0190}, code: K, height_m: 4}]\n"
     "events: [{name: gone, at_min: 1, targets: [{target_name: Near, removed: true}]}]\n";

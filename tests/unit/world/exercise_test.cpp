@@ -18,6 +18,7 @@ constexpr const char* kScenario = R"(
 name: Exercise
 seed: 7
 sea: {state: 3, wind_from_deg: 200, depth_m: 60, current_kn: 1, current_set_deg: 40}
+artefacts: {interference: false}
 rain:
   - {position: {lat: 60.1, lon: 2.1}, drift_kn: 20, drift_deg: 45}
 areas:
@@ -268,6 +269,7 @@ events:
   EXPECT_EQ(world.environment()->sea.state, 5.0);
   EXPECT_EQ(world.environment()->rain.size(), 2u);
   EXPECT_EQ(world.state().log->texts[1].text, "A squall comes");
+  EXPECT_FALSE(world.environment()->artefacts.interference) << "it stays as the scenario has it";
   run_ticks(world, 400);
   EXPECT_EQ(world.happened("Later"), std::chrono::seconds(90));
   EXPECT_TRUE(world.state().own_ships[0].faults->faults.gyro_lost());
