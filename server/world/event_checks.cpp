@@ -9,7 +9,7 @@ namespace skerry::server {
 namespace {
 
 // What events may name.
-struct Names {
+struct EventNames {
   std::set<std::string> own_ships, targets, areas, events;
 };
 
@@ -113,7 +113,7 @@ class EventChecker {
 
   const scenario::Scenario& scenario_;
   YamlSource& source_;
-  Names names_;
+  EventNames names_;
 };
 
 }  // namespace

@@ -46,7 +46,8 @@ class ScenarioFiles : public testing::Test {
   fs::path folder_;
 };
 
-const std::string kShip = "own_ships:\n  - {name: A, position: {lat: 50, lon: 1}, radars: [{}]}\n";
+const std::string kOneShip =
+    "own_ships:\n  - {name: A, position: {lat: 50, lon: 1}, radars: [{}]}\n";
 
 TEST_F(ScenarioFiles, ListsAreAppendedAndTheIncludingFileWins) {
   write("parts/sea.yaml",
@@ -56,7 +57,7 @@ TEST_F(ScenarioFiles, ListsAreAppendedAndTheIncludingFileWins) {
         "include: [sea.yaml]\nseed: 5\ntargets:\n  - {name: Two, position: {lat: 51, lon: 2}}\n");
   const std::string path =
       write("main.yaml",
-            "include: [parts/more.yaml]\nname: Main\n" + kShip +
+            "include: [parts/more.yaml]\nname: Main\n" + kOneShip +
                 "sea: {state: 2}\ntargets:\n  - {name: Three, position: {lat: 52, lon: 2}}\n");
   const scenario::Scenario scenario = load_scenario(path);
   EXPECT_EQ(scenario.sea().state(), 2.0);
@@ -74,7 +75,7 @@ TEST_F(ScenarioFiles, TheWholeIsOneTextThatNeedsNoFiles) {
         "targets:\n  - {name: \"07: \\\"odd\\\" # name\", position: {lat: 50.25, lon: -2}}\n"
         "events:\n  - {name: e, at_min: 1, text: 'a\nb'}\n");
   const std::string path =
-      write("main.yaml", "include: [parts/targets.yaml]\nname: \"12\"\n" + kShip);
+      write("main.yaml", "include: [parts/targets.yaml]\nname: \"12\"\n" + kOneShip);
   YamlSource source(path);
   std::ifstream file(path);
   const std::string text((std::istreambuf_iterator<char>(file)), {});
@@ -86,7 +87,7 @@ TEST_F(ScenarioFiles, TheWholeIsOneTextThatNeedsNoFiles) {
 TEST_F(ScenarioFiles, ErrorsNameTheFileTheyAreIn) {
   write("parts/targets.yaml", "targets:\n  - {name: T, position: {lat: 99, lon: 2}}\n");
   const std::string path =
-      write("main.yaml", "include: [parts/targets.yaml]\nname: M\nseed: x\n" + kShip);
+      write("main.yaml", "include: [parts/targets.yaml]\nname: M\nseed: x\n" + kOneShip);
   EXPECT_EQ(refused(path),
             "main.yaml:3:7: seed: expected a whole number, given x; allowed: 0 to "
             "18446744073709551615\n"
@@ -94,7 +95,7 @@ TEST_F(ScenarioFiles, ErrorsNameTheFileTheyAreIn) {
             "90 deg\nmain.yaml: 2 errors");
   write("parts/targets.yaml", "targets: [\n");
   EXPECT_EQ(refused(path).find("parts/targets.yaml:"), 0u) << refused(path);
-  write("parts/targets.yaml", kShip);
+  write("parts/targets.yaml", kOneShip);
   EXPECT_NE(
       refused(path).find("\"A\" is the name of own_ships[0] too (parts/targets.yaml, line 2)"),
       std::string::npos)
@@ -102,16 +103,16 @@ TEST_F(ScenarioFiles, ErrorsNameTheFileTheyAreIn) {
 }
 
 TEST_F(ScenarioFiles, CyclesAndRepeatsAndMissingFilesAreRefused) {
-  write("a.yaml", "include: [b.yaml]\nname: A\n" + kShip);
+  write("a.yaml", "include: [b.yaml]\nname: A\n" + kOneShip);
   write("b.yaml", "include: [a.yaml]\n");
   EXPECT_EQ(refused((folder_ / "a.yaml").string()), "b.yaml:1:11: include: a.yaml includes itself");
   write("b.yaml", "seed: 1\n");
-  const std::string twice = write("c.yaml", "include: [b.yaml, b.yaml]\nname: A\n" + kShip);
+  const std::string twice = write("c.yaml", "include: [b.yaml, b.yaml]\nname: A\n" + kOneShip);
   EXPECT_EQ(refused(twice), "c.yaml:1:19: include: b.yaml is included already");
-  const std::string none = write("d.yaml", "include: [none.yaml]\nname: A\n" + kShip);
+  const std::string none = write("d.yaml", "include: [none.yaml]\nname: A\n" + kOneShip);
   EXPECT_EQ(refused(none),
             "d.yaml:1:11: include: none.yaml: cannot be read: No such file or directory");
-  const std::string text = write("e.yaml", "include: b.yaml\nname: A\n" + kShip);
+  const std::string text = write("e.yaml", "include: b.yaml\nname: A\n" + kOneShip);
   EXPECT_EQ(refused(text), "e.yaml:1:10: include: expected a list of files, given b.yaml");
 }
 
@@ -119,13 +120,13 @@ TEST_F(ScenarioFiles, DepthIsBounded) {
   for (int i = 0; i <= kMaxIncludeDepth + 1; ++i) {
     write("n" + std::to_string(i) + ".yaml", "include: [n" + std::to_string(i + 1) + ".yaml]\n");
   }
-  const std::string path = write("main.yaml", "include: [n0.yaml]\nname: A\n" + kShip);
+  const std::string path = write("main.yaml", "include: [n0.yaml]\nname: A\n" + kOneShip);
   EXPECT_NE(refused(path).find("files include each other more than 8 deep"), std::string::npos)
       << refused(path);
 }
 
 TEST_F(ScenarioFiles, ATextAloneIncludesNothing) {
-  EXPECT_EQ(refusal("include: [/etc/passwd]\nname: A\n" + kShip),
+  EXPECT_EQ(refusal("include: [/etc/passwd]\nname: A\n" + kOneShip),
             "1:10: include: this text is no file of a folder; allowed: in a scenario's file");
 }
 

@@ -69,8 +69,9 @@ function target(ship, name, nowMin) {
   // On her way she makes for the ordered speed; one that was ordered nothing keeps what she has.
   const speedKn = sails || ship.onCourse || ship.orderedSpeedKn > 0 ? ship.orderedSpeedKn : ship.speedKn;
   const lines = [
-    `  - name: ${quoted(name)}`, `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`, `    course_deg: ${course(ship.headingDeg)}`,
-    `    speed_kn: ${number(within(speedKn, 0, 60), 1)}`,
+    `  - name: ${quoted(name)}`, `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`,
+    ...(sails ? [] : [`    course_deg: ${course(ship.headingDeg)}`]),  // a route sets the course
+    `    speed_kn: ${number(within(speedKn, sails ? 0.1 : 0, 60), 1)}`,
   ];
   if (ship.shipClass) lines.push(`    ship_class: ${ship.shipClass}`);
   else if (ship.lengthM >= 1) lines.push(`    length_m: ${number(within(ship.lengthM, 1, 500), 1)}`, `    beam_m: ${number(within(ship.beamM, 0.3, 80), 1)}`);
