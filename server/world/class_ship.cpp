@@ -9,6 +9,7 @@
 #include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
+#include "server/world/sensors/sensor_reading.hpp"
 #include "server/world/handling/machinery.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/short_way.hpp"
@@ -169,10 +170,15 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
   Surroundings around = surroundings_of(environment, now, seed_);
   const double tick_s = in_seconds(tick);
 
+  // The autopilot steers by what the gyro says.
+  DynamicState told = state_;
+  if (ship.faults) {
+    told.heading_rad += reading_of(ship.faults.get(), now, seed_).heading_deg * kRadiansPerDegree;
+  }
   bool over = false;
   if (helm_.steering == SteeringMode::track) {
     const TrackView track = track_from(ship.position);
-    conn_ = helmsman_.orders(class_, state_, helm_, ground_, &track, tick_s, over);
+    conn_ = helmsman_.orders(class_, told, helm_, ground_, &track, tick_s, over);
     if (over) {
       leg_from_ = route_[leg_++];
       if (leg_ == route_.size()) {
@@ -182,7 +188,7 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
       }
     }
   } else {
-    conn_ = helmsman_.orders(class_, state_, helm_, ground_, nullptr, tick_s, over);
+    conn_ = helmsman_.orders(class_, told, helm_, ground_, nullptr, tick_s, over);
   }
   tell(around, ship);
 

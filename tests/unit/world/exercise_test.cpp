@@ -248,6 +248,22 @@ TEST(Exercise, AFaultAloneLeavesTheOthers) {
   EXPECT_TRUE(faults.gnss_lost());
 }
 
+TEST(Exercise, ADriftingGyroTurnsAShipWhoseAutopilotKeepsAHeading) {
+  World world = world_of();
+  run_ticks(world, 600);
+  const double before = world.state().own_ships[0].heading_deg;
+  wire::ExerciseOrder order;
+  order.mutable_fault()->mutable_faults()->set_gyro_drift_deg_min(2.0);
+  world.order(order, "test");
+  run_ticks(world, 6000);  // ten minutes: the gyro says 20 degrees more than is so
+  EXPECT_NEAR(world.state().own_ships[0].heading_deg, before - 20.0, 2.0);
+  wire::ExerciseOrder well;
+  well.mutable_fault();
+  world.order(well, "test");
+  run_ticks(world, 3000);
+  EXPECT_NEAR(world.state().own_ships[0].heading_deg, before, 2.0);
+}
+
 TEST(Exercise, EventsHappenByTimeOrderAndPlace) {
   World world = world_of(R"(
 events:
