@@ -9,8 +9,8 @@
 #include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "server/world/dead_reckoning.hpp"
-#include "server/world/sensors/sensor_reading.hpp"
 #include "server/world/handling/machinery.hpp"
+#include "server/world/sensors/sensor_reading.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/short_way.hpp"
 
