@@ -23,7 +23,7 @@ struct ExerciseClock {
     if (!frozen) now += tick / 10 * rate_tenths;
   }
   // Of a moment `into` a tick on the air.
-  Duration at(Duration into) const { return frozen ? now : now + into / 10 * rate_tenths; }
+  Duration at(Duration into) const { return frozen ? now : now + into * rate_tenths / 10; }
 };
 
 }  // namespace skerry::server
