@@ -14,8 +14,9 @@ constexpr char kOverlayOrigin[] = "the input of a real radar";
 
 // Whether it changes the world and nothing of a radar.
 bool is_of_the_world(wire::Set set) {
-  if (!set.has_world()) return false;
+  if (!set.has_world() && !set.has_exercise()) return false;
   set.clear_world();
+  set.clear_exercise();
   set.clear_radar();
   set.clear_view();
   set.clear_token();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/core/radar_host.hpp"
@@ -45,6 +46,12 @@ class JoinedHost final : public RadarHost {
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
   wire::World world() const override { return simulated_.world(); }
+  std::optional<wire::ExerciseState> exercise_state() const override {
+    return simulated_.exercise_state();
+  }
+  void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override {
+    simulated_.find_coastline(place, std::move(done));
+  }
   wire::Status status() const override;
   std::uint64_t settings_version() const override;
   std::uint64_t world_version() const override { return simulated_.world_version(); }

@@ -134,6 +134,7 @@ void RadarServer::start() {
 void RadarServer::stop() {
   for (auto& board : boards_) board->stop();
   for (auto& radar : radars_) radar->unit.stop();
+  coast_->stop();  // it answers clients, so before those who serve them are gone
 }
 
 wire::Hello RadarServer::hello() const {

@@ -15,8 +15,11 @@ CoastService::CoastService(std::unique_ptr<const echo::ChartSource> chart, std::
     slots_.push_back(std::make_unique<Slot>(*chart_, rules_));
 }
 
-CoastService::~CoastService() {
-  if (thread_.joinable()) thread_.request_stop();
+CoastService::~CoastService() { stop(); }
+
+void CoastService::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
 }
 
 void CoastService::serve(Slot& slot, const CoastWish& wish) {

@@ -36,6 +36,8 @@ class CoastService {
   // Error: std::runtime_error if the chart cannot be read.
   void prepare_now(std::size_t radar, const CoastWish& wish);
   void start();
+  // Ends the thread; no `done` of a survey is called after it.  Not to be started again.
+  void stop();
 
   // Thread: the one that looks at the slot.  Never waits for the work.  Wishes of slots of a lower
   // number, the radars' first of all, are served first.

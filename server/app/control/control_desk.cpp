@@ -275,7 +275,9 @@ std::optional<wire::Reply> ControlDesk::give_exercise_order(const wire::Set& set
   const Timeline::ConOrdered ordered = timeline_.order(set.exercise(), origin);
   if (ordered.fault) return refusal(wire::Reply::REFUSED, *ordered.fault);
   if (inputs_ != nullptr) inputs_->exercised(ordered.tick, set.exercise(), origin);
-  next.changes.push_back({"exercise", "", set.exercise().ShortDebugString()});
+  constexpr std::size_t kLongestTold = 200;  // a route has up to a frame's length
+  next.changes.push_back(
+      {"exercise", "", set.exercise().ShortDebugString().substr(0, kLongestTold)});
   world_version_.fetch_add(1);
   return std::nullopt;
 }

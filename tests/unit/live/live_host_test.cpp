@@ -49,6 +49,14 @@ class FakeSimulation final : public RadarHost {
     driven.push_back(radar);
     return std::nullopt;
   }
+  std::optional<wire::ExerciseState> exercise_state() const override {
+    wire::ExerciseState state;
+    state.set_exercise_s(7.0);
+    return state;
+  }
+  void find_coastline(const wire::GetCoastline&, CoastlineDone done) override {
+    done(wire::Coastline());
+  }
   void close_view(std::uint32_t, std::uint32_t) override {}
   std::vector<View> views(std::uint32_t) override { return {}; }
   std::uint64_t views_version() const override { return 1; }
@@ -209,6 +217,24 @@ TEST(LiveHost, AnOpenedViewHasItsOwnReach) {
   set.set_instrumented_range_m(1e9);
   EXPECT_EQ(live.apply(set, "test").code(), wire::Reply::OUT_OF_RANGE);
   live.close_view(0, *view);
+}
+
+TEST(JoinedHost, HasTheExerciseOfTheSimulationWhicheverRadarIsNamed) {
+  FakeSimulation simulated(2);
+  LiveHost live({cat240_source(0)}, "skerryd");
+  JoinedHost joined(simulated, live);
+  ASSERT_TRUE(joined.exercise_state());
+  EXPECT_EQ(joined.exercise_state()->exercise_s(), 7.0);
+  bool came = false;
+  joined.find_coastline({}, [&](const auto& coastline) { came = coastline.has_value(); });
+  EXPECT_TRUE(came);
+  simulated.sets.clear();  // one that puts the simulated radar to standby
+  wire::Set set;
+  set.set_instructor(true);
+  set.mutable_exercise()->mutable_clock()->set_frozen(true);
+  EXPECT_EQ(joined.apply(set, "console").code(), wire::Reply::OK) << "radar 0 is a real one";
+  ASSERT_EQ(simulated.sets.size(), 1u);
+  EXPECT_TRUE(simulated.sets.back().exercise().clock().frozen());
 }
 
 }  // namespace
