@@ -53,8 +53,8 @@ void ClosestApproaches::look(const WorldState& state) {
 void ClosestApproaches::look(const ShipState& own, const ShipState& other, Duration now) {
   const double apart_m = metres_apart(own, other);
   const auto [found, is_new] = approaches_.emplace(
-      std::pair(own.name, other.name), Approach{own.name, other.name, apart_m, now, false});
-  Approach& approach = found->second;
+      std::pair(own.name, other.name), ClosestApproach{own.name, other.name, apart_m, now, false});
+  ClosestApproach& approach = found->second;
   if (apart_m < approach.closest_m) {
     approach.closest_m = apart_m;
     approach.when = now;
@@ -64,11 +64,12 @@ void ClosestApproaches::look(const ShipState& own, const ShipState& other, Durat
   }
 }
 
-std::vector<Approach> ClosestApproaches::nearest() const {
-  std::vector<Approach> all;
+std::vector<ClosestApproach> ClosestApproaches::nearest() const {
+  std::vector<ClosestApproach> all;
   for (const auto& [names, approach] : approaches_) all.push_back(approach);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Approach& a, const Approach& b) { return a.closest_m < b.closest_m; });
+  std::stable_sort(all.begin(), all.end(), [](const ClosestApproach& a, const ClosestApproach& b) {
+    return a.closest_m < b.closest_m;
+  });
   return all;
 }
 

@@ -10,7 +10,7 @@
 
 namespace skerry::server {
 
-struct Approach {
+struct ClosestApproach {
   std::string own_ship, other;
   double closest_m = 0.0;  // between the ships' middles
   Duration when{};         // on the exercise's clock
@@ -22,12 +22,12 @@ class ClosestApproaches {
  public:
   void look(const WorldState& state);
   // Nearest first.
-  std::vector<Approach> nearest() const;
+  std::vector<ClosestApproach> nearest() const;
 
  private:
   void look(const ShipState& own, const ShipState& other, Duration now);
 
-  std::map<std::pair<std::string, std::string>, Approach> approaches_;
+  std::map<std::pair<std::string, std::string>, ClosestApproach> approaches_;
 };
 
 // Metres between the middles of two ships.

@@ -102,7 +102,7 @@ class RunReport {
 void report_approaches(const ExerciseRun& run, RunReport& report) {
   const auto nearest = run.approaches().nearest();
   std::size_t shown = 0;
-  for (const Approach& approach : nearest) {
+  for (const ClosestApproach& approach : nearest) {
     if (approach.touched) {
       report.say(fmt::format("COLLISION {} and {}, about {}\n", approach.own_ship, approach.other,
                              clock_text(in_seconds(approach.when))));

@@ -49,7 +49,7 @@ struct InSight {
 
 }  // namespace
 
-Approach approach_of(PlanePoint to_other, PlanePoint own_way, PlanePoint other_way) {
+Passing passing_of(PlanePoint to_other, PlanePoint own_way, PlanePoint other_way) {
   const PlanePoint relative = other_way - own_way;
   const double speed2 = dot(relative, relative);
   if (speed2 < 1e-6) return {length_of(to_other), 0.0};
@@ -101,9 +101,9 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     seen.gives_way = kept_from || encounter_of(ship, course_deg, other, to_her) != Encounter::none;
     in_sight.push_back(seen);
     if (!seen.gives_way) continue;
-    Approach approach = approach_of(to_her, alone, other.way);
+    Passing approach = passing_of(to_her, alone, other.way);
     if (kept_from) {
-      const Approach then = approach_of(to_her, alone, now->way_then);
+      const Passing then = passing_of(to_her, alone, now->way_then);
       if (then.time_s > 0.0 && then.distance_m < approach.distance_m) approach = then;
     }
     if (approach.time_s < 0.0) continue;
@@ -124,13 +124,13 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     const PlanePoint way = way_on(course, speed);
     double worst = 0.0;
     for (const InSight& seen : in_sight) {
-      const Approach approach = approach_of(seen.to_her, way, seen.ship->way);
+      const Passing approach = passing_of(seen.to_her, way, seen.ship->way);
       if (approach.time_s < 0.0 || approach.time_s > 2.0 * when.time_s) continue;
       double wanted = margin * seen.clear_m;
       if (!seen.gives_way) {
         // Who is to keep clear of her will; she only makes it no worse.
-        wanted = std::min(0.8 * seen.clear_m,
-                          approach_of(seen.to_her, alone, seen.ship->way).distance_m);
+        wanted =
+            std::min(0.8 * seen.clear_m, passing_of(seen.to_her, alone, seen.ship->way).distance_m);
       }
       worst = std::max(worst, (wanted - approach.distance_m) / seen.clear_m);
     }

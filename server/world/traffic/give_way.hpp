@@ -46,11 +46,11 @@ Encounter encounter_of(const SeenShip& ship, double course_deg, const SeenShip& 
                        PlanePoint to_other);
 
 // Nearest point of approach of two that keep their ways.
-struct Approach {
+struct Passing {
   double distance_m = 0.0;
   double time_s = 0.0;  // negative: they have passed
 };
-Approach approach_of(PlanePoint to_other, PlanePoint own_way, PlanePoint other_way);
+Passing passing_of(PlanePoint to_other, PlanePoint own_way, PlanePoint other_way);
 
 // What she does for others, until she looks again.
 struct Evasion {

@@ -73,10 +73,10 @@ TEST(GiveWay, KnowsWhoIsToGiveWay) {
 }
 
 TEST(GiveWay, FindsTheNearestPoint) {
-  const Approach approach = approach_of({1000.0, 5000.0}, {0.0, 5.0}, {0.0, -5.0});
+  const Passing approach = passing_of({1000.0, 5000.0}, {0.0, 5.0}, {0.0, -5.0});
   EXPECT_NEAR(approach.distance_m, 1000.0, 1e-9);
   EXPECT_NEAR(approach.time_s, 500.0, 1e-9);
-  EXPECT_EQ(approach_of({3.0, 4.0}, {1.0, 1.0}, {1.0, 1.0}).distance_m, 5.0);
+  EXPECT_EQ(passing_of({3.0, 4.0}, {1.0, 1.0}, {1.0, 1.0}).distance_m, 5.0);
 }
 
 TEST(GiveWay, CrossingTheOneWithTheOtherToStarboardGoesAstern) {
