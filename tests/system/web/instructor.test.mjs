@@ -12,7 +12,7 @@ seed: 3
 sea: {state: 0, wind_from_deg: 250, wind_kn: 12, current_set_deg: 90, current_kn: 1, depth_m: 35}
 rain: [{position: {lat: 60.5, lon: 4.2}, radius_nm: 2, rate_mm_h: 8}]
 own_ships:
-  - {name: Tern, position: {lat: 60.36, lon: 4.6}, course_deg: 20, speed_kn: 9, ship_class: coaster,
+  - {name: Tern, position: {lat: 60.36, lon: 4.6}, course_deg: 250, speed_kn: 9, ship_class: coaster,
      radars: [{name: X, spokes: 512, cells: 512, bits: 8, rpm: 24, range_nm: 6}]}
   - {name: Plain, position: {lat: 60.30, lon: 4.5}, course_deg: 90, speed_kn: 10,
      radars: [{name: Second, spokes: 512, cells: 512, bits: 8, rpm: 24, range_nm: 12}]}
@@ -20,7 +20,10 @@ targets:
   - {name: Lyngen, position: {lat: 60.39, lon: 4.62}, course_deg: 180, speed_kn: 0, length_m: 150, beam_m: 20}
 `;
 
-let folder, browser, server, pages = [];
+let folder,
+  browser,
+  server,
+  pages = [];
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'skerry-lesson-'));
   writeFileSync(join(folder, 'lesson.yaml'), SCENARIO);
@@ -64,14 +67,18 @@ test('the page is served by its name, with the exercise and the shore', async ()
     pages.push(page);
     await until(page, 's.exercise && s.coast.points > 50');
     const { exercise, garbage } = await state(page);
-    assert.deepEqual(exercise.ships.map(({ name }) => name), ['Tern', 'Plain', 'Lyngen']);
+    assert.deepEqual(
+      exercise.ships.map(({ name }) => name),
+      ['Tern', 'Plain', 'Lyngen'],
+    );
     assert.equal(garbage, 0);
     assert.deepEqual(page.problems, []);
   }
 });
 
 test('freeze, pace, marks and weather reach the server, and every instructor sees who ordered what', async () => {
-  const page = await open(), other = await open();
+  const page = await open(),
+    other = await open();
   await page.locator('#freeze').click();
   await until(other, 's.exercise.frozen');
   const { exercise } = await state(other);
@@ -113,8 +120,9 @@ test('an own ship is put elsewhere, and undo takes her back', async () => {
   assert.deepEqual(page.problems, []);
 });
 
-test('the con shows the instructor\'s text', async () => {
-  const page = await open(), con = await open('conning?radar=1');
+test("the con shows the instructor's text", async () => {
+  const page = await open(),
+    con = await open('conning?radar=1');
   await page.locator('#to-exercise').click();
   await page.locator('#text-to').selectOption({ label: 'Plain' });
   await page.locator('#text-text').fill('Reduce to 5 knots');
@@ -128,27 +136,32 @@ test('the con shows the instructor\'s text', async () => {
 // Metres north and east from a ship to a place.
 const wayTo = (from, lat, lon) => {
   const north = (lat - from.latitudeDeg) * 60 * 1852;
-  return { north, east: (lon - from.longitudeDeg) * 60 * 1852 * Math.cos(from.latitudeDeg * Math.PI / 180) };
+  return { north, east: (lon - from.longitudeDeg) * 60 * 1852 * Math.cos((from.latitudeDeg * Math.PI) / 180) };
 };
 
 // The strongest echo that the console shows within 250 m of a place.
 async function echoAt(console, ship, lat, lon) {
   const { north, east } = wayTo(ship, lat, lon);
-  return console.evaluate(([n, e]) => {
-    const { rows, cols, cells, meta } = window.skerry.readPolar();
-    const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-    const levels = bytes(cells), spokes = new Float32Array(bytes(meta).buffer);
-    let strongest = 0;
-    for (let row = 0; row < rows; ++row) {
-      const bearing = (row + 0.5) / rows * 2 * Math.PI, cellM = spokes[row * spokes.length / rows + 1];
-      for (let cell = 0; cell < cols && cellM > 0; ++cell) {
-        const range = (cell + 0.5) * cellM;
-        const off = Math.hypot(range * Math.cos(bearing) - n, range * Math.sin(bearing) - e);
-        if (off < 250) strongest = Math.max(strongest, levels[2 * (row * cols + cell)]);
+  return console.evaluate(
+    ([n, e]) => {
+      const { rows, cols, cells, meta } = window.skerry.readPolar();
+      const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      const levels = bytes(cells),
+        spokes = new Float32Array(bytes(meta).buffer);
+      let strongest = 0;
+      for (let row = 0; row < rows; ++row) {
+        const bearing = ((row + 0.5) / rows) * 2 * Math.PI,
+          cellM = spokes[(row * spokes.length) / rows + 1];
+        for (let cell = 0; cell < cols && cellM > 0; ++cell) {
+          const range = (cell + 0.5) * cellM;
+          const off = Math.hypot(range * Math.cos(bearing) - n, range * Math.sin(bearing) - e);
+          if (off < 250) strongest = Math.max(strongest, levels[2 * (row * cols + cell)]);
+        }
       }
-    }
-    return strongest;
-  }, [north, east]);
+      return strongest;
+    },
+    [north, east],
+  );
 }
 
 test('a target sails the route that an instructor draws, and a console sees her echo there within a turn', async () => {
@@ -172,14 +185,15 @@ test('a target sails the route that an instructor draws, and a console sees her 
   await page.locator('#freeze').click();
   await until(page, 's.exercise.frozen');
   const { exercise } = await state(page);
-  const lyngen = exercise.ships[2], tern = exercise.ships[0];
+  const lyngen = exercise.ships[2],
+    tern = exercise.ships[0];
   const left = wayTo(lyngen, drawn.lat, drawn.lon);
-  const bearing = Math.atan2(left.east, left.north) * 180 / Math.PI;
+  const bearing = (Math.atan2(left.east, left.north) * 180) / Math.PI;
   assert.ok(Math.abs(lyngen.headingDeg - bearing) < 20, `heads ${lyngen.headingDeg}, the waypoint bears ${bearing}`);
   const console = await open('?radar=0');
   await waitForScan(console);
-  assert.ok(await echoAt(console, tern, lyngen.latitudeDeg, lyngen.longitudeDeg) > 100);
-  assert.ok(await echoAt(console, tern, was.latitudeDeg, was.longitudeDeg) < 100, 'where she was');
+  assert.ok((await echoAt(console, tern, lyngen.latitudeDeg, lyngen.longitudeDeg)) > 100);
+  assert.ok((await echoAt(console, tern, was.latitudeDeg, was.longitudeDeg)) < 100, 'where she was');
   await page.locator('[data-rate="1"]').click();
   await page.locator('#freeze').click();
   await until(page, '!s.exercise.frozen && s.exercise.rate === 1');
@@ -187,11 +201,12 @@ test('a target sails the route that an instructor draws, and a console sees her 
 });
 
 test('a gyro that fails is seen by the console and not by the instructor', async () => {
-  const page = await open(), console = await open('?radar=1');
+  const page = await open(),
+    console = await open('?radar=1');
   await choose(page, 'Plain');
   await until(console, 's.headingDeg !== null');
   const told = (s) => s.exercise.ships[1].headingDeg;
-  const before = (await state(page));
+  const before = await state(page);
   assert.ok(Math.abs((await state(console)).headingDeg - told(before)) < 1);
   await page.locator('#to-faults').click();
   await page.locator('#fault-gyroBiasDeg').fill('12');

@@ -14,9 +14,18 @@ export async function openInstructor(browser, { exercise = {}, server: options =
 
 function kitOf(server, page) {
   const sets = () => server.received.filter((m) => m.kind === 'set').map((m) => m.set);
-  const orders = () => sets().filter((set) => set.exercise).map((set) => set.exercise);
+  const orders = () =>
+    sets()
+      .filter((set) => set.exercise)
+      .map((set) => set.exercise);
   // What has changed is on the screen.
-  const settled = () => page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+  const settled = () =>
+    page.evaluate(
+      () =>
+        new Promise((resolve) => {
+          requestAnimationFrame(() => requestAnimationFrame(resolve));
+        }),
+    );
   // The order after so many, as a plain object without what is absent.
   const ordered = async (before, kind) => {
     for (let i = 0; i < 250 && orders().length <= before; ++i) await page.waitForTimeout(20);
@@ -25,7 +34,9 @@ function kitOf(server, page) {
     return order.constructor.toObject(order)[kind];
   };
   return {
-    sets, orders, ordered,
+    sets,
+    orders,
+    ordered,
     // The order that an action gives.
     async next(kind, action) {
       const before = orders().length;

@@ -5,7 +5,7 @@ const REMEMBERED = 'skerry.texts';
 
 export class InstructorText {
   constructor() {
-    this.read = new Map();  // ship -> how many of her texts were acknowledged
+    this.read = new Map(); // ship -> how many of her texts were acknowledged
     this.ship = null;
     try {
       this.read = new Map(JSON.parse(sessionStorage.getItem(REMEMBERED)) ?? []);

@@ -7,7 +7,18 @@ import { paintRoute, paintShips } from './paint_ships.js';
 export class Chart {
   // tools: what is planned with them is drawn too.
   constructor(canvas, exercise, coast, tools) {
-    Object.assign(this, { canvas, exercise, coast, tools, view: new ChartView(), palette: 'day', vectorMin: 6, trackS: 600, moved: new Map(), drawn: 0 });
+    Object.assign(this, {
+      canvas,
+      exercise,
+      coast,
+      tools,
+      view: new ChartView(),
+      palette: 'day',
+      vectorMin: 6,
+      trackS: 600,
+      moved: new Map(),
+      drawn: 0,
+    });
     this.context = canvas.getContext('2d');
     this.fitted = false;
     this.pointer = null;
@@ -29,7 +40,10 @@ export class Chart {
   changed() {
     if (this.asked) return;
     this.asked = true;
-    requestAnimationFrame(() => { this.asked = false; this.#paint(); });
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.#paint();
+    });
   }
 
   // The view has been changed by `move`.
@@ -47,12 +61,18 @@ export class Chart {
   }
 
   #paint() {
-    const { context, view } = this, colours = CHART_PALETTES[this.palette];
+    const { context, view } = this,
+      colours = CHART_PALETTES[this.palette];
     context.setTransform(this.pixelRatio, 0, 0, this.pixelRatio, 0, 0);
     paintCoast(context, view, this.coast, colours, this.pixelRatio);
     paintGrid(context, view, colours);
     paintRain(context, view, this.exercise.world, colours);
-    paintShips(context, view, this.exercise, { colours, vectorMin: this.vectorMin, trackS: this.trackS, moved: this.moved });
+    paintShips(context, view, this.exercise, {
+      colours,
+      vectorMin: this.vectorMin,
+      trackS: this.trackS,
+      moved: this.moved,
+    });
     this.#paintPlan(colours);
     paintScale(context, view, colours);
     this.drawn += 1;
@@ -64,7 +84,8 @@ export class Chart {
     const { waypoints, from } = tools.plan();
     if (waypoints.length > 0) {
       const end = this.pointer && tools.name === 'route' ? [view.fromPixel(this.pointer.x, this.pointer.y)] : [];
-      for (const start of from.length > 0 ? from : [null]) paintRoute(context, view, start, [...waypoints, ...end], colours.plan, { dash: [6, 4] });
+      for (const start of from.length > 0 ? from : [null])
+        paintRoute(context, view, start, [...waypoints, ...end], colours.plan, { dash: [6, 4] });
     }
     const radiusPx = tools.rainRadiusM() / view.metresPerPixel;
     if (radiusPx > 0 && this.pointer) {
@@ -81,7 +102,12 @@ export class Chart {
     context.strokeStyle = colours.plan;
     context.lineWidth = 1;
     context.beginPath();
-    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    for (const [dx, dy] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ]) {
       context.moveTo(x + 4 * dx, y + 4 * dy);
       context.lineTo(x + 12 * dx, y + 12 * dy);
     }

@@ -2,11 +2,13 @@
 // Mercator of a sphere: shapes are those of a paper chart to 0.4 %; the server alone reckons where ships go.
 const RAD = Math.PI / 180;
 export const EARTH_M = 6371000;
-const MIN_SCALE = 0.15, MAX_SCALE = 450;  // metres per pixel, at the centre
+const MIN_SCALE = 0.15,
+  MAX_SCALE = 450; // metres per pixel, at the centre
 const MAX_LATITUDE = 84;
 
-export const wrapLongitude = (deg) => ((deg + 180) % 360 + 360) % 360 - 180;
-export const mercator = (latitudeDeg) => Math.log(Math.tan(Math.PI / 4 + (Math.max(-89, Math.min(89, latitudeDeg)) * RAD) / 2));
+export const wrapLongitude = (deg) => ((((deg + 180) % 360) + 360) % 360) - 180;
+export const mercator = (latitudeDeg) =>
+  Math.log(Math.tan(Math.PI / 4 + (Math.max(-89, Math.min(89, latitudeDeg)) * RAD) / 2));
 const latitudeOf = (y) => (2 * Math.atan(Math.exp(y)) - Math.PI / 2) / RAD;
 
 export class ChartView {
@@ -62,11 +64,19 @@ export class ChartView {
   fit(places, leastM = 4000) {
     if (places.length === 0) return;
     const first = places[0];
-    const x = places.map((p) => wrapLongitude(p.longitudeDeg - first.longitudeDeg) * RAD), y = places.map((p) => mercator(p.latitudeDeg));
+    const x = places.map((p) => wrapLongitude(p.longitudeDeg - first.longitudeDeg) * RAD),
+      y = places.map((p) => mercator(p.latitudeDeg));
     const [left, right, bottom, top] = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)];
-    this.centreOn({ latitudeDeg: latitudeOf((top + bottom) / 2), longitudeDeg: first.longitudeDeg + (left + right) / 2 / RAD });
+    this.centreOn({
+      latitudeDeg: latitudeOf((top + bottom) / 2),
+      longitudeDeg: first.longitudeDeg + (left + right) / 2 / RAD,
+    });
     const metres = EARTH_M * Math.cos(this.latitudeDeg * RAD);
-    const across = Math.max(leastM / this.width, ((right - left) * metres) / (0.75 * this.width), ((top - bottom) * metres) / (0.7 * this.height));
+    const across = Math.max(
+      leastM / this.width,
+      ((right - left) * metres) / (0.75 * this.width),
+      ((top - bottom) * metres) / (0.7 * this.height),
+    );
     this.metresPerPixel = Math.max(MIN_SCALE, Math.min(MAX_SCALE, across));
   }
 }

@@ -4,19 +4,24 @@ import { mercator, wrapLongitude } from './chart_view.js';
 import { fromTo } from './place.js';
 
 const RAD = Math.PI / 180;
-export const MAX_RADIUS_NM = 60, MIN_RADIUS_NM = 0.5;
+export const MAX_RADIUS_NM = 60,
+  MIN_RADIUS_NM = 0.5;
 // More than is shown, so that a small move asks for nothing.
 const ROOM = 1.7;
 // A coast that is so much coarser than a pixel is asked for again when less than this part of it is shown.
-const COARSE_PX = 2, FINER = 0.45;
-const WAIT_MS = 250, SILENCE_MS = 8000, REFUSED_MS = 5000;
+const COARSE_PX = 2,
+  FINER = 0.45;
+const WAIT_MS = 250,
+  SILENCE_MS = 8000,
+  REFUSED_MS = 5000;
 // Of Path2D: single precision, so it has Mercator's plane in units that suit it.
 export const PATH_UNIT = 1e-5;
 
 // Points of a line of Coastline: [longitude, latitude, ...] in degrees, the longitude not wrapped.
 export function decodeLine({ points }, centre) {
   const out = new Float64Array(points.length - (points.length % 2));
-  let east = 0, north = 0;
+  let east = 0,
+    north = 0;
   for (let i = 0; i + 1 < points.length; i += 2) {
     east += points[i];
     north += points[i + 1];
@@ -36,8 +41,8 @@ export class Coast {
   forget() {
     clearTimeout(this.timer);
     this.shown = this.asked = this.timer = this.waiting = null;
-    this.areas = [];     // { path, water }, in the order in which they lie over each other
-    this.shore = null;   // of lines that are no areas
+    this.areas = []; // { path, water }, in the order in which they lie over each other
+    this.shore = null; // of lines that are no areas
   }
 
   // The circle to ask for, or null if what is there, or on its way, will do.
@@ -46,16 +51,26 @@ export class Coast {
     const whole = view.radiusM / NAUTICAL_MILE_M <= MAX_RADIUS_NM;
     if (have) {
       const offNm = fromTo(have, view).metres / NAUTICAL_MILE_M;
-      const covers = whole ? offNm + needNm <= have.radiusNm * 1.001 : have.radiusNm >= MAX_RADIUS_NM && offNm < MAX_RADIUS_NM / 3;
+      const covers = whole
+        ? offNm + needNm <= have.radiusNm * 1.001
+        : have.radiusNm >= MAX_RADIUS_NM && offNm < MAX_RADIUS_NM / 3;
       if (covers && !(have.detailM > COARSE_PX * view.metresPerPixel && needNm < FINER * have.radiusNm)) return null;
     }
-    return { latitudeDeg: view.latitudeDeg, longitudeDeg: view.longitudeDeg, radiusNm: Math.min(MAX_RADIUS_NM, needNm * ROOM) };
+    return {
+      latitudeDeg: view.latitudeDeg,
+      longitudeDeg: view.longitudeDeg,
+      radiusNm: Math.min(MAX_RADIUS_NM, needNm * ROOM),
+    };
   }
 
   // The view has moved.
   look(view) {
     this.view = view;
-    if (this.timer === null) this.timer = setTimeout(() => { this.timer = null; this.#askIfNeeded(); }, WAIT_MS);
+    if (this.timer === null)
+      this.timer = setTimeout(() => {
+        this.timer = null;
+        this.#askIfNeeded();
+      }, WAIT_MS);
   }
 
   #askIfNeeded() {
@@ -65,7 +80,10 @@ export class Coast {
     const request = this.ask(circle);
     if (request === null) return;
     this.asked = { ...circle, request };
-    this.waiting = setTimeout(() => { this.asked = null; this.#askIfNeeded(); }, SILENCE_MS);
+    this.waiting = setTimeout(() => {
+      this.asked = null;
+      this.#askIfNeeded();
+    }, SILENCE_MS);
   }
 
   // An answer is one for all that is asked; there is never more than one question.
@@ -86,7 +104,10 @@ export class Coast {
   takeReply(reply) {
     if (reply.request !== this.asked?.request || reply.code === 0) return false;
     clearTimeout(this.waiting);
-    this.waiting = setTimeout(() => { this.asked = null; this.#askIfNeeded(); }, REFUSED_MS);
+    this.waiting = setTimeout(() => {
+      this.asked = null;
+      this.#askIfNeeded();
+    }, REFUSED_MS);
     return true;
   }
 
@@ -100,7 +121,8 @@ export class Coast {
     const middle = mercator(this.shown.latitudeDeg);
     const path = this.#pathOf(kind);
     for (let i = 0; i < line.length; i += 2) {
-      const x = ((line[i] - this.shown.longitudeDeg) * RAD) / PATH_UNIT, y = (middle - mercator(line[i + 1])) / PATH_UNIT;
+      const x = ((line[i] - this.shown.longitudeDeg) * RAD) / PATH_UNIT,
+        y = (middle - mercator(line[i + 1])) / PATH_UNIT;
       if (i === 0) path.moveTo(x, y);
       else path.lineTo(x, y);
     }

@@ -21,8 +21,12 @@ export class Exercise {
     this.byKey = new Map(state.ships.map((ship) => [keyOf(ship), ship]));
     const known = this.selection.filter((key) => this.byKey.has(key));
     if (known.length !== this.selection.length) this.selection = known;
-    this.tracks.take(state.exerciseS, state.ships.filter((ship) => !ship.removed)
-      .map((ship) => ({ key: keyOf(ship), latitudeDeg: ship.latitudeDeg, longitudeDeg: ship.longitudeDeg })));
+    this.tracks.take(
+      state.exerciseS,
+      state.ships
+        .filter((ship) => !ship.removed)
+        .map((ship) => ({ key: keyOf(ship), latitudeDeg: ship.latitudeDeg, longitudeDeg: ship.longitudeDeg })),
+    );
     this.changed();
   }
 
@@ -57,7 +61,8 @@ export class Exercise {
     if (ship === null) {
       if (!add) this.selection = [];
     } else {
-      const key = keyOf(ship), had = this.selection.includes(key);
+      const key = keyOf(ship),
+        had = this.selection.includes(key);
       if (!add) this.selection = [key];
       else this.selection = had ? this.selection.filter((k) => k !== key) : [...this.selection, key];
     }

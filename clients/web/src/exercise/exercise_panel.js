@@ -4,7 +4,14 @@ import { $, write } from '../widgets.js';
 import { LiveField } from './live_field.js';
 
 const SURE_MS = 4000;
-const KINDS = { mark: 'Mark', event: 'Event', text: 'Text', alarm: 'Alarm', grounding: 'Grounding', collision: 'Collision' };
+const KINDS = {
+  mark: 'Mark',
+  event: 'Event',
+  text: 'Text',
+  alarm: 'Alarm',
+  grounding: 'Grounding',
+  collision: 'Collision',
+};
 
 export class ExercisePanel {
   constructor(exercise, orders, notify) {
@@ -15,8 +22,18 @@ export class ExercisePanel {
     for (const button of document.querySelectorAll('[data-rate]')) {
       button.addEventListener('click', () => orders.exercise({ clock: { rate: Number(button.dataset.rate) } }, 'rate'));
     }
-    this.#form('snapshot-form', 'snapshot-name', (name) => orders.exercise({ snapshot: name }, 'snapshot'), () => `At ${duration(exercise.state?.exerciseS)}`);
-    this.#form('mark-form', 'mark-text', (text) => orders.exercise({ mark: text }, 'mark'), () => 'Mark');
+    this.#form(
+      'snapshot-form',
+      'snapshot-name',
+      (name) => orders.exercise({ snapshot: name }, 'snapshot'),
+      () => `At ${duration(exercise.state?.exerciseS)}`,
+    );
+    this.#form(
+      'mark-form',
+      'mark-text',
+      (text) => orders.exercise({ mark: text }, 'mark'),
+      () => 'Mark',
+    );
     this.#form('text-form', 'text-text', (text) => {
       const to = $('text-to').value;
       return orders.exercise({ text: to === 'all' ? { text } : { ownShip: Number(to), text } }, 'text');
@@ -28,7 +45,10 @@ export class ExercisePanel {
     $(form).addEventListener('submit', (event) => {
       event.preventDefault();
       const text = $(field).value.trim() || otherwise?.();
-      if (!text) { this.notify('Type a text first'); return; }
+      if (!text) {
+        this.notify('Type a text first');
+        return;
+      }
       if (send(text) !== null) $(field).value = '';
     });
   }
@@ -52,13 +72,16 @@ export class ExercisePanel {
     $('last-order').title = $('last-order').textContent;
     if (!state) return;
     this.rate.take(state.rate);
-    for (const button of document.querySelectorAll('[data-rate]')) button.setAttribute('aria-pressed', String(Number(button.dataset.rate) === state.rate));
+    for (const button of document.querySelectorAll('[data-rate]'))
+      button.setAttribute('aria-pressed', String(Number(button.dataset.rate) === state.rate));
     write('orders-given', String(state.orders));
     this.#showLists(state);
   }
 
   #showLists(state) {
-    const marks = JSON.stringify(state.marks), snapshots = JSON.stringify(state.snapshots), cons = JSON.stringify(this.exercise.own.map(({ number, name }) => [number, name]));
+    const marks = JSON.stringify(state.marks),
+      snapshots = JSON.stringify(state.snapshots),
+      cons = JSON.stringify(this.exercise.own.map(({ number, name }) => [number, name]));
     if (marks !== this.marks) {
       this.marks = marks;
       $('mark-list').replaceChildren(...[...state.marks].reverse().map((mark) => this.#mark(mark)));
@@ -70,7 +93,10 @@ export class ExercisePanel {
     if (cons !== this.cons) {
       this.cons = cons;
       const before = $('text-to').value;
-      $('text-to').replaceChildren(new Option('All cons', 'all'), ...this.exercise.own.map(({ number, name }) => new Option(name, number)));
+      $('text-to').replaceChildren(
+        new Option('All cons', 'all'),
+        ...this.exercise.own.map(({ number, name }) => new Option(name, number)),
+      );
       if ([...$('text-to').options].some(({ value }) => value === before)) $('text-to').value = before;
     }
   }
@@ -88,7 +114,9 @@ export class ExercisePanel {
 
   // Pressed twice, as it takes everybody back.
   #snapshot(name) {
-    const item = document.createElement('li'), text = document.createElement('span'), button = document.createElement('button');
+    const item = document.createElement('li'),
+      text = document.createElement('span'),
+      button = document.createElement('button');
     text.textContent = name;
     button.type = 'button';
     button.textContent = 'Restore';
@@ -97,7 +125,11 @@ export class ExercisePanel {
       clearTimeout(button.timer);
       const sure = button.classList.toggle('sure');
       button.textContent = sure ? 'Sure?' : 'Restore';
-      if (sure) button.timer = setTimeout(() => { button.classList.remove('sure'); button.textContent = 'Restore'; }, SURE_MS);
+      if (sure)
+        button.timer = setTimeout(() => {
+          button.classList.remove('sure');
+          button.textContent = 'Restore';
+        }, SURE_MS);
       else this.orders.exercise({ restore: name }, `restore ${name}`);
     });
     item.append(text, button);

@@ -26,7 +26,11 @@ export class LiveField {
       this.#show(this.server, true);
       return;
     }
-    const value = this.isNumber ? element.valueAsNumber : element.type === 'checkbox' ? element.checked : Number(element.value);
+    const value = this.isNumber
+      ? element.valueAsNumber
+      : element.type === 'checkbox'
+        ? element.checked
+        : Number(element.value);
     if (this.isNumber && this.server !== null && this.own === null && element.value === this.#text(this.server)) return;
     this.own = value;
     element.classList.add('pending');
@@ -55,8 +59,11 @@ export class LiveField {
 
   #show(value, anyway = false) {
     const { element } = this;
-    if (element.type === 'checkbox') { element.checked = value === true; return; }
-    if (this.isNumber && !anyway && document.activeElement === element) return;  // it is being typed in
+    if (element.type === 'checkbox') {
+      element.checked = value === true;
+      return;
+    }
+    if (this.isNumber && !anyway && document.activeElement === element) return; // it is being typed in
     const text = this.isNumber ? this.#text(value) : String(value ?? 0);
     if (element.value !== text) element.value = text;
   }

@@ -23,11 +23,15 @@ import { Tools } from './tools.js';
 import { TraineeView } from './trainee_view.js';
 import { WeatherPanel } from './weather_panel.js';
 
-const EXERCISE_HZ = 2, LOOK_MS = 250;
+const EXERCISE_HZ = 2,
+  LOOK_MS = 250;
 // A server that knows of no exercise tells none for so long.
 const SILENCE_MS = 4000;
 
-const alarm = (text) => { $('alarm').hidden = text === ''; write('alarm', text); };
+const alarm = (text) => {
+  $('alarm').hidden = text === '';
+  write('alarm', text);
+};
 const table = await loadControls(new URL('controls.json', location.href), () => alarm('No connection to the server'));
 useControls(table);
 
@@ -35,18 +39,28 @@ const notices = new Notices($('notices'));
 const notify = (text, kind) => notices.show(text, kind);
 const picture = new PictureSettings();
 let token = sessionStorage.getItem('skerry.token') ?? '';
-let connection = null, hello = null, asked = null, heardMs = 0, shown = false;
-const orderedBy = new Map();  // request -> what was ordered
+let connection = null,
+  hello = null,
+  asked = null,
+  heardMs = 0,
+  shown = false;
+const orderedBy = new Map(); // request -> what was ordered
 
 function changed() {
   if (shown) return;
   shown = true;
-  requestAnimationFrame(() => { shown = false; show(); });
+  requestAnimationFrame(() => {
+    shown = false;
+    show();
+  });
 }
 
 function send(values, what, radar = hello?.radars[0]?.radar ?? 0) {
   const request = connection.set(radar, 0, { ...values, instructor: true }, token);
-  if (request === null) { notify('Not connected: the order was not sent'); return null; }
+  if (request === null) {
+    notify('Not connected: the order was not sent');
+    return null;
+  }
   orderedBy.set(request, what);
   if (orderedBy.size > 500) orderedBy.delete(orderedBy.keys().next().value);
   return request;
@@ -56,7 +70,10 @@ const exercise = new Exercise(() => changed());
 const orders = new Orders(send);
 const forms = new ToolForms();
 const tools = new Tools({ exercise, orders, forms, notify, changed: () => changed() });
-const coast = new Coast((circle) => (exercise.state ? connection.coastline(circle) : null), () => chart.changed());
+const coast = new Coast(
+  (circle) => (exercise.state ? connection.coastline(circle) : null),
+  () => chart.changed(),
+);
 const chart = new Chart($('chart'), exercise, coast, tools);
 const trainee = new TraineeView(exercise, () => chart.resize());
 const list = new ShipList(exercise, (ship) => showOnChart(ship));
@@ -66,13 +83,17 @@ const faults = new FaultsPanel(table.faults ?? [], exercise, orders);
 const clock = new ExercisePanel(exercise, orders, notify);
 const toolbar = new Toolbar({ chart, tools, exercise, changed });
 new ChartInput(chart, exercise, tools, orders, (place) => {
-  write('pointer', place ? `${position(place.latitudeDeg, 'N', 'S', 2)}  ${position(place.longitudeDeg, 'E', 'W', 3)}` : '');
+  write(
+    'pointer',
+    place ? `${position(place.latitudeDeg, 'N', 'S', 2)}  ${position(place.longitudeDeg, 'E', 'W', 3)}` : '',
+  );
 });
 
 // One that is off the chart comes into its middle.
 function showOnChart(ship) {
   const { x, y } = chart.view.toPixel(ship);
-  if (x < 20 || y < 20 || x > chart.view.width - 20 || y > chart.view.height - 20) chart.moveTo((view) => view.centreOn(ship));
+  if (x < 20 || y < 20 || x > chart.view.width - 20 || y > chart.view.height - 20)
+    chart.moveTo((view) => view.centreOn(ship));
 }
 
 function show() {
@@ -90,7 +111,11 @@ function subscribe() {
   exercise.forget();
   coast.forget();
   heardMs = performance.now();
-  asked = connection.subscribe(hello.radars[0]?.radar ?? 0, 0, false, token, { ownShipHz: 1, noSpokes: true, exerciseHz: EXERCISE_HZ });
+  asked = connection.subscribe(hello.radars[0]?.radar ?? 0, 0, false, token, {
+    ownShipHz: 1,
+    noSpokes: true,
+    exerciseHz: EXERCISE_HZ,
+  });
 }
 
 function askToken() {
@@ -112,7 +137,10 @@ const TAKERS = {
     forms.addClasses(new Set(state.ships.filter((ship) => !ship.own).map((ship) => ship.shipClass)));
     if (!chart.fitted) chart.fitAll();
   },
-  world: (world) => { exercise.world = world; changed(); },
+  world: (world) => {
+    exercise.world = world;
+    changed();
+  },
   coastline: (coastline) => coast.take(coastline),
   reply: (reply) => {
     const what = orderedBy.get(reply.request);
@@ -120,7 +148,11 @@ const TAKERS = {
     if (coast.takeReply(reply)) notify(`No coast: ${reply.text}`);
     else if (reply.code !== 0) {
       const why = reply.text || REPLY_CODES[reply.code] || `code ${reply.code}`;
-      notify(reply.request === asked ? `No exercise: ${why}` : `${what ? `${what[0].toUpperCase()}${what.slice(1)}: ` : ''}${why}`);
+      notify(
+        reply.request === asked
+          ? `No exercise: ${why}`
+          : `${what ? `${what[0].toUpperCase()}${what.slice(1)}: ` : ''}${why}`,
+      );
     }
     if (reply.code !== 0 && /token/.test(reply.text)) askToken();
   },
@@ -130,9 +162,13 @@ const url = new URL('ws', location.href);
 url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
 url.search = url.hash = '';
 connection = new Connection(url, {
-  state: (state) => { if (state !== 'live') coast.forget(); changed(); },
+  state: (state) => {
+    if (state !== 'live') coast.forget();
+    changed();
+  },
   messages: (messages) => {
-    for (const message of messages) for (const kind of Object.keys(TAKERS)) if (message[kind]) TAKERS[kind](message[kind]);
+    for (const message of messages)
+      for (const kind of Object.keys(TAKERS)) if (message[kind]) TAKERS[kind](message[kind]);
   },
   garbage: (error) => notify(`The server sent what is no radar message (${error.kind ?? 'text'})`),
 });
@@ -140,7 +176,8 @@ connection = new Connection(url, {
 function look() {
   showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
   const silent = connection.state === 'live' && performance.now() - heardMs > SILENCE_MS;
-  if (connection.state === 'waiting' || connection.state === 'connecting') alarm(hello ? 'Connection lost' : 'No connection to the server');
+  if (connection.state === 'waiting' || connection.state === 'connecting')
+    alarm(hello ? 'Connection lost' : 'No connection to the server');
   else if (silent && hello?.playback) alarm('A recording is played: there is no exercise to lead');
   else if (silent) alarm(exercise.state ? 'No news of the exercise' : 'This server tells nothing of an exercise');
   else alarm('');
@@ -159,11 +196,18 @@ function applyPalette() {
 }
 
 function saveScenario() {
-  if (!exercise.state || !hello) { notify('There is nothing to save yet'); return; }
+  if (!exercise.state || !hello) {
+    notify('There is nothing to save yet');
+    return;
+  }
   const text = scenarioYaml(exercise.state, exercise.world, hello, table.artefacts);
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([text], { type: 'application/yaml' }));
-  const name = (hello.scenario || 'exercise').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'exercise';
+  const name =
+    (hello.scenario || 'exercise')
+      .toLowerCase()
+      .replace(/[^a-z0-9]+/g, '-')
+      .replace(/^-|-$/g, '') || 'exercise';
   link.download = `${name}-${duration(exercise.state.exerciseS).replaceAll(':', '-')}.yaml`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
@@ -182,12 +226,34 @@ $('token').addEventListener('change', () => {
 
 const tool = (name) => () => tools.take(name);
 bindKeys({
-  l: tool('look'), m: tool('move'), n: tool('target'), r: tool('route'), w: tool('rain'), g: () => toolbar.toggleGroup(),
-  a: () => chart.fitAll(), '+': () => toolbar.zoom(1), '=': () => toolbar.zoom(1), '-': () => toolbar.zoom(-1),
-  f: () => clock.toggleFreeze(), z: () => { if (exercise.state?.canUndo) orders.exercise({ undo: true }, 'undo'); },
-  t: () => trainee.toggle(), p: changePalette, '/': () => { toolbar.showTab('ships'); $('ship-filter').focus(); },
-  1: () => toolbar.showTab('ships'), 2: () => toolbar.showTab('weather'), 3: () => toolbar.showTab('faults'), 4: () => toolbar.showTab('exercise'),
-  Escape: () => { if (tools.name === 'look') exercise.select(null, false); else tools.cancel(); },
+  l: tool('look'),
+  m: tool('move'),
+  n: tool('target'),
+  r: tool('route'),
+  w: tool('rain'),
+  g: () => toolbar.toggleGroup(),
+  a: () => chart.fitAll(),
+  '+': () => toolbar.zoom(1),
+  '=': () => toolbar.zoom(1),
+  '-': () => toolbar.zoom(-1),
+  f: () => clock.toggleFreeze(),
+  z: () => {
+    if (exercise.state?.canUndo) orders.exercise({ undo: true }, 'undo');
+  },
+  t: () => trainee.toggle(),
+  p: changePalette,
+  '/': () => {
+    toolbar.showTab('ships');
+    $('ship-filter').focus();
+  },
+  1: () => toolbar.showTab('ships'),
+  2: () => toolbar.showTab('weather'),
+  3: () => toolbar.showTab('faults'),
+  4: () => toolbar.showTab('exercise'),
+  Escape: () => {
+    if (tools.name === 'look') exercise.select(null, false);
+    else tools.cancel();
+  },
   '?': () => $('help').showModal(),
 });
 
@@ -197,11 +263,24 @@ show();
 
 // window.skerry: what a test may ask of the page.
 window.skerry = {
-  state: () => ({ connection: connection.state, garbage: connection.garbage, exercise: exercise.state, world: exercise.world, selection: exercise.selection,
-                  tool: tools.name, waypoints: tools.waypoints, coast: { ...coast.shown, lines: coast.lines, points: coast.points }, drawn: chart.drawn }),
-  view: () => { const { latitudeDeg, longitudeDeg, metresPerPixel, width, height } = chart.view; return { latitudeDeg, longitudeDeg, metresPerPixel, width, height }; },
+  state: () => ({
+    connection: connection.state,
+    garbage: connection.garbage,
+    exercise: exercise.state,
+    world: exercise.world,
+    selection: exercise.selection,
+    tool: tools.name,
+    waypoints: tools.waypoints,
+    coast: { ...coast.shown, lines: coast.lines, points: coast.points },
+    drawn: chart.drawn,
+  }),
+  view: () => {
+    const { latitudeDeg, longitudeDeg, metresPerPixel, width, height } = chart.view;
+    return { latitudeDeg, longitudeDeg, metresPerPixel, width, height };
+  },
   pixelOf: (latitudeDeg, longitudeDeg) => {
-    const { x, y } = chart.view.toPixel({ latitudeDeg, longitudeDeg }), box = $('chart').getBoundingClientRect();
+    const { x, y } = chart.view.toPixel({ latitudeDeg, longitudeDeg }),
+      box = $('chart').getBoundingClientRect();
     return { x: x + box.x, y: y + box.y };
   },
 };

@@ -18,7 +18,10 @@ export class Orders {
   // change(ship): fields of TargetChange.
   targets(ships, change, what) {
     for (const ship of ships) {
-      this.exercise({ target: { target: ship.number, ...(typeof change === 'function' ? change(ship) : change) } }, `${ship.name}, ${what}`);
+      this.exercise(
+        { target: { target: ship.number, ...(typeof change === 'function' ? change(ship) : change) } },
+        `${ship.name}, ${what}`,
+      );
     }
   }
 
@@ -39,7 +42,11 @@ export class Orders {
   // places: [{ ship, latitudeDeg, longitudeDeg, headingDeg?, speedKn? }].
   put(places) {
     for (const { ship, latitudeDeg, longitudeDeg, headingDeg, speedKn } of places) {
-      if (ship.own) this.exercise({ ownShip: { ownShip: ship.number, latitudeDeg, longitudeDeg, headingDeg, speedKn } }, `${ship.name}, put`);
+      if (ship.own)
+        this.exercise(
+          { ownShip: { ownShip: ship.number, latitudeDeg, longitudeDeg, headingDeg, speedKn } },
+          `${ship.name}, put`,
+        );
       else this.targets([ship], { latitudeDeg, longitudeDeg }, 'put');
     }
   }
@@ -53,7 +60,8 @@ export class Orders {
 
   // faults: { name: value }, change: names of the schema; both empty: all faults are taken away.
   faults(ships, faults, change, what) {
-    for (const ship of ships) this.exercise({ fault: { ownShip: ship.number, faults, change } }, `${ship.name}, ${what}`);
+    for (const ship of ships)
+      this.exercise({ fault: { ownShip: ship.number, faults, change } }, `${ship.name}, ${what}`);
   }
 
   static named = named;

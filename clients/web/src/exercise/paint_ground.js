@@ -2,7 +2,8 @@
 import { gridStep, scaleBar, wrapLongitude } from './chart_view.js';
 import { NAUTICAL_MILE_M } from '../view_geometry.js';
 
-const GRID_PX = 110, BAR_PX = 150;
+const GRID_PX = 110,
+  BAR_PX = 150;
 
 export function paintCoast(context, view, coast, colours, pixelRatio) {
   context.fillStyle = colours.water;
@@ -25,13 +26,16 @@ export function paintCoast(context, view, coast, colours, pixelRatio) {
 
 // Whole degrees and minutes, with as many decimals as the grid's step needs.
 function angleText(minutes, step, positive, negative) {
-  const size = Math.abs(minutes), degrees = Math.floor((size + 1e-6) / 60), left = Math.abs(size - 60 * degrees);
+  const size = Math.abs(minutes),
+    degrees = Math.floor((size + 1e-6) / 60),
+    left = Math.abs(size - 60 * degrees);
   const digits = step >= 1 ? 0 : step >= 0.1 ? 1 : 2;
   return `${degrees}°${left.toFixed(digits).padStart(digits ? digits + 3 : 2, '0')}′${minutes < 0 ? negative : positive}`;
 }
 
 export function paintGrid(context, view, colours) {
-  const topLeft = view.fromPixel(0, 0), bottomRight = view.fromPixel(view.width, view.height);
+  const topLeft = view.fromPixel(0, 0),
+    bottomRight = view.fromPixel(view.width, view.height);
   const perMinute = (view.scale * Math.PI) / 180 / 60;
   const step = gridStep(perMinute, GRID_PX);
   context.strokeStyle = colours.grid;
@@ -42,7 +46,8 @@ export function paintGrid(context, view, colours) {
   context.textAlign = 'left';
   context.beginPath();
   const labels = [];
-  const west = topLeft.longitudeDeg * 60, east = west + view.width / perMinute;
+  const west = topLeft.longitudeDeg * 60,
+    east = west + view.width / perMinute;
   for (let n = Math.ceil(west / step); n * step <= east; ++n) {
     const x = Math.round((n * step - west) * perMinute) + 0.5;
     context.moveTo(x, 0);
@@ -61,7 +66,9 @@ export function paintGrid(context, view, colours) {
 
 export function paintScale(context, view, colours) {
   const bar = scaleBar(view.metresPerPixel, BAR_PX);
-  const length = bar.metres / view.metresPerPixel, x = 14, y = view.height - 30;
+  const length = bar.metres / view.metresPerPixel,
+    x = 14,
+    y = view.height - 30;
   context.strokeStyle = context.fillStyle = colours.label;
   context.lineWidth = 2;
   context.beginPath();

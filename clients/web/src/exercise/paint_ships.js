@@ -2,7 +2,7 @@
 import { keyOf } from './exercise.js';
 import { after } from './place.js';
 
-const OUTLINE_PX = 16;   // a shorter ship is a symbol
+const OUTLINE_PX = 16; // a shorter ship is a symbol
 const RAD = Math.PI / 180;
 const FONT = '12px system-ui, sans-serif';
 
@@ -13,7 +13,8 @@ function line(context, points) {
 }
 
 function outline(context, ship, view) {
-  const length = ship.lengthM / view.metresPerPixel, beam = Math.max(3, ship.beamM / view.metresPerPixel);
+  const length = ship.lengthM / view.metresPerPixel,
+    beam = Math.max(3, ship.beamM / view.metresPerPixel);
   context.beginPath();
   context.moveTo(0, -length / 2);
   context.lineTo(beam / 2, -length / 2 + Math.min(length / 3, beam));
@@ -48,7 +49,17 @@ function paintShip(context, view, ship, at, { colours, chosen }) {
     context.strokeStyle = colours.chosen;
     context.lineWidth = 2;
     const r = 14;
-    for (const [sx, sy] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) line(context, [{ x: sx * r, y: sy * (r - 6) }, { x: sx * r, y: sy * r }, { x: sx * (r - 6), y: sy * r }]);
+    for (const [sx, sy] of [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ])
+      line(context, [
+        { x: sx * r, y: sy * (r - 6) },
+        { x: sx * r, y: sy * r },
+        { x: sx * (r - 6), y: sy * r },
+      ]);
   }
   if (ship.givesWayNow) {
     context.strokeStyle = colours.warn;
@@ -72,7 +83,11 @@ function paintShip(context, view, ship, at, { colours, chosen }) {
     context.fill();
   }
   context.stroke();
-  if (isOutline && ship.own) line(context, [{ x: 0, y: -ship.lengthM / view.metresPerPixel / 2 }, { x: 0, y: -ship.lengthM / view.metresPerPixel / 2 - 12 }]);
+  if (isOutline && ship.own)
+    line(context, [
+      { x: 0, y: -ship.lengthM / view.metresPerPixel / 2 },
+      { x: 0, y: -ship.lengthM / view.metresPerPixel / 2 - 12 },
+    ]);
   context.restore();
 }
 
@@ -91,7 +106,11 @@ function paintTrack(context, view, exercise, ship, lengthS, colours) {
   context.lineWidth = 1.3;
   const parts = exercise.tracks.partsOf(keyOf(ship), lengthS);
   parts.at(-1)?.push(ship);
-  for (const part of parts) line(context, part.map((place) => view.toPixel(place)));
+  for (const part of parts)
+    line(
+      context,
+      part.map((place) => view.toPixel(place)),
+    );
 }
 
 export function paintRoute(context, view, from, waypoints, colour, { first = 1, dash = [] } = {}) {
@@ -122,15 +141,28 @@ function paintNames(context, placed, view, colours) {
   context.strokeStyle = colours.halo;
   const taken = [];
   for (const { ship, at, chosen } of placed) {
-    const marks = [ship.givesWayNow && 'gives way', ship.removed && 'removed', ship.sart && 'SART', ship.aisOff && 'no AIS'].filter(Boolean);
+    const marks = [
+      ship.givesWayNow && 'gives way',
+      ship.removed && 'removed',
+      ship.sart && 'SART',
+      ship.aisOff && 'no AIS',
+    ].filter(Boolean);
     const text = [ship.name, ...marks].join(' · ');
-    const clear = Math.max(ship.givesWayNow ? 21 : chosen ? 17 : 13, (ship.beamM / view.metresPerPixel) / 2 + 6);
+    const clear = Math.max(ship.givesWayNow ? 21 : chosen ? 17 : 13, ship.beamM / view.metresPerPixel / 2 + 6);
     const box = { x: at.x + clear, y: at.y + 9, width: context.measureText(text).width, height: 14 };
-    const hit = taken.some((t) => box.x < t.x + t.width && t.x < box.x + box.width && box.y < t.y + t.height && t.y < box.y + box.height);
+    const hit = taken.some(
+      (t) => box.x < t.x + t.width && t.x < box.x + box.width && box.y < t.y + t.height && t.y < box.y + box.height,
+    );
     if (hit && !chosen && !ship.givesWayNow) continue;
     taken.push(box);
     context.strokeText(text, box.x, box.y);
-    context.fillStyle = chosen ? colours.chosen : ship.givesWayNow ? colours.warn : ship.own ? colours.own : colours.label;
+    context.fillStyle = chosen
+      ? colours.chosen
+      : ship.givesWayNow
+        ? colours.warn
+        : ship.own
+          ? colours.own
+          : colours.label;
     context.fillText(text, box.x, box.y);
   }
 }
@@ -149,7 +181,10 @@ export function paintShips(context, view, exercise, { colours, vectorMin, trackS
       else {
         context.strokeStyle = colours.route;
         context.lineWidth = 1;
-        line(context, [ship, ...waypoints].map((p) => view.toPixel(p)));
+        line(
+          context,
+          [ship, ...waypoints].map((p) => view.toPixel(p)),
+        );
       }
       context.globalAlpha = 1;
     }
@@ -157,7 +192,7 @@ export function paintShips(context, view, exercise, { colours, vectorMin, trackS
     if (near(at, 200)) placed.push({ ship, at, chosen });
   }
   // Selected ships lie above, and own ships above targets.
-  placed.sort((a, b) => (a.chosen - b.chosen) || (a.ship.own - b.ship.own));
+  placed.sort((a, b) => a.chosen - b.chosen || a.ship.own - b.ship.own);
   for (const { ship, at } of placed) paintVector(context, view, ship, at, vectorMin, colours);
   for (const { ship, at, chosen } of placed) paintShip(context, view, ship, at, { colours, chosen });
   paintNames(context, [...placed].reverse(), view, colours);
@@ -170,17 +205,24 @@ export function paintShips(context, view, exercise, { colours, vectorMin, trackS
     context.lineWidth = 1.2;
     line(context, [view.toPixel(ship), to]);
     context.setLineDash([]);
-    paintShip(context, view, { ...ship, givesWayNow: false }, to, { colours: { ...colours, own: colours.plan, target: colours.plan }, chosen: false });
+    paintShip(context, view, { ...ship, givesWayNow: false }, to, {
+      colours: { ...colours, own: colours.plan, target: colours.plan },
+      chosen: false,
+    });
   }
 }
 
 // The nearest ship within reach of a place on the screen, or null.
 export function shipAt(exercise, view, x, y, reachPx) {
-  let best = null, bestPx = reachPx;
+  let best = null,
+    bestPx = reachPx;
   for (const ship of exercise.ships) {
     const at = view.toPixel(ship);
     const off = Math.hypot(at.x - x, at.y - y);
-    if (off <= bestPx) { best = ship; bestPx = off; }
+    if (off <= bestPx) {
+      best = ship;
+      bestPx = off;
+    }
   }
   return best;
 }

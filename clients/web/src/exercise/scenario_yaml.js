@@ -10,7 +10,8 @@ const HEAD = `# Left out, because the server does not tell it: the settings and 
 `;
 
 // Quoted as JSON has it, which YAML reads; at most so many characters.
-const quoted = (text, most = 64) => JSON.stringify([...text.replace(/[\u0000-\u001f\u007f]/g, ' ')].slice(0, most).join(''));
+const quoted = (text, most = 64) =>
+  JSON.stringify([...text.replace(/[\u0000-\u001f\u007f]/g, ' ')].slice(0, most).join(''));
 const number = (value, digits) => String(Number(value.toFixed(digits)));
 const within = (value, least, most) => Math.max(least, Math.min(most, value));
 const course = (deg) => number(((deg % 360) + 360) % 360, 1);
@@ -40,16 +41,24 @@ function radarText(radar) {
   const parts = [];
   if (radar.name) parts.push(`name: ${quoted(radar.name)}`);
   if (radar.set) parts.push(`set: ${quoted(radar.set)}`);
-  if (radar.spokesPerTurn >= 256) parts.push(`spokes: ${radar.spokesPerTurn}`, `cells: ${radar.cells}`, `bits: ${radar.bits}`);
+  if (radar.spokesPerTurn >= 256)
+    parts.push(`spokes: ${radar.spokesPerTurn}`, `cells: ${radar.cells}`, `bits: ${radar.bits}`);
   return `      - {${parts.join(', ')}}`;
 }
 
 function ownShip(ship, name, radars) {
   const isClassed = SHIP_CLASSES.includes(ship.shipClass);
   const lines = [
-    `  - name: ${quoted(name)}`, `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`, `    course_deg: ${course(ship.headingDeg)}`,
+    `  - name: ${quoted(name)}`,
+    `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`,
+    `    course_deg: ${course(ship.headingDeg)}`,
     `    speed_kn: ${number(within(speedAhead(ship), -10, 60), 1)}`,
-    ...(isClassed ? [`    ship_class: ${ship.shipClass}`] : [`    length_m: ${number(within(ship.lengthM, 2, 500), 1)}`, `    beam_m: ${number(within(ship.beamM, 0.5, 80), 1)}`]),
+    ...(isClassed
+      ? [`    ship_class: ${ship.shipClass}`]
+      : [
+          `    length_m: ${number(within(ship.lengthM, 2, 500), 1)}`,
+          `    beam_m: ${number(within(ship.beamM, 0.5, 80), 1)}`,
+        ]),
     ...mmsi(ship).map((text) => `    ${text}`),
   ];
   const hers = radars.filter(({ radar }) => ship.radars.includes(radar));
@@ -69,18 +78,24 @@ function target(ship, name, nowMin) {
   // On her way she makes for the ordered speed; one that was ordered nothing keeps what she has.
   const speedKn = sails || ship.onCourse || ship.orderedSpeedKn > 0 ? ship.orderedSpeedKn : ship.speedKn;
   const lines = [
-    `  - name: ${quoted(name)}`, `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`,
-    ...(sails ? [] : [`    course_deg: ${course(ship.headingDeg)}`]),  // a route sets the course
+    `  - name: ${quoted(name)}`,
+    `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`,
+    ...(sails ? [] : [`    course_deg: ${course(ship.headingDeg)}`]), // a route sets the course
     `    speed_kn: ${number(within(speedKn, sails ? 0.1 : 0, 60), 1)}`,
   ];
   if (ship.shipClass) lines.push(`    ship_class: ${ship.shipClass}`);
-  else if (ship.lengthM >= 1) lines.push(`    length_m: ${number(within(ship.lengthM, 1, 500), 1)}`, `    beam_m: ${number(within(ship.beamM, 0.3, 80), 1)}`);
+  else if (ship.lengthM >= 1)
+    lines.push(
+      `    length_m: ${number(within(ship.lengthM, 1, 500), 1)}`,
+      `    beam_m: ${number(within(ship.beamM, 0.3, 80), 1)}`,
+    );
   lines.push(...mmsi(ship).map((text) => `    ${text}`));
   if (ship.givesWay > 0) lines.push(`    gives_way: ${GIVE_WAY[ship.givesWay]}`);
   if (ship.sart) lines.push('    sart: true');
   if (sails) {
     lines.push('    waypoints:', ...ship.route.map((each) => `      - ${waypoint(each, nowMin)}`));
-    if (ROUTE_END[ship.routeEnd] !== undefined && ship.routeEnd > 0) lines.push(`    route_end: ${ROUTE_END[ship.routeEnd]}`);
+    if (ROUTE_END[ship.routeEnd] !== undefined && ship.routeEnd > 0)
+      lines.push(`    route_end: ${ROUTE_END[ship.routeEnd]}`);
   }
   return lines;
 }
@@ -88,16 +103,29 @@ function target(ship, name, nowMin) {
 function weather(world, artefacts) {
   const sea = [`state: ${number(world.seaState, 2)}`, `wind_from_deg: ${course(world.windFromDeg)}`];
   if (world.windKn !== undefined) sea.push(`wind_kn: ${number(world.windKn, 1)}`);
-  sea.push(`swell: {height_m: ${number(world.swellHeightM, 2)}, period_s: ${number(within(world.swellPeriodS, 4, 25), 1)}, from_deg: ${course(world.swellFromDeg)}}`,
-    `wave_height_m: ${number(world.waveHeightM, 2)}`, `current_set_deg: ${course(world.currentSetDeg)}`, `current_kn: ${number(world.currentKn, 2)}`);
+  sea.push(
+    `swell: {height_m: ${number(world.swellHeightM, 2)}, period_s: ${number(within(world.swellPeriodS, 4, 25), 1)}, from_deg: ${course(world.swellFromDeg)}}`,
+    `wave_height_m: ${number(world.waveHeightM, 2)}`,
+    `current_set_deg: ${course(world.currentSetDeg)}`,
+    `current_kn: ${number(world.currentKn, 2)}`,
+  );
   if (world.depthM >= 2) sea.push(`depth_m: ${number(world.depthM, 1)}`);
   const lines = [`sea: {${sea.join(', ')}}`];
-  if (world.kFactor >= 0.8) lines.push(`atmosphere: {k_factor: ${number(world.kFactor, 4)}, ducting: ${number(world.ducting, 3)}}`);
+  if (world.kFactor >= 0.8)
+    lines.push(`atmosphere: {k_factor: ${number(world.kFactor, 4)}, ducting: ${number(world.ducting, 3)}}`);
   if (world.rain.length > 0) {
-    lines.push('rain:', ...world.rain.map((cell) => `  - {position: ${place(cell.latitudeDeg, cell.longitudeDeg)}, radius_nm: ${number(cell.radiusNm, 2)}, ` +
-      `rate_mm_h: ${number(cell.rateMmH, 2)}, drift_deg: ${course(cell.driftDeg)}, drift_kn: ${number(cell.driftKn, 1)}, kind: ${RAIN_KIND_WORDS[cell.kind] ?? 'cell'}}`));
+    lines.push(
+      'rain:',
+      ...world.rain.map(
+        (cell) =>
+          `  - {position: ${place(cell.latitudeDeg, cell.longitudeDeg)}, radius_nm: ${number(cell.radiusNm, 2)}, ` +
+          `rate_mm_h: ${number(cell.rateMmH, 2)}, drift_deg: ${course(cell.driftDeg)}, drift_kn: ${number(cell.driftKn, 1)}, kind: ${RAIN_KIND_WORDS[cell.kind] ?? 'cell'}}`,
+      ),
+    );
   }
-  const switches = artefacts.filter(({ name }) => typeof world[name] === 'boolean').map(({ name, field }) => `${field}: ${world[name]}`);
+  const switches = artefacts
+    .filter(({ name }) => typeof world[name] === 'boolean')
+    .map(({ name, field }) => `${field}: ${world[name]}`);
   if (switches.length > 0) lines.push(`artefacts: {${switches.join(', ')}}`);
   return lines;
 }
@@ -106,13 +134,19 @@ function weather(world, artefacts) {
 export function scenarioYaml(state, world, hello, artefacts) {
   const at = duration(state.exerciseS);
   const ships = state.ships.filter(({ removed }) => !removed);
-  const names = uniqueNames(ships), nowMin = state.exerciseS / 60;
+  const names = uniqueNames(ships),
+    nowMin = state.exerciseS / 60;
   const own = ships.flatMap((ship, i) => (ship.own ? ownShip(ship, names[i], hello.radars) : []));
   const targets = ships.flatMap((ship, i) => (ship.own ? [] : target(ship, names[i], nowMin)));
   const title = hello.scenario || 'Exercise';
   return [
-    `# ${title.replace(/[\u0000-\u001f\u007f]/g, ' ')}, as it was at ${at} of the exercise, written by the instructor's page.`, HEAD.trimEnd(),
-    `name: ${quoted(`${[...title].slice(0, 50).join('')} at ${at}`)}`, 'own_ships:', ...own,
-    ...(targets.length > 0 ? ['targets:', ...targets] : []), ...(world ? weather(world, artefacts) : []), '',
+    `# ${title.replace(/[\u0000-\u001f\u007f]/g, ' ')}, as it was at ${at} of the exercise, written by the instructor's page.`,
+    HEAD.trimEnd(),
+    `name: ${quoted(`${[...title].slice(0, 50).join('')} at ${at}`)}`,
+    'own_ships:',
+    ...own,
+    ...(targets.length > 0 ? ['targets:', ...targets] : []),
+    ...(world ? weather(world, artefacts) : []),
+    '',
   ].join('\n');
 }

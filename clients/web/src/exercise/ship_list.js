@@ -6,7 +6,7 @@ export class ShipList {
   // found(ship): she is to be seen on the chart.
   constructor(exercise, found) {
     this.exercise = exercise;
-    this.rows = new Map();  // key -> button
+    this.rows = new Map(); // key -> button
     this.list = $('ship-list');
     $('ship-filter').addEventListener('input', () => this.show());
     this.list.addEventListener('click', (event) => {
@@ -38,7 +38,13 @@ export class ShipList {
     if (keys !== this.keys) {
       this.keys = keys;
       this.rows = new Map(ships.map((ship) => [keyOf(ship), this.#row(ship)]));
-      this.list.replaceChildren(...[...this.rows.values()].map((button) => { const item = document.createElement('li'); item.append(button); return item; }));
+      this.list.replaceChildren(
+        ...[...this.rows.values()].map((button) => {
+          const item = document.createElement('li');
+          item.append(button);
+          return item;
+        }),
+      );
     }
     for (const ship of ships) this.#tell(this.rows.get(keyOf(ship)), ship);
     $('ship-count').textContent = `${ships.length} of ${this.exercise.ships.length}`;
@@ -55,8 +61,13 @@ export class ShipList {
 
   #tell(button, ship) {
     const [name, note] = button.children;
-    const flags = [ship.removed && 'removed', ship.givesWayNow && 'gives way', ship.sart && 'SART', ship.aisOff && 'no AIS',
-                   ship.own && Object.values(ship.faults ?? {}).some(Boolean) && 'faults'].filter(Boolean);
+    const flags = [
+      ship.removed && 'removed',
+      ship.givesWayNow && 'gives way',
+      ship.sart && 'SART',
+      ship.aisOff && 'no AIS',
+      ship.own && Object.values(ship.faults ?? {}).some(Boolean) && 'faults',
+    ].filter(Boolean);
     const text = flags.length > 0 ? flags.join(', ') : ship.shipClass.replaceAll('_', ' ');
     if (name.textContent !== ship.name) name.textContent = ship.name;
     if (note.textContent !== text) note.textContent = text;

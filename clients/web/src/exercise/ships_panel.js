@@ -41,24 +41,34 @@ export class ShipsPanel {
     $('steering').replaceChildren(...STEERING.map((name, i) => new Option(name, i)));
     const toTargets = (name, what) => (value) => orders.targets(exercise.chosenTargets, { [name]: value }, what);
     this.fields = {
-      givesWay: new LiveField($('gives-way'), toTargets('givesWay', 'giving way')), routeEnd: new LiveField($('end-now'), toTargets('routeEnd', 'end of the route')),
-      sart: new LiveField($('sart'), toTargets('sart', 'SART')), aisOff: new LiveField($('ais-off'), toTargets('aisOff', 'AIS')),
+      givesWay: new LiveField($('gives-way'), toTargets('givesWay', 'giving way')),
+      routeEnd: new LiveField($('end-now'), toTargets('routeEnd', 'end of the route')),
+      sart: new LiveField($('sart'), toTargets('sart', 'SART')),
+      aisOff: new LiveField($('ais-off'), toTargets('aisOff', 'AIS')),
     };
     this.#form('order-form', () => this.#steer());
     this.#form('ais-form', () => this.#ais());
     this.#form('con-form', () => this.#con());
     this.#form('put-form', () => this.#put());
     $('put-read').addEventListener('click', () => this.#fillPut());
-    $('resume').addEventListener('click', () => orders.targets(exercise.chosenTargets, { resume: true }, 'resume her route'));
+    $('resume').addEventListener('click', () =>
+      orders.targets(exercise.chosenTargets, { resume: true }, 'resume her route'),
+    );
     $('remove').addEventListener('click', () => {
       const removed = !(exercise.chosenTargets[0]?.removed ?? false);
       orders.targets(exercise.chosenTargets, { removed }, removed ? 'remove' : 'put back');
     });
-    $('see-console').addEventListener('click', () => { const [ship] = exercise.chosenOwn; if (ship) openTrainee(ship); });
+    $('see-console').addEventListener('click', () => {
+      const [ship] = exercise.chosenOwn;
+      if (ship) openTrainee(ship);
+    });
   }
 
   #form(id, order) {
-    $(id).addEventListener('submit', (event) => { event.preventDefault(); order(); });
+    $(id).addEventListener('submit', (event) => {
+      event.preventDefault();
+      order();
+    });
   }
 
   // The numbers of those fields that are filled; the fields are then empty.
@@ -68,7 +78,10 @@ export class ShipsPanel {
       const value = $(id).valueAsNumber;
       if (!Number.isNaN(value)) values[name] = value;
     }
-    if (Object.keys(values).length === 0) { this.notify('Fill in a field first'); return null; }
+    if (Object.keys(values).length === 0) {
+      this.notify('Fill in a field first');
+      return null;
+    }
     for (const id of Object.keys(ids)) $(id).value = '';
     return values;
   }
@@ -85,7 +98,10 @@ export class ShipsPanel {
 
   #con() {
     const con = {};
-    for (const [id, name] of [['con-rudder', 'rudderDeg'], ['con-engine', 'enginePercent']]) {
+    for (const [id, name] of [
+      ['con-rudder', 'rudderDeg'],
+      ['con-engine', 'enginePercent'],
+    ]) {
       const value = $(id).valueAsNumber;
       if (!Number.isNaN(value)) con[name] = value;
       $(id).value = '';
@@ -95,11 +111,18 @@ export class ShipsPanel {
   }
 
   #put() {
-    const latitudeDeg = parseLatitude($('put-latitude').value), longitudeDeg = parseLongitude($('put-longitude').value);
+    const latitudeDeg = parseLatitude($('put-latitude').value),
+      longitudeDeg = parseLongitude($('put-longitude').value);
     const [ship] = this.exercise.chosen;
-    if (Number.isNaN(latitudeDeg) || Number.isNaN(longitudeDeg)) { this.notify('A position is like 60 23.5 N and 5 19.2 E, or 60.392 and 5.32'); return; }
+    if (Number.isNaN(latitudeDeg) || Number.isNaN(longitudeDeg)) {
+      this.notify('A position is like 60 23.5 N and 5 19.2 E, or 60.392 and 5.32');
+      return;
+    }
     const optional = (id) => (Number.isNaN($(id).valueAsNumber) ? undefined : $(id).valueAsNumber);
-    if (ship) this.orders.put([{ ship, latitudeDeg, longitudeDeg, headingDeg: optional('put-heading'), speedKn: optional('put-speed') }]);
+    if (ship)
+      this.orders.put([
+        { ship, latitudeDeg, longitudeDeg, headingDeg: optional('put-heading'), speedKn: optional('put-speed') },
+      ]);
     for (const id of ['put-latitude', 'put-longitude', 'put-heading', 'put-speed']) $(id).value = '';
   }
 
@@ -112,16 +135,31 @@ export class ShipsPanel {
 
   show() {
     const { chosen, chosenTargets, chosenOwn } = this.exercise;
-    const ship = chosen[0] ?? null, keys = chosen.map(keyOf).join(' ');
+    const ship = chosen[0] ?? null,
+      keys = chosen.map(keyOf).join(' ');
     if (keys !== this.shown) this.#select(keys);
     $('ship').hidden = ship === null;
     $('no-ship').hidden = ship !== null;
     if (!ship) return;
     document.body.dataset.chosen = chosenTargets.length === 0 ? 'own' : chosenOwn.length === 0 ? 'target' : 'both';
     write('ship-name', ship.name);
-    write('ship-note', [chosen.length > 1 ? `and ${chosen.length - 1} more: orders go to each` : '', ship.own ? 'own ship' : 'target',
-                        spoken(ship.shipClass || 'no class').toLowerCase()].filter(Boolean).join(' · '));
-    const flags = [ship.givesWayNow && 'Gives way now', ship.removed && 'Off the water', ship.onCourse && 'Off her route', ship.sart && 'SART on', ship.aisOff && 'AIS silent'].filter(Boolean);
+    write(
+      'ship-note',
+      [
+        chosen.length > 1 ? `and ${chosen.length - 1} more: orders go to each` : '',
+        ship.own ? 'own ship' : 'target',
+        spoken(ship.shipClass || 'no class').toLowerCase(),
+      ]
+        .filter(Boolean)
+        .join(' · '),
+    );
+    const flags = [
+      ship.givesWayNow && 'Gives way now',
+      ship.removed && 'Off the water',
+      ship.onCourse && 'Off her route',
+      ship.sart && 'SART on',
+      ship.aisOff && 'AIS silent',
+    ].filter(Boolean);
     write('ship-flags', flags.join(' · '));
     this.#showRows(ship);
     const target = chosenTargets[0];
@@ -147,15 +185,19 @@ export class ShipsPanel {
     const list = $('ship-truth');
     if (list.dataset.kind !== kind) {
       list.dataset.kind = kind;
-      list.replaceChildren(...rows.map(([name]) => {
-        const row = document.createElement('div'), term = document.createElement('dt');
-        term.textContent = name;
-        row.append(term, document.createElement('dd'));
-        return row;
-      }));
+      list.replaceChildren(
+        ...rows.map(([name]) => {
+          const row = document.createElement('div'),
+            term = document.createElement('dt');
+          term.textContent = name;
+          row.append(term, document.createElement('dd'));
+          return row;
+        }),
+      );
     }
     rows.forEach(([, text], i) => {
-      const cell = list.children[i].lastChild, now = text(ship);
+      const cell = list.children[i].lastChild,
+        now = text(ship);
       if (cell.textContent !== now) cell.textContent = now;
     });
   }

@@ -3,11 +3,30 @@ import { $ } from '../widgets.js';
 import { GIVE_WAY, ROUTE_END } from './wire.js';
 
 // Classes of ships by their names in scenarios (server/world/SCENARIO.md).
-export const SHIP_CLASSES = ['coaster', 'container', 'ferry', 'fast_craft', 'fishing', 'mariner', 'pilot', 'tanker', 'tug', 'vlcc'];
+export const SHIP_CLASSES = [
+  'coaster',
+  'container',
+  'ferry',
+  'fast_craft',
+  'fishing',
+  'mariner',
+  'pilot',
+  'tanker',
+  'tug',
+  'vlcc',
+];
 // RainKind of the schema.
-export const RAIN_KINDS = [[0, 'Cell'], [2, 'Showers'], [3, 'Squall line'], [1, 'Even']];
+export const RAIN_KINDS = [
+  [0, 'Cell'],
+  [2, 'Showers'],
+  [3, 'Squall line'],
+  [1, 'Even'],
+];
 
-export const spoken = (word) => { const text = word.replaceAll('_', ' '); return text[0].toUpperCase() + text.slice(1); };
+export const spoken = (word) => {
+  const text = word.replaceAll('_', ' ');
+  return text[0].toUpperCase() + text.slice(1);
+};
 export const choices = (words) => words.map((word, i) => new Option(spoken(word), i));
 
 // An empty field is undefined: the server has a value of its own.
@@ -24,7 +43,11 @@ export class ToolForms {
   // Classes that are in the exercise can be had again.
   addClasses(names) {
     const known = new Set([...$('new-class').options].map((option) => option.value));
-    for (const name of names) if (name && !known.has(name)) { $('new-class').append(new Option(spoken(name), name)); known.add(name); }
+    for (const name of names)
+      if (name && !known.has(name)) {
+        $('new-class').append(new Option(spoken(name), name));
+        known.add(name);
+      }
   }
 
   #isSound(form) {
@@ -34,13 +57,20 @@ export class ToolForms {
   target() {
     if (!this.#isSound('tool-target')) return null;
     const name = $('new-name').value.trim();
-    const values = { shipClass: $('new-class').value, courseDeg: optional('new-course') ?? 0, speedKn: optional('new-speed') ?? 0, givesWay: Number($('new-gives-way').value) };
-    $('new-name').value = '';  // the next has another
+    const values = {
+      shipClass: $('new-class').value,
+      courseDeg: optional('new-course') ?? 0,
+      speedKn: optional('new-speed') ?? 0,
+      givesWay: Number($('new-gives-way').value),
+    };
+    $('new-name').value = ''; // the next has another
     return name ? { name, ...values } : values;
   }
 
   route() {
-    return this.#isSound('tool-route') ? { speedKn: optional('route-speed'), routeEnd: Number($('route-end').value) } : null;
+    return this.#isSound('tool-route')
+      ? { speedKn: optional('route-speed'), routeEnd: Number($('route-end').value) }
+      : null;
   }
 
   rainRadiusNm() {
@@ -49,6 +79,12 @@ export class ToolForms {
 
   rain() {
     if (!this.#isSound('tool-rain')) return null;
-    return { radiusNm: optional('rain-radius'), rateMmH: optional('rain-rate'), driftDeg: optional('rain-drift'), driftKn: optional('rain-speed'), kind: Number($('rain-kind').value) };
+    return {
+      radiusNm: optional('rain-radius'),
+      rateMmH: optional('rain-rate'),
+      driftDeg: optional('rain-drift'),
+      driftKn: optional('rain-speed'),
+      kind: Number($('rain-kind').value),
+    };
   }
 }

@@ -4,8 +4,11 @@ import { TOOLS } from './tools.js';
 
 const ZOOM = 1.5;
 const HINTS = {
-  look: '', move: 'Drag a ship to put her elsewhere; the water moves the chart',
-  target: 'Click where she shall be', route: 'Click the waypoints; double click or Done sends them', rain: 'Click where it shall rain',
+  look: '',
+  move: 'Drag a ship to put her elsewhere; the water moves the chart',
+  target: 'Click where she shall be',
+  route: 'Click the waypoints; double click or Done sends them',
+  rain: 'Click where it shall rain',
 };
 
 export class Toolbar {
@@ -18,17 +21,27 @@ export class Toolbar {
     $('zoom-in').addEventListener('click', () => this.zoom(1));
     $('zoom-out').addEventListener('click', () => this.zoom(-1));
     $('fit').addEventListener('click', () => chart.fitAll());
-    $('vectors').addEventListener('change', () => { chart.vectorMin = Number($('vectors').value); chart.changed(); });
-    $('tracks').addEventListener('change', () => { chart.trackS = Number($('tracks').value); chart.changed(); });
+    $('vectors').addEventListener('change', () => {
+      chart.vectorMin = Number($('vectors').value);
+      chart.changed();
+    });
+    $('tracks').addEventListener('change', () => {
+      chart.trackS = Number($('tracks').value);
+      chart.changed();
+    });
     $('rain-radius').addEventListener('input', () => chart.changed());
     $('route-done').addEventListener('click', () => tools.finish());
     $('route-back').addEventListener('click', () => tools.dropLast());
-    for (const button of document.querySelectorAll('[data-cancel]')) button.addEventListener('click', () => tools.cancel());
+    for (const button of document.querySelectorAll('[data-cancel]'))
+      button.addEventListener('click', () => tools.cancel());
     for (const button of document.querySelectorAll('[data-at-centre]')) {
-      button.addEventListener('click', () => tools.act({ latitudeDeg: chart.view.latitudeDeg, longitudeDeg: chart.view.longitudeDeg }));
+      button.addEventListener('click', () =>
+        tools.act({ latitudeDeg: chart.view.latitudeDeg, longitudeDeg: chart.view.longitudeDeg }),
+      );
     }
     // The forms' fields: Enter does not send a page away.
-    for (const form of document.querySelectorAll('#tool-forms form')) form.addEventListener('submit', (event) => event.preventDefault());
+    for (const form of document.querySelectorAll('#tool-forms form'))
+      form.addEventListener('submit', (event) => event.preventDefault());
     $('rain-tool').addEventListener('click', () => tools.take('rain'));
     this.#bindTabs();
   }
@@ -71,7 +84,8 @@ export class Toolbar {
   show() {
     const { tools, exercise } = this;
     document.body.dataset.tool = tools.name;
-    for (const button of document.querySelectorAll('[data-tool-button]')) button.setAttribute('aria-pressed', String(button.dataset.toolButton === tools.name));
+    for (const button of document.querySelectorAll('[data-tool-button]'))
+      button.setAttribute('aria-pressed', String(button.dataset.toolButton === tools.name));
     $('rain-tool').setAttribute('aria-pressed', String(tools.name === 'rain'));
     $('group').setAttribute('aria-pressed', String(exercise.grouping));
     for (const name of TOOLS) if ($(`tool-${name}`)) $(`tool-${name}`).hidden = tools.name !== name;
@@ -79,6 +93,11 @@ export class Toolbar {
     $('hint').hidden = HINTS[tools.name] === '';
     $('tool-forms').hidden = tools.name === 'look';
     $('route-done').disabled = $('route-back').disabled = tools.waypoints.length === 0;
-    write('route-count', tools.name === 'route' ? `${exercise.chosenTargets.map((ship) => ship.name).join(', ')}: ${tools.waypoints.length} waypoints` : '');
+    write(
+      'route-count',
+      tools.name === 'route'
+        ? `${exercise.chosenTargets.map((ship) => ship.name).join(', ')}: ${tools.waypoints.length} waypoints`
+        : '',
+    );
   }
 }

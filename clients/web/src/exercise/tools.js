@@ -3,7 +3,8 @@ import { NAUTICAL_MILE_M } from '../view_geometry.js';
 
 export const TOOLS = ['look', 'move', 'target', 'route', 'rain'];
 // A second tap there, so soon, ends a route.
-const DOUBLE_MS = 400, DOUBLE_PX = 10;
+const DOUBLE_MS = 400,
+  DOUBLE_PX = 10;
 
 export class Tools {
   // forms: target(), route() and rain() give what stands in the tools' forms, or null after having said what is wrong.
@@ -44,7 +45,11 @@ export class Tools {
 
   #addTarget({ latitudeDeg, longitudeDeg }) {
     const values = this.forms.target();
-    if (values) this.orders.exercise({ newTarget: { ...values, latitudeDeg, longitudeDeg } }, `new target ${values.name ?? ''}`.trim());
+    if (values)
+      this.orders.exercise(
+        { newTarget: { ...values, latitudeDeg, longitudeDeg } },
+        `new target ${values.name ?? ''}`.trim(),
+      );
   }
 
   #addRain({ latitudeDeg, longitudeDeg }) {
@@ -55,7 +60,13 @@ export class Tools {
   #addWaypoint(place, at) {
     const last = this.lastTap;
     this.lastTap = at;
-    if (at && last && at.ms - last.ms < DOUBLE_MS && Math.hypot(at.x - last.x, at.y - last.y) < DOUBLE_PX && this.waypoints.length > 0) {
+    if (
+      at &&
+      last &&
+      at.ms - last.ms < DOUBLE_MS &&
+      Math.hypot(at.x - last.x, at.y - last.y) < DOUBLE_PX &&
+      this.waypoints.length > 0
+    ) {
       this.finish();
       return;
     }

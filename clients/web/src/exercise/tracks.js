@@ -1,13 +1,16 @@
 // Tracks: where ships have been, as long as this page has looked. True positions, on the exercise's clock.
 import { fromTo } from './place.js';
 
-const EVERY_S = 10, KEPT_S = 3600, MOST = 400;
+const EVERY_S = 10,
+  KEPT_S = 3600,
+  MOST = 400;
 // A ship that is so much faster than any was put there.
-const LEAP_MPS = 45, LEAP_M = 150;
+const LEAP_MPS = 45,
+  LEAP_M = 150;
 
 export class Tracks {
   constructor() {
-    this.of = new Map();  // key -> [{ s, latitudeDeg, longitudeDeg, leap }], oldest first
+    this.of = new Map(); // key -> [{ s, latitudeDeg, longitudeDeg, leap }], oldest first
     this.nowS = 0;
   }
 
@@ -15,7 +18,11 @@ export class Tracks {
   take(nowS, ships) {
     // Back to a snapshot: what came after it has not been.
     if (nowS < this.nowS) {
-      for (const [key, track] of this.of) this.of.set(key, track.filter((point) => point.s <= nowS));
+      for (const [key, track] of this.of)
+        this.of.set(
+          key,
+          track.filter((point) => point.s <= nowS),
+        );
     }
     this.nowS = nowS;
     for (const ship of ships) {

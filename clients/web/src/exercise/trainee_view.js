@@ -2,14 +2,31 @@
 import { $ } from '../widgets.js';
 
 const STATUS_MS = 5000;
-const LEAST_PX = 240, STEP_PX = 40;
+const LEAST_PX = 240,
+  STEP_PX = 40;
 
 export class TraineeView {
   // resized(): the chart has another size.
   constructor(exercise, resized) {
-    Object.assign(this, { exercise, resized, open: false, radars: [], views: new Map(), radar: null, view: 0, wide: null });
-    $('trainee-radar').addEventListener('change', () => { this.radar = Number($('trainee-radar').value); this.view = 0; this.#show(); });
-    $('trainee-view').addEventListener('change', () => { this.view = Number($('trainee-view').value); this.#show(); });
+    Object.assign(this, {
+      exercise,
+      resized,
+      open: false,
+      radars: [],
+      views: new Map(),
+      radar: null,
+      view: 0,
+      wide: null,
+    });
+    $('trainee-radar').addEventListener('change', () => {
+      this.radar = Number($('trainee-radar').value);
+      this.view = 0;
+      this.#show();
+    });
+    $('trainee-view').addEventListener('change', () => {
+      this.view = Number($('trainee-view').value);
+      this.#show();
+    });
     $('trainee-close').addEventListener('click', () => this.toggle(false));
     this.#bindSplitter();
   }
@@ -40,7 +57,10 @@ export class TraineeView {
   // The view of that own ship.
   openFor(ship) {
     if (ship.radars.length === 0) return;
-    if (!ship.radars.includes(this.radar)) { this.radar = ship.radars[0]; this.view = 0; }
+    if (!ship.radars.includes(this.radar)) {
+      this.radar = ship.radars[0];
+      this.view = 0;
+    }
     this.toggle(true);
   }
 
@@ -53,9 +73,11 @@ export class TraineeView {
     try {
       const response = await fetch('status', { cache: 'no-store' });
       const status = await response.json();
-      this.views = new Map(status.radars.map(({ radar, views }) => [Number(radar), (views ?? []).map((each) => Number(each.view))]));
+      this.views = new Map(
+        status.radars.map(({ radar, views }) => [Number(radar), (views ?? []).map((each) => Number(each.view))]),
+      );
     } catch {
-      return;  // the shared view is there without
+      return; // the shared view is there without
     }
     if (this.open) this.#show();
   }
@@ -66,10 +88,20 @@ export class TraineeView {
     if (!this.open) return;
     const fill = (list, options, value) => {
       const text = JSON.stringify(options);
-      if (list.dataset.options !== text) { list.replaceChildren(...options.map(([id, name]) => new Option(name, id))); list.dataset.options = text; }
+      if (list.dataset.options !== text) {
+        list.replaceChildren(...options.map(([id, name]) => new Option(name, id)));
+        list.dataset.options = text;
+      }
       list.value = String(value);
     };
-    fill($('trainee-radar'), this.radars.map(({ radar, ownShip, name }) => [radar, [ownShip, name].filter(Boolean).join(' · ') || `Radar ${radar}`]), this.radar);
+    fill(
+      $('trainee-radar'),
+      this.radars.map(({ radar, ownShip, name }) => [
+        radar,
+        [ownShip, name].filter(Boolean).join(' · ') || `Radar ${radar}`,
+      ]),
+      this.radar,
+    );
     const views = (this.views.get(this.radar) ?? []).filter((view) => view !== 0);
     const names = [[0, 'Shared view'], ...views.map((view) => [view, `View ${view}`])];
     if (this.view !== 0 && !views.includes(this.view)) names.push([this.view, `View ${this.view} (ended)`]);
@@ -91,12 +123,14 @@ export class TraineeView {
       event.preventDefault();
       splitter.focus({ preventScroll: true });
       splitter.setPointerCapture(event.pointerId);
-      document.body.dataset.resizing = 'yes';  // the frame would swallow the pointer
+      document.body.dataset.resizing = 'yes'; // the frame would swallow the pointer
     });
     splitter.addEventListener('pointermove', (event) => {
       if (splitter.hasPointerCapture(event.pointerId)) resize($('work').getBoundingClientRect().right - event.clientX);
     });
-    splitter.addEventListener('lostpointercapture', () => { delete document.body.dataset.resizing; });
+    splitter.addEventListener('lostpointercapture', () => {
+      delete document.body.dataset.resizing;
+    });
     splitter.addEventListener('keydown', (event) => {
       const step = { ArrowLeft: STEP_PX, ArrowRight: -STEP_PX }[event.key];
       if (!step) return;

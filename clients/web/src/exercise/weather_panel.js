@@ -5,15 +5,26 @@ import { LiveField } from './live_field.js';
 import { RAIN_KINDS } from './tool_forms.js';
 
 const FIELDS = {
-  seaState: 'sea state', windFromDeg: 'wind', windKn: 'wind', swellHeightM: 'swell', swellPeriodS: 'swell', swellFromDeg: 'swell',
-  currentSetDeg: 'current', currentKn: 'current', depthM: 'depth',
+  seaState: 'sea state',
+  windFromDeg: 'wind',
+  windKn: 'wind',
+  swellHeightM: 'swell',
+  swellPeriodS: 'swell',
+  swellFromDeg: 'swell',
+  currentSetDeg: 'current',
+  currentKn: 'current',
+  depthM: 'depth',
 };
 
 export class WeatherPanel {
   constructor(exercise, orders) {
     Object.assign(this, { exercise, orders, rain: '' });
-    this.fields = Object.fromEntries(Object.entries(FIELDS).map(([name, what]) =>
-      [name, new LiveField($(`weather-${name}`), (value) => orders.world({ [name]: value }, what))]));
+    this.fields = Object.fromEntries(
+      Object.entries(FIELDS).map(([name, what]) => [
+        name,
+        new LiveField($(`weather-${name}`), (value) => orders.world({ [name]: value }, what)),
+      ]),
+    );
     $('rain-clear').addEventListener('click', () => orders.world({ removeAllRain: true }, 'rain'));
   }
 
@@ -29,9 +40,12 @@ export class WeatherPanel {
   }
 
   #item(cell) {
-    const item = document.createElement('li'), text = document.createElement('span'), remove = document.createElement('button');
+    const item = document.createElement('li'),
+      text = document.createElement('span'),
+      remove = document.createElement('button');
     const kind = (RAIN_KINDS.find(([number]) => number === cell.kind)?.[1] ?? 'Rain').toLowerCase();
-    text.textContent = `${cell.id}: ${kind}, ${fixed(cell.rateMmH, 1)} mm/h, ${fixed(cell.radiusNm, 1)} NM` +
+    text.textContent =
+      `${cell.id}: ${kind}, ${fixed(cell.rateMmH, 1)} mm/h, ${fixed(cell.radiusNm, 1)} NM` +
       (cell.driftKn >= 0.05 ? `, to ${bearing(cell.driftDeg, 0)}° at ${fixed(cell.driftKn, 0)} kn` : '');
     remove.type = 'button';
     remove.textContent = 'Remove';

@@ -7,7 +7,13 @@ import { after, fromTo, parseLatitude, parseLongitude } from '../../../../client
 import { Orders } from '../../../../clients/web/src/exercise/orders.js';
 import { scenarioYaml } from '../../../../clients/web/src/exercise/scenario_yaml.js';
 import { Tracks } from '../../../../clients/web/src/exercise/tracks.js';
-import { decodeFrames, encodeGetCoastline, encodeSet, encodeSubscribe, useControls } from '../../../../clients/web/src/messages.js';
+import {
+  decodeFrames,
+  encodeGetCoastline,
+  encodeSet,
+  encodeSubscribe,
+  useControls,
+} from '../../../../clients/web/src/messages.js';
 import { WireError } from '../../../../clients/web/src/protobuf.js';
 import { coastlineAt, MockExercise } from '../mock_exercise.mjs';
 import { ClientMessage, CONTROLS, schema, ServerMessage } from '../mock_server.mjs';
@@ -15,7 +21,9 @@ import { ClientMessage, CONTROLS, schema, ServerMessage } from '../mock_server.m
 useControls(CONTROLS);
 const decode = (message) => {
   const out = [];
-  decodeFrames(new Uint8Array(ServerMessage.encodeDelimited(ServerMessage.fromObject(message)).finish()), (m) => out.push(m));
+  decodeFrames(new Uint8Array(ServerMessage.encodeDelimited(ServerMessage.fromObject(message)).finish()), (m) =>
+    out.push(m),
+  );
   return out[0];
 };
 const read = (bytes) => ClientMessage.toObject(ClientMessage.decodeDelimited(bytes));
@@ -25,7 +33,9 @@ const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b}`);
 function filled(name, i = 1) {
   const out = {};
   for (const field of schema.lookupType(`skerry.wire.${name}`).fieldsArray) {
-    const value = { double: i + 0.5, string: `text ${i}`, bool: true }[field.type] ?? (['uint32', 'uint64'].includes(field.type) ? i + 2 : undefined);
+    const value =
+      { double: i + 0.5, string: `text ${i}`, bool: true }[field.type] ??
+      (['uint32', 'uint64'].includes(field.type) ? i + 2 : undefined);
     if (value !== undefined) out[field.name] = field.repeated ? [value, value] : value;
     i += 1;
   }
@@ -33,7 +43,13 @@ function filled(name, i = 1) {
 }
 
 test('ExerciseState is read as protobuf wrote it, field by field', () => {
-  const ship = { ...filled('ExerciseShip'), givesWay: 2, routeEnd: 3, route: [filled('Waypoint'), { lat: 1, lon: 2 }], faults: filled('Faults') };
+  const ship = {
+    ...filled('ExerciseShip'),
+    givesWay: 2,
+    routeEnd: 3,
+    route: [filled('Waypoint'), { lat: 1, lon: 2 }],
+    faults: filled('Faults'),
+  };
   const want = { ...filled('ExerciseState'), ships: [ship], marks: [filled('ExerciseMark')] };
   const { exercise } = decode({ exercise: want });
   assert.deepEqual({ ...exercise.ships[0].route[0] }, ship.route[0]);
@@ -48,31 +64,80 @@ test('ExerciseState is read as protobuf wrote it, field by field', () => {
 
 test('the World tells its wind only where it is given', () => {
   assert.equal(decode({ world: { seaState: 2 } }).world.windKn, undefined);
-  const { world } = decode({ world: { windKn: 0, currentSetDeg: 90, currentKn: 2, depthM: 30, exerciseS: 5, frozen: true, rate: 2 } });
-  assert.deepEqual([world.windKn, world.currentSetDeg, world.currentKn, world.depthM, world.exerciseS, world.frozen, world.rate], [0, 90, 2, 30, 5, true, 2]);
+  const { world } = decode({
+    world: { windKn: 0, currentSetDeg: 90, currentKn: 2, depthM: 30, exerciseS: 5, frozen: true, rate: 2 },
+  });
+  assert.deepEqual(
+    [world.windKn, world.currentSetDeg, world.currentKn, world.depthM, world.exerciseS, world.frozen, world.rate],
+    [0, 90, 2, 30, 5, true, 2],
+  );
 });
 
 test('orders are written as protobuf reads them', () => {
-  const route = [{ lat: 60.5, lon: -5.25, speedKn: 8 }, { lat: 60, lon: 5, arriveMin: 12, stopMin: 1 }];
+  const route = [
+    { lat: 60.5, lon: -5.25, speedKn: 8 },
+    { lat: 60, lon: 5, arriveMin: 12, stopMin: 1 },
+  ];
   const each = [
     { clock: { frozen: false, rate: 0.5 } },
-    { target: { target: 7, courseDeg: 0, speedKn: 11, route, routeEnd: 2, resume: true, givesWay: 1, latitudeDeg: 60, longitudeDeg: 5, removed: false,
-                sart: true, aisOff: false, aisHeadingErrorDeg: -15, aisPositionErrorM: 300 } },
-    { newTarget: { name: 'Åse', shipClass: 'tug', latitudeDeg: 60, longitudeDeg: 5, courseDeg: 90, speedKn: 4, route, routeEnd: 1, givesWay: 2 } },
+    {
+      target: {
+        target: 7,
+        courseDeg: 0,
+        speedKn: 11,
+        route,
+        routeEnd: 2,
+        resume: true,
+        givesWay: 1,
+        latitudeDeg: 60,
+        longitudeDeg: 5,
+        removed: false,
+        sart: true,
+        aisOff: false,
+        aisHeadingErrorDeg: -15,
+        aisPositionErrorM: 300,
+      },
+    },
+    {
+      newTarget: {
+        name: 'Åse',
+        shipClass: 'tug',
+        latitudeDeg: 60,
+        longitudeDeg: 5,
+        courseDeg: 90,
+        speedKn: 4,
+        route,
+        routeEnd: 1,
+        givesWay: 2,
+      },
+    },
     { ownShip: { ownShip: 1, latitudeDeg: 60, longitudeDeg: 5, headingDeg: 0, speedKn: -2 } },
-    { text: { ownShip: 0, text: 'Håll' } }, { mark: 'now' }, { snapshot: 'one' }, { restore: 'one' }, { undo: true },
+    { text: { ownShip: 0, text: 'Håll' } },
+    { mark: 'now' },
+    { snapshot: 'one' },
+    { restore: 'one' },
+    { undo: true },
   ];
   for (const order of each) {
     const { set } = read(encodeSet(3, 1, 0, { exercise: order, instructor: true }));
     assert.deepEqual(set.exercise, order);
     assert.equal(set.instructor, true);
   }
-  assert.equal(read(encodeSet(3, 1, 0, { exercise: { text: { text: 'all' } } })).set.exercise.text.ownShip, undefined, 'to all');
-  const faults = filled('Faults'), change = CONTROLS.faults.map(({ field }) => field);
+  assert.equal(
+    read(encodeSet(3, 1, 0, { exercise: { text: { text: 'all' } } })).set.exercise.text.ownShip,
+    undefined,
+    'to all',
+  );
+  const faults = filled('Faults'),
+    change = CONTROLS.faults.map(({ field }) => field);
   const fault = read(encodeSet(3, 0, 0, { exercise: { fault: { ownShip: 1, faults, change } } })).set.exercise.fault;
   assert.deepEqual(fault.faults, faults);
   assert.deepEqual(fault.change, change);
-  assert.deepEqual(read(encodeGetCoastline(4, { latitudeDeg: 60, longitudeDeg: 5, radiusNm: 12 })).getCoastline, { latitudeDeg: 60, longitudeDeg: 5, radiusNm: 12 });
+  assert.deepEqual(read(encodeGetCoastline(4, { latitudeDeg: 60, longitudeDeg: 5, radiusNm: 12 })).getCoastline, {
+    latitudeDeg: 60,
+    longitudeDeg: 5,
+    radiusNm: 12,
+  });
   const { subscribe } = read(encodeSubscribe(1, 0, 0, false, 'secret', { noSpokes: true, exerciseHz: 2 }));
   assert.deepEqual([subscribe.exerciseHz, subscribe.token, subscribe.noSpokes], [2, 'secret', true]);
   assert.equal(read(encodeSubscribe(1, 0, 0, false, 'secret', {})).subscribe.token, undefined);
@@ -80,7 +145,17 @@ test('orders are written as protobuf reads them', () => {
 
 test('a coastline comes out of its differences, exact to a ten-thousandth of a minute', () => {
   const centre = { latitudeDeg: 60.4, longitudeDeg: 179.9, radiusNm: 30 };
-  const { coastline } = decode({ coastline: { ...centre, detailM: 15, chart: 'c', lines: [{ points: [200000, -5, -1, 300000, 0, -400000], closed: true }, { points: [1, 1, 2, 2], closed: true, water: true }] } });
+  const { coastline } = decode({
+    coastline: {
+      ...centre,
+      detailM: 15,
+      chart: 'c',
+      lines: [
+        { points: [200000, -5, -1, 300000, 0, -400000], closed: true },
+        { points: [1, 1, 2, 2], closed: true, water: true },
+      ],
+    },
+  });
   assert.deepEqual(coastline.lines[0].points, [200000, -5, -1, 300000, 0, -400000]);
   assert.deepEqual([coastline.lines[0].water, coastline.lines[1].water, coastline.detailM], [false, true, 15]);
   const line = decodeLine(coastline.lines[0], centre);
@@ -123,12 +198,16 @@ test('the chart keeps what is under the pointer when it is zoomed, and goes over
   near(view.toPixel(at).x, 900, 0.01);
   near(view.toPixel(at).y, 100, 0.01);
   // A mile is as long on the screen as the scale says, either way.
-  const mile = view.toPixel(after(view, 0, 60, 1)), east = view.toPixel(after(view, 90, 60, 1));
+  const mile = view.toPixel(after(view, 0, 60, 1)),
+    east = view.toPixel(after(view, 90, 60, 1));
   near(350 - mile.y, 1852 / view.metresPerPixel, 0.5);
   near(east.x - 500, 1852 / view.metresPerPixel, 0.5);
   for (let i = 0; i < 60; ++i) view.zoomAt(2);
   assert.ok(view.metresPerPixel >= 0.1);
-  view.fit([{ latitudeDeg: 60, longitudeDeg: 179.9 }, { latitudeDeg: 60.2, longitudeDeg: -179.9 }]);
+  view.fit([
+    { latitudeDeg: 60, longitudeDeg: 179.9 },
+    { latitudeDeg: 60.2, longitudeDeg: -179.9 },
+  ]);
   near(Math.abs(view.longitudeDeg), 180, 1e-6);
   assert.equal(gridStep(100, 110), 2);
   assert.deepEqual(scaleBar(20, 150), { metres: 1852, text: '1 NM' });
@@ -136,10 +215,12 @@ test('the chart keeps what is under the pointer when it is zoomed, and goes over
 });
 
 test('positions are read as they are typed', () => {
-  for (const text of ['60.3925', '60 23.55 N', '60°23.550′N', '60 23 33 n', '+60.3925', '60,3925']) near(parseLatitude(text), 60.3925, 1e-9);
+  for (const text of ['60.3925', '60 23.55 N', '60°23.550′N', '60 23 33 n', '+60.3925', '60,3925'])
+    near(parseLatitude(text), 60.3925, 1e-9);
   near(parseLongitude('005°19.200′W'), -5.32, 1e-9);
   near(parseLongitude('-5.32'), -5.32, 1e-9);
-  for (const text of ['', 'N', '91', '60 61 N', '-60 N', '60 E', '1e3', '60..2']) assert.ok(Number.isNaN(parseLatitude(text)), text);
+  for (const text of ['', 'N', '91', '60 61 N', '-60 N', '60 E', '1e3', '60..2'])
+    assert.ok(Number.isNaN(parseLatitude(text)), text);
   near(fromTo({ latitudeDeg: 60, longitudeDeg: 5 }, { latitudeDeg: 60, longitudeDeg: 5.1 }).deg, 90, 0.1);
 });
 
@@ -159,12 +240,18 @@ test('tracks break where a ship is put elsewhere, and forget what a restored sna
 
 test('an order goes to each ship: to own ships by their radar, to targets by their number', () => {
   const sent = [];
-  const orders = new Orders((values, what, radar) => { sent.push([values, what, radar]); return sent.length; });
+  const orders = new Orders((values, what, radar) => {
+    sent.push([values, what, radar]);
+    return sent.length;
+  });
   const [own, , target] = new MockExercise().ships;
   orders.steer([{ ...own, radars: [4] }, target], { courseDeg: 10 });
   assert.deepEqual(sent[0], [{ courseDeg: 10 }, 'Fulmar, course and speed', 4]);
   assert.deepEqual(sent[1][0], { exercise: { target: { target: 0, courseDeg: 10 } } });
-  orders.put([{ ship: own, latitudeDeg: 1, longitudeDeg: 2 }, { ship: target, latitudeDeg: 3, longitudeDeg: 4 }]);
+  orders.put([
+    { ship: own, latitudeDeg: 1, longitudeDeg: 2 },
+    { ship: target, latitudeDeg: 3, longitudeDeg: 4 },
+  ]);
   assert.equal(sent[2][0].exercise.ownShip.latitudeDeg, 1);
   assert.deepEqual(sent[3][0].exercise.target, { target: 0, latitudeDeg: 3, longitudeDeg: 4 });
   orders.route([target], [{ latitudeDeg: 1, longitudeDeg: 2 }], NaN, 1);
@@ -173,10 +260,26 @@ test('an order goes to each ship: to own ships by their radar, to targets by the
 
 test('the scenario that is saved names every ship once, and what it leaves out', () => {
   const exercise = new MockExercise();
-  exercise.ships.push({ ...exercise.ships[3], number: 9 }, { ...exercise.ships[3], number: 10, name: 'Gone', removed: true });
+  exercise.ships.push(
+    { ...exercise.ships[3], number: 9 },
+    { ...exercise.ships[3], number: 10, name: 'Gone', removed: true },
+  );
   const { exercise: state } = decode({ exercise: exercise.state() });
-  const { world } = decode({ world: { seaState: 3, windFromDeg: 200, swellPeriodS: 9, currentKn: 1, depthM: 40, kFactor: 1.33, rain: [{ id: 1, latitudeDeg: 60, longitudeDeg: 5, radiusNm: 2, rateMmH: 4, kind: 3 }] } });
-  const hello = { scenario: 'Two\nferries', radars: [{ radar: 0, name: 'X "1"', set: '25 kW X', spokesPerTurn: 512, cells: 512, bits: 8 }] };
+  const { world } = decode({
+    world: {
+      seaState: 3,
+      windFromDeg: 200,
+      swellPeriodS: 9,
+      currentKn: 1,
+      depthM: 40,
+      kFactor: 1.33,
+      rain: [{ id: 1, latitudeDeg: 60, longitudeDeg: 5, radiusNm: 2, rateMmH: 4, kind: 3 }],
+    },
+  });
+  const hello = {
+    scenario: 'Two\nferries',
+    radars: [{ radar: 0, name: 'X "1"', set: '25 kW X', spokesPerTurn: 512, cells: 512, bits: 8 }],
+  };
   const text = scenarioYaml(state, world, hello, CONTROLS.artefacts);
   assert.match(text, /^# Two ferries, as it was at 1:01:01/);
   assert.match(text, /Left out/);
