@@ -9,18 +9,21 @@ namespace skerry::server {
 FormatRing::FormatRing(SectorEncoder encoder, std::size_t capacity, std::size_t max_bytes)
     : encoder_(std::move(encoder)),
       max_bytes_(max_bytes),
-      slots_(std::max<std::size_t>(capacity, 1)) {}
+      capacity_(std::max<std::size_t>(capacity, 1)),
+      slots_(capacity_ * kRecorderHolds) {}
 
 FormatRing::FormatRing(std::size_t capacity, std::size_t max_bytes)
     : FormatRing(nullptr, capacity, max_bytes) {}
 
+bool FormatRing::is_held(std::uint64_t sector) const {
+  return published_ - sector <= slots_.size() && slots_[sector % slots_.size()].sector != nullptr;
+}
+
 EncodedSectorPtr FormatRing::take(Cursor& cursor, Overtaken jump) {
   const std::lock_guard lock(mutex_);
   if (cursor.next >= published_) return nullptr;
-  const auto is_held = [this](std::uint64_t sector) {
-    return published_ - sector <= slots_.size() && slots_[sector % slots_.size()].sector != nullptr;
-  };
-  if (!is_held(cursor.next)) {
+  const std::uint64_t held = jump == Overtaken::to_newest ? capacity_ : slots_.size();
+  if (published_ - cursor.next > held || !is_held(cursor.next)) {
     const std::uint64_t newest = published_ - 1;
     const std::uint64_t first = published_ > slots_.size() ? published_ - slots_.size() : 0;
     cursor.next = jump == Overtaken::to_newest ? newest : std::max(cursor.next, first);
@@ -42,13 +45,16 @@ Cursor FormatRing::cursor_at_end() const {
   return {.next = published_, .spokes_before = published_spokes_, .spokes_lost = 0};
 }
 
-FormatRing::Registration FormatRing::on_publish(std::function<void()> wake) {
+FormatRing::Registration FormatRing::on_publish(std::function<void()> wake, Reader reader) {
   const std::lock_guard lock(wakes_mutex_);
   const auto position = wakes_.insert(wakes_.end(), std::move(wake));
   reader_count_.store(wakes_.size(), std::memory_order_relaxed);
-  return {this, [position](FormatRing* ring) {
+  const bool is_recorder = reader == Reader::recorder;
+  if (is_recorder) recorders_.fetch_add(1, std::memory_order_relaxed);
+  return {this, [position, is_recorder](FormatRing* ring) {
             const std::lock_guard release_lock(ring->wakes_mutex_);
             ring->wakes_.erase(position);
+            if (is_recorder) ring->recorders_.fetch_sub(1, std::memory_order_relaxed);
             ring->reader_count_.store(ring->wakes_.size(), std::memory_order_relaxed);
           }};
 }
@@ -74,17 +80,20 @@ void FormatRing::publish(std::uint64_t spokes, const std::function<EncodedSector
     slot.spokes_before = published_spokes_;
     ++published_;
     published_spokes_ += spokes;
-    if (held_bytes_ > max_bytes_.load(std::memory_order_relaxed)) let_go = make_room();
+    let_go = make_room();
   }
   for (const auto& wake : wakes_) wake();
 }
 
 std::vector<EncodedSectorPtr> FormatRing::make_room() {
   std::vector<EncodedSectorPtr> let_go;
-  const std::uint64_t first = published_ > slots_.size() ? published_ - slots_.size() : 0;
-  const std::size_t most = max_bytes_.load(std::memory_order_relaxed);
-  for (oldest_ = std::max(oldest_, first); held_bytes_ > most && oldest_ + 1 < published_;
-       ++oldest_) {
+  const std::size_t most =
+      recorders_.load(std::memory_order_relaxed) > 0 ? slots_.size() : capacity_;
+  const std::size_t most_bytes = max_bytes_.load(std::memory_order_relaxed);
+  const std::uint64_t overwritten = published_ > slots_.size() ? published_ - slots_.size() : 0;
+  oldest_ = std::max(oldest_, overwritten);
+  for (; oldest_ + 1 < published_; ++oldest_) {
+    if (published_ - oldest_ <= most && held_bytes_ <= most_bytes) break;
     EncodedSectorPtr& sector = slots_[oldest_ % slots_.size()].sector;
     if (!sector) continue;
     held_bytes_ -= sector->bytes.size();

@@ -52,16 +52,18 @@ struct Cursor {
 // its own.
 class FormatRing {
  public:
-  // `capacity` sectors are held, and at most `max_bytes` of them (but always the newest); half a
-  // second by default (VideoChannel).
+  // `capacity` sectors are held for displays, half a second of them by default (VideoChannel), and
+  // kRecorderHolds times as many while a recorder reads, whose thread a busy machine may keep
+  // waiting for longer than that; at most `max_bytes` of them, but always the newest.
+  static constexpr std::size_t kRecorderHolds = 4;
   FormatRing(SectorEncoder encoder, std::size_t capacity,
              std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
   // A ring whose writer encodes by itself (the second publish()).
   FormatRing(std::size_t capacity, std::size_t max_bytes);
 
   // The sector at the cursor, which moves on; nullptr if none is there yet.  A cursor that was
-  // overtaken jumps and counts what it missed, exactly: a display to the newest sector (live beats
-  // complete), a recorder to the oldest still held.
+  // overtaken jumps and counts what it missed, exactly: a display, `capacity` sectors behind, to
+  // the newest sector (live beats complete); a recorder to the oldest still held.
   enum class Overtaken : std::uint8_t { to_newest, to_oldest };
   EncodedSectorPtr take(Cursor& cursor, Overtaken jump = Overtaken::to_newest);
   // A cursor that will first see the next sector published.  Register before taking it: sectors
@@ -73,8 +75,10 @@ class FormatRing {
   // `wake` is called on the radar thread after each publish while the registration lives; it must
   // only post.  Once the registration has been released, no call is running or will come.  The
   // ring must outlive it, and `wake` must not release it.
+  // A recorder says so: sectors are held for it (kRecorderHolds).
   using Registration = std::shared_ptr<void>;
-  Registration on_publish(std::function<void()> wake);
+  enum class Reader : std::uint8_t { display, recorder };
+  Registration on_publish(std::function<void()> wake, Reader reader = Reader::display);
 
   // Thread: the writer's.  `spokes` of them, in a sector that `encode` makes if somebody is
   // registered; it is not called otherwise.
@@ -96,15 +100,19 @@ class FormatRing {
   using Wakes = std::list<std::function<void()>>;
 
   void publish(const Sector& sector);
-  // Lets go of the oldest sectors until max_bytes_ are kept; gives them for their destruction.
+  bool is_held(std::uint64_t sector) const;
+  // Lets go of the oldest sectors beyond what readers may want and max_bytes_; gives them for their
+  // destruction.
   std::vector<EncodedSectorPtr> make_room();
 
   SectorEncoder encoder_;  // the writer's thread only
   std::atomic<std::size_t> max_bytes_;
+  const std::size_t capacity_;
+  std::atomic<std::size_t> recorders_{0};
   mutable std::mutex mutex_;
   std::vector<Slot> slots_;
   std::size_t held_bytes_ = 0;
-  std::uint64_t oldest_ = 0;            // sector from which on bytes are held
+  std::uint64_t oldest_ = 0;            // sector from which on some are held
   std::uint64_t published_ = 0;         // sectors
   std::uint64_t published_spokes_ = 0;  // spokes in them
   // Held for a whole publish, so that a sector is encoded for exactly those who were registered

@@ -27,9 +27,11 @@ class RingReader {
   RingReader(std::uint32_t radar, std::uint32_t view, VideoChannelPtr channel,
              const std::string& format, std::function<void()> wake)
       : radar_(radar), view_(view), channel_(std::move(channel)), ring_(channel_->format(format)) {
-    registration_ = ring_.on_publish([this, wake = std::move(wake)] {
-      if (waiting_.fetch_add(1, std::memory_order_relaxed) + 1 == kWakeAfter) wake();
-    });
+    registration_ = ring_.on_publish(
+        [this, wake = std::move(wake)] {
+          if (waiting_.fetch_add(1, std::memory_order_relaxed) + 1 == kWakeAfter) wake();
+        },
+        FormatRing::Reader::recorder);
     cursor_ = ring_.cursor_at_end();
   }
   RingReader(const RingReader&) = delete;
