@@ -97,6 +97,33 @@ TEST(FormatRing, AnOvertakenRecorderJumpsToTheOldestSectorThatIsHeld) {
 
 // Sectors of any size, a reader of any rhythm: after it has caught up, what it received and what it
 // was told it lost add up to what was published.
+// While a recorder reads, a display is overtaken as ever.
+TEST(FormatRing, HoldsForARecorderWhatItHoldsForDisplaysAndMore) {
+  constexpr std::size_t kCapacity = 4, kHeld = kCapacity * FormatRing::kRecorderHolds;
+  Publisher publisher(kCapacity);
+  const auto looks = publisher.ring->on_publish([] {});
+  auto records = publisher.ring->on_publish([] {}, FormatRing::Reader::recorder);
+  Cursor recorder = publisher.ring->cursor_at_end();
+  Cursor display = recorder;
+  for (std::size_t i = 0; i < kHeld; ++i) publisher.publish(3);
+  EXPECT_EQ(publisher.ring->take(display)->first_sequence, 3 * (kHeld - 1));
+  EXPECT_EQ(display.spokes_lost, 3 * (kHeld - 1));
+  for (std::size_t i = 0; i < kHeld; ++i) {
+    const auto sector = publisher.ring->take(recorder, FormatRing::Overtaken::to_oldest);
+    ASSERT_NE(sector, nullptr);
+    EXPECT_EQ(sector->first_sequence, 3 * i);
+  }
+  EXPECT_EQ(recorder.spokes_lost, 0u);
+  // One that comes when the last recorder has gone finds what displays need.
+  for (std::size_t i = 0; i < kHeld; ++i) publisher.publish(3);
+  records.reset();
+  publisher.publish(3);
+  const auto oldest = publisher.ring->take(recorder, FormatRing::Overtaken::to_oldest);
+  ASSERT_NE(oldest, nullptr);
+  EXPECT_EQ(oldest->first_sequence, 3 * (2 * kHeld + 1 - kCapacity));
+  EXPECT_EQ(recorder.spokes_lost, 3 * (kHeld + 1 - kCapacity));
+}
+
 TEST(FormatRing, CountsExactlyWhatASlowReaderLost) {
   std::mt19937 random(20261121);
   for (std::size_t capacity : {1u, 2u, 3u, 7u, 64u}) {
