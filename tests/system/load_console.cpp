@@ -75,6 +75,10 @@ void LoadConsole::send(wire::ClientMessage& message) {
   message.set_request(++requests_);
   Bytes bytes;
   append_frame(bytes, message);
+  send_frame(bytes);
+}
+
+void LoadConsole::send_frame(const Bytes& bytes) {
   if (::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) !=
       static_cast<ssize_t>(bytes.size())) {
     fail("a request");
@@ -82,8 +86,20 @@ void LoadConsole::send(wire::ClientMessage& message) {
 }
 
 void LoadConsole::subscribe(std::uint32_t radar) {
+  wire::Subscribe asked;
+  asked.set_radar(radar);
+  subscribe(asked);
+}
+
+void LoadConsole::subscribe(const wire::Subscribe& subscribe) {
   wire::ClientMessage message;
-  message.mutable_subscribe()->set_radar(radar);
+  *message.mutable_subscribe() = subscribe;
+  send(message);
+}
+
+void LoadConsole::set(const wire::Set& set) {
+  wire::ClientMessage message;
+  *message.mutable_set() = set;
   send(message);
 }
 
@@ -100,7 +116,11 @@ void LoadConsole::read() {
   if (!size) return;
   if (*size == 0) throw std::runtime_error("the server closed the connection of " + name_);
   bytes_ += *size;
-  frames_.feed(std::span(buffer).first(*size));
+  take(std::span(buffer).first(*size));
+}
+
+void LoadConsole::take(std::span<const std::uint8_t> bytes) {
+  frames_.feed(bytes);
   for (;;) {
     const auto frame = frames_.next();
     if (!frame) throw std::runtime_error(name_ + " got no frame: " + frame.error().text);
@@ -109,10 +129,64 @@ void LoadConsole::read() {
       throw std::runtime_error(name_ + " got no message");
     }
     if (message_.has_spoke()) spokes_.take(message_.spoke().sequence());
+    if (message_.has_own_ship()) ++own_ships_;
+    if (message_.has_exercise()) ++exercise_states_;
     if (message_.has_status()) status_ = std::move(*message_.mutable_status());
     if (message_.has_reply() && message_.reply().code() != wire::Reply::OK) {
       throw std::runtime_error(name_ + " was refused: " + message_.reply().text());
     }
+  }
+}
+
+LoadWebConsole::LoadWebConsole(std::uint16_t http_port) : LoadConsole(http_port) {
+  const std::string upgrade = "GET /ws HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(http_port) +
+                              "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                              "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+                              "Sec-WebSocket-Version: 13\r\n\r\n";
+  LoadConsole::send_frame(Bytes(upgrade.begin(), upgrade.end()));
+  std::string answer;
+  for (char byte; !answer.ends_with("\r\n\r\n"); answer += byte) {
+    if (::recv(socket_, &byte, 1, 0) != 1) fail("no answer to the upgrade of a WebSocket");
+  }
+  if (!answer.starts_with("HTTP/1.1 101")) throw std::runtime_error(answer);
+}
+
+// One masked message; a mask of zero changes no byte.
+void LoadWebConsole::send_frame(const Bytes& frame) {
+  if (frame.size() >= 65536) throw std::logic_error("a console's request is short");
+  Bytes message = {0x82};
+  if (frame.size() < 126) {
+    message.push_back(static_cast<std::uint8_t>(0x80 | frame.size()));
+  } else {
+    message.insert(message.end(), {0x80 | 126, static_cast<std::uint8_t>(frame.size() >> 8),
+                                   static_cast<std::uint8_t>(frame.size())});
+  }
+  message.insert(message.end(), 4, 0);
+  message.insert(message.end(), frame.begin(), frame.end());
+  LoadConsole::send_frame(message);
+}
+
+void LoadWebConsole::take(std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    if (payload_left_ > 0) {
+      const std::size_t size = std::min<std::uint64_t>(payload_left_, bytes.size());
+      LoadConsole::take(bytes.first(size));
+      bytes = bytes.subspan(size);
+      payload_left_ -= size;
+      continue;
+    }
+    unread_.push_back(bytes.front());
+    bytes = bytes.subspan(1);
+    if (unread_.size() < 2) continue;
+    const std::size_t length = unread_[1] < 126 ? 0 : unread_[1] == 126 ? 2 : 8;
+    if (unread_.size() < 2 + length) continue;
+    payload_left_ = length == 0 ? unread_[1] : 0;
+    for (std::size_t i = 2; i < unread_.size(); ++i)
+      payload_left_ = payload_left_ << 8 | unread_[i];
+    if ((unread_[0] & 0x0F) == 8) throw std::runtime_error(name() + " was closed by the server");
+    if ((unread_[0] & 0x0F) > 2)
+      throw std::runtime_error(name() + " got a ping, not foreseen here");
+    unread_.clear();
   }
 }
 

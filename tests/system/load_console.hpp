@@ -60,22 +60,48 @@ class LoadConsole : public LoadReceiver {
   LoadConsole(std::uint16_t port, int receive_buffer = 0);
 
   void subscribe(std::uint32_t radar);
+  void subscribe(const wire::Subscribe& subscribe);
+  void set(const wire::Set& set);
   // The answer is status() once it has come; all that came before it has then been counted.
   void ask_status();
   const std::optional<wire::Status>& status() const { return status_; }
   // The name of this connection in the server's Status.
   const std::string& name() const { return name_; }
 
+  // Error: std::runtime_error if the server closes, refuses, or sends what is no message.
   void read() override;
+  // Other messages that came: OwnShip, ExerciseState.
+  std::uint64_t own_ships() const { return own_ships_; }
+  std::uint64_t exercise_states() const { return exercise_states_; }
+
+ protected:
+  virtual void send_frame(const Bytes& frame);
+  virtual void take(std::span<const std::uint8_t> bytes);
 
  private:
   void send(wire::ClientMessage& message);
 
   FrameReader frames_{kMaxServerFrame};
+  std::uint64_t own_ships_ = 0, exercise_states_ = 0;
   wire::ServerMessage message_;
   std::optional<wire::Status> status_;
   std::uint32_t requests_ = 0;
   std::string name_;
+};
+
+// A console on WebSocket, as a browser's: the same frames within messages (RFC 6455).
+class LoadWebConsole : public LoadConsole {
+ public:
+  // Connects to that HTTP port of loopback and waits for the upgrade.
+  explicit LoadWebConsole(std::uint16_t http_port);
+
+ protected:
+  void send_frame(const Bytes& frame) override;
+  void take(std::span<const std::uint8_t> bytes) override;
+
+ private:
+  Bytes unread_;                    // of a header that is not whole
+  std::uint64_t payload_left_ = 0;  // of the present message
 };
 
 // A subscriber of native datagrams on a free port of loopback.

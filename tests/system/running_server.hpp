@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ class ServerProcess {
   std::uint16_t http_port() const { return http_port_; }
   // User and system time so far.
   double cpu_seconds() const;
+  // The same of its threads, by their names without what follows a hyphen: "radar", "net", "coast".
+  std::map<std::string, double> cpu_seconds_by_thread() const;
   bool stopped() const { return stopped_; }
   // Asks it to stop, as Ctrl-C does.  An exit code other than 0 is a crash or a sanitizer's report,
   // which stands in Ending::err.

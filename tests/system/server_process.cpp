@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -17,6 +18,26 @@ std::vector<std::string> command_line(const std::vector<std::string>& arguments)
                                   "--print-ports",   "--no-udp",   "--no-cat240"};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return all;
+}
+
+struct CpuTime {
+  std::string name;  // of the program or thread
+  double seconds = 0.0;
+};
+
+// Of a file as proc(5) has it: utime is field 14, stime the next.
+CpuTime time_of(const std::string& stat) {
+  std::ifstream file(stat);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto name_begin = text.find('('), name_end = text.rfind(')');  // it may hold spaces
+  if (name_begin == std::string::npos || name_end == std::string::npos) return {};
+  std::istringstream fields(text.substr(name_end + 1));
+  std::string skipped;
+  for (int field = 3; field < 14; ++field) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return {text.substr(name_begin + 1, name_end - name_begin - 1),
+          (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK))};
 }
 
 }  // namespace
@@ -38,16 +59,17 @@ ServerProcess::ServerProcess(const std::vector<std::string>& arguments)
 }
 
 double ServerProcess::cpu_seconds() const {
-  std::ifstream file("/proc/" + std::to_string(process_.pid()) + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const auto name_end = text.rfind(')');  // the name before it may hold spaces
-  if (name_end == std::string::npos) return 0.0;
-  std::istringstream fields(text.substr(name_end + 1));
-  std::string skipped;
-  for (int field = 3; field < 14; ++field) fields >> skipped;  // proc(5): utime is field 14
-  double user = 0, system = 0;
-  fields >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  return time_of("/proc/" + std::to_string(process_.pid()) + "/stat").seconds;
+}
+
+std::map<std::string, double> ServerProcess::cpu_seconds_by_thread() const {
+  std::map<std::string, double> sums;
+  for (const auto& thread :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(process_.pid()) + "/task")) {
+    const CpuTime time = time_of(thread.path().string() + "/stat");
+    sums[time.name.substr(0, time.name.find('-'))] += time.seconds;
+  }
+  return sums;
 }
 
 Ending ServerProcess::stop() {

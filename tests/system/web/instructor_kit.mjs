@@ -28,7 +28,7 @@ function kitOf(server, page) {
     );
   // The order after so many, as a plain object without what is absent.
   const ordered = async (before, kind) => {
-    for (let i = 0; i < 250 && orders().length <= before; ++i) await page.waitForTimeout(20);
+    for (let i = 0; i < 1000 && orders().length <= before; ++i) await page.waitForTimeout(20);
     const order = orders()[before];
     if (order?.kind !== kind) throw new Error(`${order?.kind ?? 'no order'} instead of ${kind}`);
     return order.constructor.toObject(order)[kind];
@@ -61,7 +61,7 @@ function kitOf(server, page) {
     async until(condition, argument) {
       const holds = new Function('s', 'value', `return ${condition}`);
       for (let i = 0; !holds(await state(page), argument); ++i) {
-        if (i > 400) throw new Error(`never: ${condition}`);
+        if (i > 1200) throw new Error(`never: ${condition}`);
         await page.waitForTimeout(25);
       }
       await settled();
