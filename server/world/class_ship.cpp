@@ -42,15 +42,16 @@ Machinery machinery_of(const FaultState* state) {
 
 }  // namespace
 
-Surroundings surroundings_of(const Environment& environment, Duration since_start,
+Surroundings surroundings_of(const Environment& environment, GeoPoint at, Duration since_start,
                              std::uint64_t seed) {
   const echo::SeaSurface& sea = environment.sea;
   Surroundings around;
   around.wind_from_deg = sea.wind_from_deg;
   around.wind_mps = environment.wind_kn ? knots_in_mps(*environment.wind_kn) : wind_of(sea.state);
-  around.current_set_deg = environment.current_set_deg;
-  around.current_mps = knots_in_mps(environment.current_kn);
-  around.depth_m = environment.depth_m;
+  const CurrentHere current = current_at(environment, at, since_start);
+  around.current_set_deg = current.set_deg;
+  around.current_mps = current.mps;
+  around.depth_m = environment.depth_m + environment.waters->over_depth_m(since_start);
   const double wind_waves = wave_height_of(sea.state);
   const bool swell = sea.swell.height_m > wind_waves;
   around.wave_height_m = swell ? sea.swell.height_m : wind_waves;
@@ -167,7 +168,7 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
                            ShipState& ship) {
   // The heading is that to which position_at() has brought her: what the world shows.
   state_.heading_rad = ship.heading_deg * kRadiansPerDegree;
-  Surroundings around = surroundings_of(environment, now, seed_);
+  Surroundings around = surroundings_of(environment, ship.position, now, seed_);
   const double tick_s = in_seconds(tick);
 
   // The autopilot steers by what the gyro says.

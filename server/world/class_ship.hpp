@@ -15,10 +15,10 @@
 
 namespace skerry::server {
 
-// What an environment is to a ship at a time.  Waves are the higher of those that the Douglas state
-// has (0.05, 0.3, 0.88, 1.88, 3.25 and 5 m for 1 to 6, straight lines between) and the swell; the
-// wind is that of the sea state, 3.16 state^0.8 m/s, unless it is given.
-Surroundings surroundings_of(const Environment& environment, Duration since_start,
+// What an environment is to a ship at a place and time.  Waves are the higher of those that the
+// Douglas state has (0.05, 0.3, 0.88, 1.88, 3.25 and 5 m for 1 to 6, straight lines between) and
+// the swell; the wind is that of the sea state, 3.16 state^0.8 m/s, unless it is given.
+Surroundings surroundings_of(const Environment& environment, GeoPoint at, Duration since_start,
                              std::uint64_t seed);
 
 // Each tick is integrated in two steps (ship_dynamics.hpp) while orders hold; the state that the

@@ -1,5 +1,8 @@
 #include "server/world/environment.hpp"
 
+#include <cmath>
+
+#include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/length.hpp"
 #include "server/world/artefact_switches.hpp"
@@ -21,6 +24,7 @@ Environment environment_of(const scenario::Scenario& scenario) {
   environment.current_set_deg = wrapped_degrees(sea.current_set_deg());
   environment.current_kn = sea.current_kn();
   environment.depth_m = sea.depth_m();
+  environment.waters = std::make_shared<const Waters>(scenario);
   for (const scenario::RainCell& cell : scenario.rain()) {
     RainCloud cloud;
     cloud.id = environment.next_rain_id++;
@@ -34,6 +38,16 @@ Environment environment_of(const scenario::Scenario& scenario) {
   }
   change_artefacts(scenario.artefacts(), environment.artefacts);
   return environment;
+}
+
+CurrentHere current_at(const Environment& environment, GeoPoint at, Duration time) {
+  const double mps = knots_in_mps(environment.current_kn);
+  if (!environment.waters->has_streams()) return {environment.current_set_deg, mps};
+  const Stream stream = environment.waters->stream(at, time);
+  const echo::SinCos set = echo::sin_cos_degrees(environment.current_set_deg);
+  const double north = stream.north_mps + mps * set.cos, east = stream.east_mps + mps * set.sin;
+  return {wrapped_degrees(echo::exact_atan2(east, north) * kDegreesPerRadian),
+          std::sqrt(north * north + east * east)};
 }
 
 echo::RainKind rain_kind(wire::RainKind kind) {

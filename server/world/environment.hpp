@@ -12,6 +12,7 @@
 #include "protocol/quantity/time.hpp"
 #include "protocol/wire/controls.pb.h"
 #include "server/world/scenario.pb.h"
+#include "server/world/waters/waters.hpp"
 
 namespace skerry::server {
 
@@ -33,9 +34,10 @@ struct Environment {
   echo::SeaSurface sea;
   double wave_height_m = 0.0;     // significant, on the beaches
   std::optional<double> wind_kn;  // absent: the wind that raises the sea state
-  double current_set_deg = 0.0;   // whither
+  double current_set_deg = 0.0;   // whither; besides the tidal streams
   double current_kn = 0.0;
-  double depth_m = 1000.0;
+  double depth_m = 1000.0;  // besides the tide
+  std::shared_ptr<const Waters> waters = std::make_shared<const Waters>(scenario::Scenario());
   std::vector<RainCloud> rain;
   std::uint32_t next_rain_id = 1;
   echo::Artefacts artefacts;
@@ -45,6 +47,13 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 // The environment at the scenario's begin.  Its rain cells have the numbers 1, 2, ... in their
 // order.
 Environment environment_of(const scenario::Scenario& scenario);
+
+// Current and tidal stream together.  The instructor's alone where no stream is known.
+struct CurrentHere {
+  double set_deg = 0.0;  // whither
+  double mps = 0.0;
+};
+CurrentHere current_at(const Environment& environment, GeoPoint at, Duration time);
 
 // The kinds of the schema and of the echo are the same, in the same order.
 echo::RainKind rain_kind(wire::RainKind kind);

@@ -20,6 +20,7 @@
 #include "server/world/route_checks.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/target_checks.hpp"
+#include "server/world/waters/waters_checks.hpp"
 
 namespace skerry::server {
 namespace {
@@ -44,6 +45,7 @@ class ScenarioChecker {
     check_count(scenario.wind_turbines_size(), kMaxWindTurbines, "wind_turbines");
     check_count(scenario.cables_size(), kMaxCables, "cables");
     check_count(scenario.sarts_size(), kMaxSarts, "sarts");
+    check_waters(scenario, source_);
     check_racons(scenario);
     check_cables(scenario);
     check_radar_count(scenario);

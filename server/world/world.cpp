@@ -16,8 +16,6 @@
 namespace skerry::server {
 namespace {
 
-constexpr double kTideHours = 12.4206;  // principal lunar semidiurnal, M2
-
 std::vector<OwnShip> own_ships_of(const scenario::Scenario& scenario,
                                   const Environment& environment) {
   std::vector<OwnShip> ships;
@@ -101,10 +99,7 @@ WorldState World::state() const {
     state.sarts.push_back(
         {at.position, at.course_over_ground_deg, at.speed_mps, sart.height_m, pace});
   }
-  const scenario::Sea& sea = part_.scenario->sea();
-  const double hours = std::chrono::duration<double, std::ratio<3600>>(now).count();
-  const double phase = kRadiansPerTurn * (hours - sea.high_water_h()) / kTideHours;
-  state.water_level_m = -0.5 * sea.tide_range_m() * (1.0 - std::cos(phase));
+  state.water_level_m = part_.environment->waters->tide().over_coastline_m(now);
   state.environment = part_.environment;
   for (const RainCloud& cloud : part_.environment->rain) {
     state.rain.push_back({&cloud, place_of(cloud, now)});

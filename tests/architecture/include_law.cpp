@@ -123,7 +123,7 @@ const std::vector<Room>& table() {
        {"protocol/", "server/config/", "echo/radar/", "echo/scene/artefacts.hpp",
         "echo/scene/weather.hpp", "echo/kernel/exact_math.hpp", "echo/kernel/hash.hpp",
         "server/core/traffic.hpp", "server/world/handling/", "server/world/sensors/",
-        "server/world/traffic/"}},
+        "server/world/traffic/", "server/world/waters/"}},
       // How ships answer rudder, engine, wind and waves: arithmetic alone.
       {"server/world/handling",
        {"protocol/quantity/", "echo/kernel/exact_math.hpp", "echo/kernel/hash.hpp"}},
@@ -131,6 +131,10 @@ const std::vector<Room>& table() {
       {"server/world/sensors",
        {"protocol/quantity/", "protocol/wire/exercise.pb.h", "echo/kernel/exact_math.hpp",
         "echo/kernel/hash.hpp"}},
+      // Tide and streams: arithmetic on what the scenario says.
+      {"server/world/waters",
+       {"protocol/quantity/", "server/config/", "server/world/scenario.pb.h",
+        "server/world/ship_units.hpp", "echo/kernel/exact_math.hpp"}},
       // The ships among the targets.
       {"server/world/traffic",
        {"protocol/", "server/config/", "server/world/", "echo/kernel/exact_math.hpp",

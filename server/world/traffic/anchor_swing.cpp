@@ -31,18 +31,21 @@ AnchorSwing::AnchorSwing(GeoPoint anchor, double radius_m, double bow_deg, Winda
       period_s_(180.0 + 180.0 * echo::as_unit(echo::mixed(seed, 2))),
       phase_(echo::as_unit(echo::mixed(seed, 3))) {}
 
-std::optional<AnchorSwing::Pull> AnchorSwing::pull_of(const Environment& environment) const {
+std::optional<AnchorSwing::Pull> AnchorSwing::pull_of(const Environment& environment,
+                                                      double time_s) const {
   double wind_mps = 0.0;
   if (environment.wind_kn) {
     wind_mps = knots_in_mps(*environment.wind_kn);
   } else if (environment.sea.state > 0.0) {
     wind_mps = 3.16 * echo::exact_exp2(0.8 * echo::exact_log2(environment.sea.state));
   }
-  const double current_mps = knots_in_mps(environment.current_kn);
+  const CurrentHere flow =
+      current_at(environment, anchor_,
+                 std::chrono::duration_cast<Duration>(std::chrono::duration<double>(time_s)));
   const echo::SinCos wind = echo::sin_cos_degrees(environment.sea.wind_from_deg + 180.0);
-  const echo::SinCos current = echo::sin_cos_degrees(environment.current_set_deg);
+  const echo::SinCos current = echo::sin_cos_degrees(flow.set_deg);
   const double air = 0.5 * kAir * windage_.height_m * wind_mps * wind_mps;
-  const double water = 0.5 * kWater * windage_.draught_m * current_mps * current_mps;
+  const double water = 0.5 * kWater * windage_.draught_m * flow.mps * flow.mps;
   const double east = air * wind.sin + water * current.sin;
   const double north = air * wind.cos + water * current.cos;
   const double force = std::sqrt(east * east + north * north);
@@ -51,8 +54,8 @@ std::optional<AnchorSwing::Pull> AnchorSwing::pull_of(const Environment& environ
               wrapped_degrees(echo::exact_atan2(east, north) * kDegreesPerRadian)};
 }
 
-void AnchorSwing::settle(const Environment& environment) {
-  const auto pull = pull_of(environment);
+void AnchorSwing::settle(const Environment& environment, double time_s) {
+  const auto pull = pull_of(environment, time_s);
   sheer_ = pull ? pull->sheer : 0.0;
   if (pull) mean_deg_ = pull->to_deg;
 }
@@ -64,8 +67,8 @@ void AnchorSwing::drop_anchor(GeoPoint ship, double bow_deg) {
   sheer_ = 0.0;
 }
 
-void AnchorSwing::step(const Environment& environment, double tick_s) {
-  const auto pull = pull_of(environment);
+void AnchorSwing::step(const Environment& environment, double time_s, double tick_s) {
+  const auto pull = pull_of(environment, time_s);
   const double share = 1.0 - exact_exp(-tick_s / kSwing_s);
   sheer_ += share * ((pull ? pull->sheer : 0.0) - sheer_);
   if (!pull) return;

@@ -26,11 +26,12 @@ class AnchorSwing {
   AnchorSwing(GeoPoint anchor, double radius_m, double bow_deg, Windage windage,
               std::uint64_t seed);
 
-  // Lies as the environment would lay her.
-  void settle(const Environment& environment);
+  // Lies as the environment would lay her at that time.
+  void settle(const Environment& environment, double time_s);
   // Anchors anew, so that she lies there with that heading.
   void drop_anchor(GeoPoint ship, double bow_deg);
-  void step(const Environment& environment, double tick_s);
+  // A tick that begins at that time.
+  void step(const Environment& environment, double time_s, double tick_s);
 
   // From the anchor to the ship, true, and the place there.
   double bearing_deg(double time_s) const;
@@ -41,7 +42,7 @@ class AnchorSwing {
     double sheer = 0.0;  // 0 .. 1, of her most
     double to_deg = 0.0;
   };
-  std::optional<Pull> pull_of(const Environment& environment) const;
+  std::optional<Pull> pull_of(const Environment& environment, double time_s) const;
 
   GeoPoint anchor_;
   double radius_m_;

@@ -88,7 +88,7 @@ TrafficShip::TrafficShip(const scenario::Target& target, std::size_t number, std
   if (target.anchored()) {
     way_ = Way::anchor;
     swing_.emplace(place, target.swing_radius_m(), target.course_deg(), windage_of(target), seed);
-    swing_->settle(environment);
+    swing_->settle(environment, in_seconds(begin));
     speed_mps_ = 0.0;
     state_.position = swing_->place(in_seconds(begin));
     state_.heading_deg = wrapped_degrees(swing_->bearing_deg(in_seconds(begin)) + 180.0);
@@ -264,7 +264,7 @@ void TrafficShip::evade(bool looks_round, std::span<const SeenShip> others, Rout
 
 void TrafficShip::lie_at_anchor(Duration now, Duration tick, const Environment& environment) {
   const double now_s = in_seconds(now), tick_s = in_seconds(tick);
-  swing_->step(environment, tick_s);
+  swing_->step(environment, now_s, tick_s);
   const double next_deg = swing_->bearing_deg(now_s + tick_s) + 180.0;
   const double turn_deg = std::remainder(next_deg - state_.heading_deg, 360.0);
   const ShortWay way = short_way_between(state_.position, swing_->place(now_s + tick_s));

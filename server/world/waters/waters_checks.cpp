@@ -1,0 +1,64 @@
+#include "server/world/waters/waters_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace skerry::server {
+namespace {
+
+void check_tide(const scenario::Sea& sea, YamlSource& source) {
+  if (sea.tide().empty()) return;
+  for (const char* const key : {"sea.tide_range_m", "sea.high_water_h"}) {
+    if (source.has(key)) source.refuse(key, "given beside sea.tide; allowed: one of the two");
+  }
+  std::set<int> names;
+  double amplitudes = 0.0;
+  for (int i = 0; i < sea.tide_size(); ++i) {
+    const std::string path = fmt::format("sea.tide[{}].name", i);
+    amplitudes += sea.tide(i).amplitude_m();
+    if (!source.is_sound(path) || names.insert(sea.tide(i).name()).second) continue;
+    source.refuse(path, fmt::format("{} is given twice; allowed: each constituent once",
+                                    scenario::TideConstituent::Name_Name(sea.tide(i).name())));
+  }
+  constexpr double kLeastDepth_m = 2.0;
+  if (source.is_sound("sea.depth_m") && sea.depth_m() - amplitudes < kLeastDepth_m) {
+    source.refuse(source.has("sea.depth_m") ? "sea.depth_m" : "sea.tide",
+                  fmt::format("{} m below the mean level, and the tide falls {:.2f} m; allowed: at "
+                              "least {} m at low water",
+                              sea.depth_m(), amplitudes, kLeastDepth_m));
+  }
+}
+
+}  // namespace
+
+void check_waters(const scenario::Scenario& scenario, YamlSource& source) {
+  check_tide(scenario.sea(), source);
+  if (scenario.tidal_diamonds_size() > kMaxTidalDiamonds) {
+    source.refuse("tidal_diamonds", fmt::format("{} entries; allowed: at most {}",
+                                                scenario.tidal_diamonds_size(), kMaxTidalDiamonds));
+    return;
+  }
+  std::map<std::string, int> names;
+  for (int i = 0; i < scenario.tidal_diamonds_size(); ++i) {
+    const scenario::TidalDiamond& diamond = scenario.tidal_diamonds(i);
+    const std::string path = fmt::format("tidal_diamonds[{}]", i);
+    if (source.is_sound(path + ".name")) {
+      const auto [other, is_new] = names.emplace(diamond.name(), i);
+      if (!is_new) {
+        source.refuse(path + ".name",
+                      fmt::format("\"{}\" is the name of tidal_diamonds[{}] too; names must differ",
+                                  diamond.name(), other->second));
+      }
+    }
+    if (diamond.hours_size() != kStreamHours) {
+      source.refuse(path + ".hours",
+                    fmt::format("{} given; expected {}: from 6 h before high water to 6 h after it",
+                                diamond.hours_size(), kStreamHours));
+    }
+  }
+}
+
+}  // namespace skerry::server

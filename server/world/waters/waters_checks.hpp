@@ -1,0 +1,16 @@
+// What a scenario's tide and streams must be, beyond their ranges.
+#pragma once
+
+#include "server/config/config_error.hpp"
+#include "server/world/scenario.pb.h"
+
+namespace skerry::server {
+
+inline constexpr int kMaxTidalDiamonds = 64;
+inline constexpr int kStreamHours = 13;  // from 6 h before high water to 6 h after it
+
+// Adds to the source: a constituent twice, two kinds of tide, a diamond without its thirteen hours,
+// a name twice, water that falls below the least depth of 2 m.
+void check_waters(const scenario::Scenario& scenario, YamlSource& source);
+
+}  // namespace skerry::server
