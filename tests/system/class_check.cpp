@@ -36,7 +36,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kPatience{120};
 constexpr double kOrderEvery = 15.0;      // s, of each helm
-constexpr double kRainEvery = 60.0;       // s
 constexpr double kMemoryEvery = 10.0;     // s
 constexpr double kMemorySettles = 120.0;  // s: heaps and rings fill
 constexpr double kMemoryGrows = 1.03;     // at most, from then to the end
@@ -44,7 +43,8 @@ constexpr double kMemoryGrows = 1.03;     // at most, from then to the end
 struct Options {
   ClassSize size;
   double seconds = 1800.0;
-  int cores = 0;  // 0: all
+  double rain_every = 60.0;  // s
+  int cores = 0;             // 0: all
 };
 
 double seconds_since(Clock::time_point begun) {
@@ -210,7 +210,7 @@ class ClassCheck {
       }
       helms_[ship]->set(set);
     }
-    if (static_cast<double>(rains_) * kRainEvery < now) {
+    if (static_cast<double>(rains_ + 1) * options_.rain_every < now) {
       wire::Set set;
       set.set_instructor(true);
       wire::RainChange& rain = *set.mutable_world()->add_rain();
@@ -343,6 +343,8 @@ int main(int argc, char** argv) {
   cli.add_option("--ships", options.size.ships, "Own ships")->check(CLI::Range(1, 100));
   cli.add_option("--targets", options.size.targets, "Targets")->check(CLI::Range(20, 500));
   cli.add_option("--seconds", options.seconds, "How long")->check(CLI::Range(4.0, 86400.0));
+  cli.add_option("--rain-every", options.rain_every, "Seconds between changes of a rain")
+      ->check(CLI::Range(1.0, 86400.0));
   cli.add_option("--cores", options.cores, "For the server; 0: all")->check(CLI::Range(0, 64));
   cli.add_flag("--small", options.size.small,
                "Small radars, and lateness is no fault: for servers with a sanitizer");
