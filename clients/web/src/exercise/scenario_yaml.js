@@ -1,6 +1,6 @@
 // The exercise as it is now, as a scenario file (server/world/SCENARIO.md): what ExerciseState, World and Hello tell.
 import { duration } from '../format.js';
-import { SHIP_CLASSES } from './tool_forms.js';
+import { OWN_SHIP_CLASSES } from './ship_classes.js';
 import { GIVE_WAY, ROUTE_END } from './wire.js';
 
 const RAIN_KIND_WORDS = ['cell', 'even', 'shower', 'squall_line'];
@@ -47,7 +47,7 @@ function radarText(radar) {
 }
 
 function ownShip(ship, name, radars) {
-  const isClassed = SHIP_CLASSES.includes(ship.shipClass);
+  const isClassed = OWN_SHIP_CLASSES.includes(ship.shipClass);
   const lines = [
     `  - name: ${quoted(name)}`,
     `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`,

@@ -1,20 +1,8 @@
 // The forms of the tools, over the chart: what a new target, a route and an area of rain shall be.
 import { $ } from '../widgets.js';
+import { TARGET_CLASSES } from './ship_classes.js';
 import { GIVE_WAY, ROUTE_END } from './wire.js';
 
-// Classes of ships by their names in scenarios (server/world/SCENARIO.md).
-export const SHIP_CLASSES = [
-  'coaster',
-  'container',
-  'ferry',
-  'fast_craft',
-  'fishing',
-  'mariner',
-  'pilot',
-  'tanker',
-  'tug',
-  'vlcc',
-];
 // RainKind of the schema.
 export const RAIN_KINDS = [
   [0, 'Cell'],
@@ -34,7 +22,7 @@ const optional = (id) => (Number.isNaN($(id).valueAsNumber) ? undefined : $(id).
 
 export class ToolForms {
   constructor() {
-    $('new-class').replaceChildren(...SHIP_CLASSES.map((name) => new Option(spoken(name), name)));
+    $('new-class').replaceChildren(...TARGET_CLASSES.map((name) => new Option(spoken(name), name)));
     $('new-gives-way').replaceChildren(...choices(GIVE_WAY));
     $('route-end').replaceChildren(...choices(ROUTE_END));
     $('rain-kind').replaceChildren(...RAIN_KINDS.map(([kind, name]) => new Option(name, kind)));
