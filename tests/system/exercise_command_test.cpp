@@ -18,6 +18,7 @@ namespace skerry::system_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class ExerciseCommand : public testing::Test {
  protected:
@@ -230,9 +231,9 @@ TEST_F(ExerciseCommand, ShowsTheExerciseInWordsAndAsJson) {
   order({"mark", "begin"});
   const Ending shown = ordered({"show"});
   EXPECT_EQ(shown.code, 0) << shown.err;
-  for (const char* part : {"frozen, would run at 1 times", "ORDERS     3, the last by ", "UNDO  ",
-                           "Tern", "Gannet", "Tanker", "Coaster", "Ferry", "60\u00b0",
-                           "335.0\u00b0", "Gyro bias 5 deg, Log lost", "mark      begin"}) {
+  for (const char* part : {"frozen, pace 1", "ORDERS     3, the last by ", "UNDO  ", "Tern",
+                           "Gannet", "Tanker", "Coaster", "Ferry", "60\u00b0", "335.0\u00b0",
+                           "Gyro bias 5 deg, Log lost", "mark      begin"}) {
     EXPECT_THAT(shown.out, HasSubstr(part));
   }
   const Ending as_json = ordered({"show", "--json"});
@@ -255,7 +256,7 @@ TEST_F(ExerciseCommand, WatchWritesALineForEachChange) {
     }
   };
   order({"freeze"});
-  await_line("frozen, would run at 1 times");
+  await_line("frozen, pace 1");
   order({"mark", "late alteration"});
   await_line("mark      late alteration");
   order({"fault", "Tern", "gyro-bias=5"});
@@ -264,6 +265,22 @@ TEST_F(ExerciseCommand, WatchWritesALineForEachChange) {
   await_line("Ferry: ");
   order({"snapshot", "here"});
   EXPECT_EQ(watch.wait().code, 0);
+}
+
+// On a leg of a great circle the course to steer changes all the time.
+TEST_F(ExerciseCommand, WatchIsSilentWhileShipsOnlyFollowTheirRoutes) {
+  order({"target", "order", "Ferry", "--waypoint", "60.5,15.0"});
+  order({"pace", "20"});
+  ChildProcess watch({skerry_program(), "exercise", "watch", "--count", "3", "--port",
+                      std::to_string(server_.tcp_port())});
+  EXPECT_THAT(watch.read_line().value_or(""), HasSubstr("watching "));
+  const double begin_s = state().exercise_s();
+  state([&](const auto& s) { return s.exercise_s() > begin_s + 60.0; });
+  order({"mark", "a minute later"});
+  order({"freeze"});
+  const Ending ending = watch.wait();
+  EXPECT_THAT(ending.out, Not(HasSubstr("ordered course")));
+  EXPECT_THAT(ending.out, HasSubstr("a minute later"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "clients/cli/field_words.hpp"
@@ -24,11 +25,10 @@ std::string clock_text(double seconds) {
 }
 
 std::string pace_text(const ExerciseState& state) {
-  return fmt::format("{} at {:g} times", state.frozen() ? "frozen, would run" : "runs",
-                     state.rate());
+  return fmt::format("{}, pace {:g}", state.frozen() ? "frozen" : "running", state.rate());
 }
 
-// "1 for a thing of the singular".
+// "1 waypoint left", "3 waypoints left".
 std::string counted(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -112,6 +112,15 @@ constexpr std::array<std::string_view, 9> kMoving = {
     "course_over_ground_deg", "speed_kn",      "rate_of_turn_deg_min",
     "gyro_error_deg",         "gnss_error_m",  "number"};
 
+// Great circles: on a leg of her route the course she is to steer changes all the time, a little.
+bool only_creeps(const FieldDescriptor& field, const ExerciseShip& before,
+                 const ExerciseShip& after) {
+  constexpr double kCourse_deg = 0.5;
+  if (field.name() != "ordered_course_deg") return false;
+  return std::abs(std::remainder(after.ordered_course_deg() - before.ordered_course_deg(), 360.0)) <
+         kCourse_deg;
+}
+
 std::string ship_changes(const ExerciseShip& before, const ExerciseShip& after) {
   std::string text;
   const auto add = [&](const std::string& change) {
@@ -122,6 +131,7 @@ std::string ship_changes(const ExerciseShip& before, const ExerciseShip& after) 
         std::find(kMoving.begin(), kMoving.end(), field->name()) != kMoving.end()) {
       continue;
     }
+    if (only_creeps(*field, before, after)) continue;
     const std::string was = text_of(before, *field), is = text_of(after, *field);
     if (was != is) add(fmt::format("{} {}", wire::spoken_name(*field), is.empty() ? "nobody" : is));
   }

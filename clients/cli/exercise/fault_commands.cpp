@@ -28,7 +28,7 @@ const FieldDescriptor* kind_named(const std::string& name) {
 std::string list_of_kinds() {
   std::string list = "Kinds:\n";
   for (const FieldDescriptor* kind : fault_kinds()) {
-    list += fmt::format("  {:<24}{}\n", distinct_name(*kind), help_of(*kind));
+    list += fmt::format("  {:<26}{}\n", distinct_name(*kind), help_of(*kind));
   }
   return list;
 }

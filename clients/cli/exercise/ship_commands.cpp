@@ -92,7 +92,8 @@ Command make_order_command(CLI::App& target) {
   made.app->footer(
       "Examples:\n"
       "  skerry exercise target order Foe --course 045 --speed 8\n"
-      "  skerry exercise target order Foe --waypoint 60.4,5.1,speed=10 --waypoint 60.5,5.1,stop=20 "
+      "  skerry exercise target order Foe --waypoint 60.4,5.1,speed=10 --waypoint "
+      "60.5,5.1,stop-min=20 "
       "--route-end back\n"
       "  skerry exercise target order Foe --resume on\n");
   return made;

@@ -11,6 +11,7 @@ import re
 import sys
 from collections import Counter, defaultdict
 from multiprocessing import Pool
+from time import process_time
 
 try:
     import pynmea2
@@ -303,7 +304,10 @@ def dust_of(sentence, field, t):
 
 
 def read_voyage(arguments):
-    return Voyage(*arguments).read()
+    begin = process_time()
+    voyage = Voyage(*arguments).read()
+    voyage.cpu_s = process_time() - begin
+    return voyage
 
 
 def print_table(voyages):
@@ -332,8 +336,12 @@ def print_table(voyages):
 
 def main():
     folder, names = sys.argv[1], sys.argv[2:]
+    voyages = []
     with Pool(2) as pool:
-        voyages = pool.map(read_voyage, [(folder, name) for name in names], chunksize=1)
+        for voyage in pool.imap(read_voyage, [(folder, name) for name in names]):
+            print(f"{voyage.name}: read, {sum(voyage.faults.values())} faults, "
+                  f"{voyage.cpu_s:.0f} s of a core", flush=True)
+            voyages.append(voyage)
     print_table(voyages)
     cases = sum((voyage.cases for voyage in voyages), Counter())
     print("Met:", ", ".join(f"{case} {cases[case]}" for case in CASES))
