@@ -167,10 +167,10 @@ class AisReader:
         due = self.next_ms.get(key)
         if kind == "VDM" and self.truth_of(mmsi, t).range_nm > AIS_RANGE_NM - 0.1:
             due = None  # she comes back into reach
-        late = 100  # the talker looks every tick
-        if due is not None and not due <= t.ms < due + late:
+        late, early = 100, 0.01  # the talker looks every tick, and counts whole nanoseconds
+        if due is not None and not due - early <= t.ms < due + late:
             # One that gathers way, or turns, need not wait for her old interval to end.
-            sooner = kind == "VDM" and not static and t.ms < due
+            sooner = kind == "VDM" and not static and t.ms < due - early
             if not sooner:
                 self.voyage.fault(f"{kind} of type {message} is out of its rate",
                                   f"{t.ms - due} ms late: {example}")
@@ -178,5 +178,5 @@ class AisReader:
             self.next_ms[key] = (t.ms if due is None else due) + STATIC_MS
             return
         said = self.truth_of(mmsi, t)
-        begin = t.ms if due is None or t.ms < due else due
+        begin = t.ms if due is None or t.ms < due - early else due
         self.next_ms[key] = begin + interval_ms(said.speed_kn, said.rot_deg_min)
