@@ -19,7 +19,7 @@ using wire::ExerciseShip;
 using wire::ExerciseState;
 using wire::FieldDescriptor;
 
-std::string clock_text(double seconds) {
+std::string exercise_clock(double seconds) {
   const auto whole = static_cast<std::int64_t>(seconds);
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
@@ -88,8 +88,8 @@ std::string ships_text(const ExerciseState& state, bool own) {
 }
 
 std::string mark_line(const wire::ExerciseMark& mark) {
-  return fmt::format("{:>8}  {:<9} {}\n", clock_text(mark.exercise_s()), printable(mark.kind(), 9),
-                     printable(mark.text()));
+  return fmt::format("{:>8}  {:<9} {}\n", exercise_clock(mark.exercise_s()),
+                     printable(mark.kind(), 9), printable(mark.text()));
 }
 
 bool same_mark(const wire::ExerciseMark& a, const wire::ExerciseMark& b) {
@@ -147,7 +147,7 @@ std::string ship_changes(const ExerciseShip& before, const ExerciseShip& after) 
 
 std::string exercise_text(const ExerciseState& state) {
   std::string out =
-      fmt::format("EXERCISE   {}, {}\n", clock_text(state.exercise_s()), pace_text(state));
+      fmt::format("EXERCISE   {}, {}\n", exercise_clock(state.exercise_s()), pace_text(state));
   if (state.orders() > 0) {
     out += fmt::format("ORDERS     {}, the last by {}: {}\n", state.orders(),
                        printable(state.last_by(), 64), printable(state.last_order()));
@@ -167,7 +167,7 @@ std::string exercise_text(const ExerciseState& state) {
 std::vector<std::string> exercise_changes(const ExerciseState& before, const ExerciseState& after) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& text) {
-    lines.push_back(fmt::format("{:>8}  {}", clock_text(after.exercise_s()), text));
+    lines.push_back(fmt::format("{:>8}  {}", exercise_clock(after.exercise_s()), text));
   };
   if (after.orders() != before.orders()) {
     add(fmt::format("{} by {}", printable(after.last_order()), printable(after.last_by(), 64)));
