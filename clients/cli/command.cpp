@@ -41,6 +41,13 @@ void ServerPlace::add_options(CLI::App& command) {
       ->capture_default_str();
 }
 
+int run_parsed(const std::vector<Command>& commands) {
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return kExitUsage;
+}
+
 int report(const std::string& text, const std::string& advice) {
   fmt::print(stderr, "skerry: {}\n", text);
   if (!advice.empty()) fmt::print(stderr, "{}\n", advice);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "clients/common/client_error.hpp"
 #include "clients/common/spoke_client.hpp"
@@ -26,6 +27,13 @@ struct Command {
   std::function<int()> run;
 };
 
+// Runs the one of these subcommands that was given.
+int run_parsed(const std::vector<Command>& commands);
+
+// A subcommand that is another program beside this one: it gets `before` and what follows.
+Command hand_over(CLI::App& app, const char* name, const std::string& description,
+                  const char* program, std::vector<std::string> before);
+
 Command make_status_command(CLI::App& app);
 Command make_doctor_command(CLI::App& app);
 Command make_snapshot_command(CLI::App& app);
@@ -37,6 +45,7 @@ Command make_coast_command(CLI::App& app);
 Command make_picture_command(CLI::App& app);
 Command make_radar_command(CLI::App& app);
 Command make_scenario_command(CLI::App& app);
+Command make_exercise_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
 Command make_recording_command(CLI::App& app);
 

@@ -37,6 +37,8 @@ int run_tool(const char* program, std::vector<std::string> arguments) {
                 "It must be a program that you may execute.");
 }
 
+}  // namespace
+
 Command hand_over(CLI::App& app, const char* name, const std::string& description,
                   const char* program, std::vector<std::string> before) {
   CLI::App* command =
@@ -49,8 +51,6 @@ Command hand_over(CLI::App& app, const char* name, const std::string& descriptio
             return run_tool(program, std::move(arguments));
           }};
 }
-
-}  // namespace
 
 Command make_coast_command(CLI::App& app) {
   return hand_over(app, "coast", "Fits, judges and draws coasts", "skerry-coast", {});

@@ -228,6 +228,16 @@ ClientResult<std::uint32_t> SpokeClient::subscribe_new_view(std::uint32_t radar,
   if (!reply) return Failure{reply.error()};
   return reply->view();
 }
+ClientResult<Done> SpokeClient::watch_exercise(std::uint32_t times_a_second, Duration timeout,
+                                               const std::string& token) {
+  wire::Subscribe request;
+  request.set_exercise_hz(times_a_second);
+  request.set_no_spokes(true);
+  request.set_token(token);
+  const auto reply = connection_->subscribe(request, timeout);
+  if (!reply) return Failure{reply.error()};
+  return Done{};
+}
 ClientResult<std::optional<ClientEvent>> SpokeClient::receive(Duration timeout) {
   return connection_->receive(timeout);
 }

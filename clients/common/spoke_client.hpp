@@ -54,6 +54,12 @@ class SpokeClient {
   ClientResult<std::uint32_t> subscribe_new_view(std::uint32_t radar, std::uint32_t like,
                                                  Duration timeout, const std::string& token = {});
 
+  // From now on receive() brings the exercise as it really is (wire::ExerciseState), 1 to 4 times a
+  // second, settings and own ship of radar 0, and no spokes.
+  // Error: as subscribe_new_view().
+  ClientResult<Done> watch_exercise(std::uint32_t times_a_second, Duration timeout,
+                                    const std::string& token = {});
+
   // The next event; nothing if none came within `timeout` (zero: what is there already).
   // Error: closed (with the server's last complaint, if it had one), malformed.
   ClientResult<std::optional<ClientEvent>> receive(Duration timeout);

@@ -68,15 +68,16 @@ std::string with(std::string text, char from, char to) {
   return text;
 }
 
-// What all values of the enumeration begin with, up to a '_': "PULSE_".
+// What all values of the enumeration begin with, up to a '_': "PULSE_", "GIVE_WAY_".
 std::size_t common_start(const google::protobuf::EnumDescriptor& type) {
   const std::string& first = type.value(0)->name();
-  const std::size_t end = first.find('_');
-  if (end == std::string::npos) return 0;
-  for (int i = 1; i < type.value_count(); ++i) {
-    if (type.value(i)->name().compare(0, end + 1, first, 0, end + 1) != 0) return 0;
+  std::size_t common = 0;
+  for (std::size_t end; (end = first.find('_', common)) != std::string::npos; common = end + 1) {
+    for (int i = 1; i < type.value_count(); ++i) {
+      if (type.value(i)->name().compare(0, end + 1, first, 0, end + 1) != 0) return common;
+    }
   }
-  return end + 1;
+  return common;
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ Duration position_interval(TrafficKind kind, double speed_mps, double rate_of_tu
   if (kind != TrafficKind::ship || knots < kStillKn) return 3min;
   if (knots > 23.0) return 2s;
   if (knots > 14.0) return turns ? 2s : 6s;
-  return turns ? Duration(3'333ms) : Duration(10s);
+  return turns ? Duration(10s) / 3 : Duration(10s);
 }
 
 }  // namespace skerry::server

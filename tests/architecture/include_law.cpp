@@ -190,6 +190,7 @@ const std::vector<Room>& table() {
         "clients/recording/", "clients/interchange/", "clients/doctor/"}},
       {"clients/cli/board",
        {"protocol/", "clients/common/", "clients/cli/", "clients/board/", "clients/signals/"}},
+      {"clients/cli/exercise", {"protocol/", "clients/common/", "clients/cli/"}},
       {"clients/cli/live", {"protocol/", "clients/common/", "clients/cli/", "clients/doctor/"}},
       {"clients/cli/recording",
        {"protocol/", "clients/common/", "clients/cli/", "clients/recording/",

@@ -4,36 +4,13 @@
 
 #include <cstdlib>
 
+#include "clients/cli/field_words.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
 namespace {
 
 using wire::FieldDescriptor;
-
-// The help of a field, its allowed values and its note: "Rain clutter control, 0 to 100".
-std::string help_of(const FieldDescriptor& field) {
-  const auto& control = wire::control_of(field);
-  const std::string allowed = wire::allowed_by(wire::rule_of(field));
-  std::string help = control.help();
-  if (!control.label().empty() && control.label() != help) {
-    help = control.label() + (help.empty() ? "" : ": " + help);
-  }
-  if (!allowed.empty()) help += ", " + allowed;
-  if (!control.note().empty()) help += "; " + control.note();
-  return help;
-}
-
-std::vector<std::string> words_of(const FieldDescriptor& field) {
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) return {"on", "off"};
-  std::vector<std::string> words;
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
-    for (int i = 0; i < field.enum_type()->value_count(); ++i) {
-      words.push_back(wire::word_of(*field.enum_type()->value(i)));
-    }
-  }
-  return words;
-}
 
 void add_options(std::vector<SetOption>& to, const wire::Descriptor& message,
                  const char* group = nullptr) {
@@ -44,16 +21,6 @@ void add_options(std::vector<SetOption>& to, const wire::Descriptor& message,
     to.push_back({field, "--" + wire::option_name(*field), help_of(*field),
                   group != nullptr ? group : scope, words_of(*field)});
   }
-}
-
-bool is_on(const std::string& word) { return word == "on"; }
-
-double number_of(const FieldDescriptor& field, const std::string& text) {
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) return is_on(text) ? 1.0 : 0.0;
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
-    return wire::value_named(field, text)->number();
-  }
-  return std::strtod(text.c_str(), nullptr);
 }
 
 std::vector<const FieldDescriptor*> artefacts() {
@@ -145,7 +112,7 @@ std::optional<std::string> add_artefact(const std::string& text, wire::WorldChan
     if (word != "on" && word != "off") {
       return fmt::format("--artefact {}: '{}' is neither on nor off", name, printable(word, 20));
     }
-    wire::put_value(change, *artefact, is_on(word) ? 1.0 : 0.0);
+    wire::put_value(change, *artefact, word == "on" ? 1.0 : 0.0);
     return std::nullopt;
   }
   return fmt::format("--artefact: '{}' is none of {}", printable(name, 40), artefact_names());
