@@ -51,7 +51,8 @@ RadarServer::RadarServer(const scenario::Scenario& scenario,
       coast_(std::make_unique<CoastService>(std::move(chart), count_radars(scenario),
                                             coast_rules(scenario))),
       airwaves_(count_radars(scenario)),
-      inputs_(count_radars(scenario), std::move(documents)) {
+      inputs_(count_radars(scenario), std::move(documents)),
+      shore_(timeline_, *coast_, inputs_, [this] { return instant().time; }) {
   const WorldStatePtr state = timeline_.latest();
   std::uint32_t index = 0;
   for (int i = 0; i < scenario.own_ships_size(); ++i) {
@@ -127,11 +128,13 @@ void RadarServer::start() {
   epoch_.set(epoch);
   inputs_.began(epoch.utc, kServerName);
   coast_->start();
+  shore_.start();
   for (auto& radar : radars_) radar->unit.start(epoch);
   for (auto& board : boards_) board->start(epoch.steady, epoch.utc);
 }
 
 void RadarServer::stop() {
+  shore_.stop();
   for (auto& board : boards_) board->stop();
   for (auto& radar : radars_) radar->unit.stop();
   coast_->stop();  // it answers clients, so before those who serve them are gone

@@ -11,6 +11,7 @@
 
 #include "echo/chart/chart_source.hpp"
 #include "server/app/control/control_desk.hpp"
+#include "server/app/shore_thread.hpp"
 #include "server/board/board_unit.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"
@@ -87,6 +88,7 @@ class RadarServer : public RadarHost {
   std::unique_ptr<CoastService> coast_;
   Airwaves airwaves_;
   InputLog inputs_;
+  ShoreThread shore_;
   std::vector<std::unique_ptr<Mount>> radars_;
   std::atomic<std::uint64_t> views_version_{1};
   std::vector<std::shared_ptr<BoardUnit>> boards_;  // one of each radar

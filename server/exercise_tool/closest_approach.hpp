@@ -14,7 +14,6 @@ struct ClosestApproach {
   std::string own_ship, other;
   double closest_m = 0.0;  // between the ships' middles
   Duration when{};         // on the exercise's clock
-  bool touched = false;    // their outlines did
 };
 
 // Of each own ship with every other ship, looked at whenever look() is called.
@@ -32,7 +31,5 @@ class ClosestApproaches {
 
 // Metres between the middles of two ships.
 double metres_apart(const ShipState& a, const ShipState& b);
-// True if the outlines overlap, rectangles of length and beam around the middles.
-bool outlines_touch(const ShipState& a, const ShipState& b);
 
 }  // namespace skerry::server

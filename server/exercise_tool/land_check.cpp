@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "server/app/land_around.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/short_way.hpp"
 #include "server/world/world.hpp"
@@ -130,17 +131,6 @@ class LandChecker {
 };
 
 }  // namespace
-
-LandAround::LandAround(const echo::ChartSource& chart, GeoPoint centre, double radius_m)
-    : chart_(chart.load(centre, metres(radius_m))),
-      lookup_(chart_.rings,
-              wrapped_longitude(
-                  centre.longitude_deg -
-                  std::min(179.0, radius_m / 111'000.0 /
-                                      std::max(0.05, std::cos(0.0174533 * centre.latitude_deg)))),
-              std::min(358.0, 2.0 * radius_m / 111'000.0 /
-                                  std::max(0.05, std::cos(0.0174533 * centre.latitude_deg))),
-              std::max(-90.0, centre.latitude_deg - radius_m / 110'000.0)) {}
 
 std::vector<std::string> land_complaints(const scenario::Scenario& scenario,
                                          const echo::ChartSource& chart, double minutes) {

@@ -1,28 +1,13 @@
 // Who in a scenario is on land, or sails over it.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "echo/chart/chart_source.hpp"
-#include "echo/chart/land_lookup.hpp"
 #include "server/world/scenario.pb.h"
 
 namespace skerry::server {
-
-// The land around a place.  Thread: immutable.
-class LandAround {
- public:
-  LandAround(const echo::ChartSource& chart, GeoPoint centre, double radius_m);
-  LandAround(const LandAround&) = delete;
-  LandAround& operator=(const LandAround&) = delete;
-  bool is_land(GeoPoint place) const { return lookup_.is_land(place); }
-
- private:
-  echo::CoastChart chart_;
-  echo::LandLookup lookup_;
-};
 
 // What is wrong, one line each, as "targets[3] (Lyngen): ...":
 // - own ships, targets that are ships or craft, SARTs that begin on land;

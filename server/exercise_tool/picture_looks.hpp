@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "server/app/land_around.hpp"
 #include "server/exercise_tool/echo_stand.hpp"
-#include "server/exercise_tool/land_check.hpp"
 #include "server/exercise_tool/radar_turns.hpp"
 
 namespace skerry::server {

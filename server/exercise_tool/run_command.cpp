@@ -102,11 +102,12 @@ class RunReport {
 void report_approaches(const ExerciseRun& run, RunReport& report) {
   const auto nearest = run.approaches().nearest();
   std::size_t shown = 0;
+  for (const Contact& contact : run.world().state().log->contacts) {
+    if (contact.kind != Contact::Kind::collision) continue;
+    report.say(fmt::format("COLLISION {} and {} at {}\n", contact.own_name, contact.other_name,
+                           clock_text(in_seconds(contact.when))));
+  }
   for (const ClosestApproach& approach : nearest) {
-    if (approach.touched) {
-      report.say(fmt::format("COLLISION {} and {}, about {}\n", approach.own_ship, approach.other,
-                             clock_text(in_seconds(approach.when))));
-    }
     if (++shown > kApproachesShown) continue;
     report.say(fmt::format("closest {:7.2f} NM at {}  {} and {}\n", approach.closest_m / 1852.0,
                            clock_text(in_seconds(approach.when)), approach.own_ship,

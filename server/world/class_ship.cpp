@@ -146,6 +146,15 @@ void ClassShip::resume(const ShipState& ship) {
   helm_.speed_mps = state_.motion.u;
 }
 
+void ClassShip::lie_still(ShipState& ship) {
+  state_.motion = {};
+  state_.heading_rad = ship.heading_deg * kRadiansPerDegree;
+  ground_ = {};
+  ship.speed_mps = ship.rate_of_turn_deg_s = 0.0;
+  ship.course_over_ground_deg = ship.heading_deg;
+  if (ship.con) ship.con->motion = {};
+}
+
 TrackView ClassShip::track_from(GeoPoint position) {
   const auto seen = [&](GeoPoint place) {
     const ShortWay way = short_way_between(position, place);
@@ -203,6 +212,9 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
     around.time_s += tick_s / steps_per_tick_;
   }
   ground_ = {way.north_m / tick_s, way.east_m / tick_s};
+  ship.ordered_course_deg = helm_.heading_deg;
+  ship.ordered_speed_mps = helm_.keeps_speed ? helm_.speed_mps : state_.motion.u;
+  if (ship.aground) return lie_still(ship);
 
   // As position_at() will have it: along the chord of an arc, on the mean of the course.
   const double turn_deg = (state_.heading_rad - before_rad) * kDegreesPerRadian;
@@ -213,8 +225,6 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
                               ? echo::exact_atan2(way.east_m, way.north_m) * kDegreesPerRadian
                               : ship.heading_deg;
   ship.course_over_ground_deg = wrapped_degrees(mean_deg - 0.5 * turn_deg);
-  ship.ordered_course_deg = helm_.heading_deg;
-  ship.ordered_speed_mps = helm_.keeps_speed ? helm_.speed_mps : state_.motion.u;
 }
 
 void ClassShip::tell(const Surroundings& around, ShipState& ship) const {

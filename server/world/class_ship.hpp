@@ -45,6 +45,8 @@ class ClassShip {
   void begin_tick(const Environment& environment, Duration now, Duration tick, ShipState& ship);
   // As a simulator outside leaves her: on the heading and at the speed she has.
   void resume(const ShipState& ship);
+  // Aground, from now on: begin_tick() moves a ship that is aground no more.
+  void lie_still(ShipState& ship);
   // Over a pole.
   void reverse_course();
 

@@ -79,9 +79,10 @@ class EventChecker {
       check_name(event.after(), path + ".after", "event before this one called", {&names_.events});
     }
     check_new(event.name(), path, names_.events);
-    if (!event.has_at_min() && !event.has_after() && !event.has_ship()) {
-      source_.refuse(path, fmt::format("the event \"{}\" says not when; expected at_min, after or "
-                                       "ship with a condition",
+    if (!event.has_at_min() && !event.has_after() && !event.has_ship() && !event.has_collides() &&
+        !event.has_grounds()) {
+      source_.refuse(path, fmt::format("the event \"{}\" says not when; expected at_min, after, "
+                                       "collides, grounds or ship with a condition",
                                        printable(event.name())));
     }
     const bool asks = event.has_within_of() || event.has_enters() || event.has_faster_than_kn() ||
@@ -99,6 +100,13 @@ class EventChecker {
     if (event.has_within_of()) {
       check_name(event.within_of(), path + ".within_of", "ship",
                  {&names_.own_ships, &names_.targets});
+    }
+    if (event.has_collides()) {
+      check_name(event.collides(), path + ".collides", "ship",
+                 {&names_.own_ships, &names_.targets});
+    }
+    if (event.has_grounds()) {
+      check_name(event.grounds(), path + ".grounds", "own ship", {&names_.own_ships});
     }
     if (event.has_enters()) check_name(event.enters(), path + ".enters", "area", {&names_.areas});
     for (int i = 0; i < event.targets_size(); ++i) {

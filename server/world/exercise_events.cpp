@@ -69,6 +69,8 @@ bool ExerciseEvents::holds(const scenario::Event& event, Duration now,
     const auto before = happened(event.after());
     if (!before || now < *before + minutes_of(event.after_min())) return false;
   }
+  if (event.has_collides() && !collided_.contains(event.collides())) return false;
+  if (event.has_grounds() && !grounded_.contains(event.grounds())) return false;
   if (!event.has_ship()) return true;
   const ShipState* const ship = find(event.ship(), own_ships, targets);
   if (ship == nullptr) return false;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ class ExerciseEvents {
                                            const std::vector<ShipState>& targets);
   // When an event of that name happened; nothing if it has not.
   std::optional<Duration> happened(const std::string& name) const;
+  // For conditions: this ship has touched another, has run aground.
+  void collided(const std::string& ship) { collided_.insert(ship); }
+  void grounded(const std::string& ship) { grounded_.insert(ship); }
 
  private:
   // Where a ship of an event's conditions is found; nullptr if she is not on the water.
@@ -40,6 +44,7 @@ class ExerciseEvents {
 
   std::shared_ptr<const scenario::Scenario> scenario_;
   std::vector<std::optional<Duration>> happened_;  // of each event
+  std::set<std::string> collided_, grounded_;      // ships
 };
 
 // True if the position is within the area: a circle, or corners joined by straight lines.

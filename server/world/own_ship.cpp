@@ -149,7 +149,22 @@ void OwnShip::put(const ShipState& there, const Environment& environment) {
   state_.speed_mps = there.speed_mps;
   state_.rate_of_turn_deg_s = 0.0;
   if (driven_) return;  // until the next fix
+  state_.aground = there.aground;
   go_on(environment);
+}
+
+void OwnShip::run_aground(const ShipState& there) {
+  state_.aground = true;
+  state_.position = there.position;
+  state_.heading_deg = there.heading_deg;
+  lie_still();
+  if (class_ship_) class_ship_->lie_still(state_);
+}
+
+void OwnShip::lie_still() {
+  speed_mps_ = end_speed_mps_ = rate_deg_s_ = end_rate_deg_s_ = commanded_deg_s_ = 0.0;
+  state_.course_over_ground_deg = state_.heading_deg;
+  state_.speed_mps = state_.rate_of_turn_deg_s = 0.0;
 }
 
 void OwnShip::go_on(const Environment& environment) {
@@ -163,6 +178,9 @@ void OwnShip::go_on(const Environment& environment) {
 
 void OwnShip::begin_tick(const Environment& environment) {
   if (class_ship_) return class_ship_->begin_tick(environment, now_, tick_, state_);
+  state_.ordered_course_deg = ordered_course_deg_;
+  state_.ordered_speed_mps = ordered_speed_mps_;
+  if (state_.aground) return lie_still();
   const wire::Faults* const faults = state_.faults ? &state_.faults->faults : nullptr;
   const bool steers = !faults || !(faults->steering_lost() || faults->blackout());
   const bool drives = !faults || !(faults->engine_tripped() || faults->blackout());
@@ -179,8 +197,6 @@ void OwnShip::begin_tick(const Environment& environment) {
     commanded_deg_s_ = std::clamp(turn_gain_ * left_deg, -max_rate_deg_s_, max_rate_deg_s_);
   state_.rate_of_turn_deg_s = turn_lag_.mean(rate_deg_s_, commanded_deg_s_);
   state_.speed_mps = speed_lag_.mean(speed_mps_, speed_goal);
-  state_.ordered_course_deg = ordered_course_deg_;
-  state_.ordered_speed_mps = ordered_speed_mps_;
   end_rate_deg_s_ = turn_lag_.end(rate_deg_s_, commanded_deg_s_);
   end_speed_mps_ = speed_lag_.end(speed_mps_, speed_goal);
 }

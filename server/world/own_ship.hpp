@@ -38,6 +38,8 @@ namespace skerry::server {
 // pump or no thrusters make no difference to a ship without a class.  Orders stay, and act again
 // after.
 //
+// Aground she lies still; her rudder and engine go on as ordered.
+//
 // While fixes of an outside simulator come, they drive her instead (driven_motion.hpp).  After the
 // last she goes on by herself, on the heading and at the speed she had.
 //
@@ -60,8 +62,13 @@ class OwnShip {
   // values within their ranges.  True if she was not driven until now.
   bool drive(const OwnShipFix& fix, Duration now);
 
-  // At `there`'s position, on its heading and at its speed, from now on; she keeps both.
+  // At `there`'s position, on its heading and at its speed, from now on; she keeps both.  Aground
+  // if it is.
   void put(const ShipState& there, const Environment& environment);
+
+  // Where `there` has her, on its heading: she lies still from now on, whatever is ordered, until
+  // put() has her elsewhere.  Requires that she is not driven.
+  void run_aground(const ShipState& there);
 
   // What is wrong aboard her from now on, instead of what was.
   void set_faults(const wire::Faults& faults);
@@ -84,6 +91,7 @@ class OwnShip {
   void end_drive(const Environment& environment);
   void hold_what_is_lost(const FaultState* was, FaultState& next) const;
   void go_on(const Environment& environment);
+  void lie_still();
 
   Duration tick_;
   Lag speed_lag_, turn_lag_;

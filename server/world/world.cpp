@@ -37,7 +37,8 @@ World::World(const scenario::Scenario& scenario)
                     .own_ships = own_ships_of(scenario, *environment),
                     .traffic = Traffic(scenario),
                     .environment = environment,
-                    .events = ExerciseEvents(shared)};
+                    .events = ExerciseEvents(shared),
+                    .contacts = {}};
       }()),
       scripted_targets_(static_cast<std::size_t>(scenario.targets_size())) {
   for (int i = 0; i < scenario.targets_size(); ++i) {
@@ -129,6 +130,7 @@ void World::step_exercise() {
   for (OwnShip& ship : part_.own_ships) ship.step(*part_.environment);
   ++part_.steps;
   const Duration then = kTick * part_.steps;
+  look_for_mishaps(then);
   if (part_.events.is_empty() || then % ExerciseEvents::kLook != Duration::zero()) return;
   for (std::size_t i = 0; i < own_ships.size(); ++i) own_ships[i] = part_.own_ships[i].state();
   const auto events = part_.events.look(then, own_ships, part_.traffic.states(then));

@@ -13,6 +13,7 @@
 
 #include "protocol/quantity/time.hpp"
 #include "protocol/wire/exercise.pb.h"
+#include "server/world/contacts.hpp"
 #include "server/world/exercise_clock.hpp"
 #include "server/world/exercise_events.hpp"
 #include "server/world/own_ship.hpp"
@@ -79,6 +80,12 @@ class World {
   void order(const wire::ExerciseOrder& order, const std::string& by);
   // Every ship as she is, the clock and what has happened.
   void tell(wire::ExerciseState& state) const;
+  // Collisions and groundings are told in the log, and stop the exercise's clock if its sheet says
+  // so: at the end of the step in which they were.  A ship runs aground where she has a class and
+  // the water is no deeper than her draught; at the shore, by ExerciseOrder.aground of whoever
+  // knows the chart (server/app/shore_watch.hpp).  A ship that is driven from outside is told
+  // aground and goes on.
+  //
   // When an event of the scenario happened, on the exercise's clock; nothing if it has not.
   std::optional<Duration> happened(const std::string& event) const {
     return part_.events.happened(event);
@@ -99,6 +106,7 @@ class World {
     Traffic traffic;
     EnvironmentPtr environment;
     ExerciseEvents events;
+    Contacts contacts;
   };
   // What was before a change.
   struct PutBack {
@@ -124,7 +132,14 @@ class World {
   std::string put(const wire::OwnShipPut& put);
   std::string set_faults(const wire::FaultChange& change);
   void say(std::optional<std::uint32_t> own_ship, const std::string& text);
-  void mark(const std::string& kind, const std::string& text);
+  void mark(const std::string& kind, const std::string& text) { mark(kind, text, part_.clock.now); }
+  void mark(const std::string& kind, const std::string& text, Duration when);
+  // After a step: what touched, and who has too little water.
+  void look_for_mishaps(Duration now);
+  // By the shore, as an order has it.
+  std::string ground(std::size_t own_ship);
+  // Tells it; true if the exercise's clock stops for it.
+  bool record(Contact contact);
   void take_snapshot(const std::string& name);
   void restore(const std::string& name);
   void undo();

@@ -67,11 +67,11 @@ ExerciseLog& World::log() {
   return changed;
 }
 
-void World::mark(const std::string& kind, const std::string& text) {
+void World::mark(const std::string& kind, const std::string& text, Duration when) {
   ExerciseLog& log = this->log();
   if (log.marks.size() >= ExerciseLog::kMaxMarks) log.marks.erase(log.marks.begin());
   wire::ExerciseMark& mark = log.marks.emplace_back();
-  mark.set_exercise_s(in_seconds(part_.clock.now));
+  mark.set_exercise_s(in_seconds(when));
   mark.set_kind(kind);
   mark.set_text(text);
 }
@@ -138,11 +138,13 @@ std::optional<std::string> World::fault_of(const wire::ExerciseOrder& order) con
     case wire::ExerciseOrder::kUndo:
       if (!undo_.empty()) return std::nullopt;
       return "undo: there is nothing to take back";
+    case wire::ExerciseOrder::kAground:
+      return no_such_ship(order.aground());
     case wire::ExerciseOrder::KIND_NOT_SET:
       break;
   }
   return "exercise: an order that says nothing; expected clock, target, new_target, own_ship, "
-         "fault, text, mark, snapshot, restore or undo";
+         "fault, text, mark, snapshot, restore, undo or aground";
 }
 
 std::optional<std::string> World::fault_of_new(const wire::NewTarget& target) const {
@@ -157,6 +159,7 @@ std::optional<std::string> World::fault_of_new(const wire::NewTarget& target) co
 }
 
 void World::order(const wire::ExerciseOrder& order, const std::string& by) {
+  part_.contacts.search_anew();
   std::string what;
   switch (order.kind_case()) {
     case wire::ExerciseOrder::kClock:
@@ -200,6 +203,9 @@ void World::order(const wire::ExerciseOrder& order, const std::string& by) {
       what = "took back " + undo_.back().what;
       undo();
       break;
+    case wire::ExerciseOrder::kAground:
+      what = ground(order.aground());
+      break;
     case wire::ExerciseOrder::KIND_NOT_SET:
       return;
   }
@@ -232,6 +238,7 @@ std::string World::put(const wire::OwnShipPut& put) {
   }
   if (put.has_heading_deg()) there.heading_deg = wrapped_degrees(put.heading_deg());
   if (put.has_speed_kn()) there.speed_mps = knots_in_mps(put.speed_kn());
+  there.aground = false;
   ship.put(there, *part_.environment);
   std::string what = fmt::format("{} put elsewhere", before.name);
   remember(what, PutBack{put.own_ship(), before});
@@ -274,6 +281,7 @@ void World::restore(const std::string& name) {
   part_.traffic = kept.traffic;
   part_.environment = kept.environment;
   part_.events = kept.events;
+  part_.contacts = kept.contacts;
   undo_.clear();
   log().can_undo.clear();
   mark("mark", fmt::format("restored \"{}\"", name));
@@ -300,6 +308,7 @@ void World::undo() {
 }
 
 void World::happen(const scenario::Event& event) {
+  part_.contacts.search_anew();
   mark("event", event.name());
   std::vector<std::string> faults;
   const auto own_ship_called = [&](const std::string& name) {

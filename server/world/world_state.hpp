@@ -53,8 +53,9 @@ struct ShipState {
   double height_m = 0.0;          // of the echoing hull and superstructure above the water
   double cross_section_m2 = 0.0;  // median at X band, bow aspect; 0: from her size
   bool wake = false;
-  bool driven = false;  // an own ship whose motion comes from outside
-  bool sart = false;    // carries one that is on
+  bool driven = false;   // an own ship whose motion comes from outside
+  bool aground = false;  // an own ship: she lies still until she is put elsewhere
+  bool sart = false;     // carries one that is on
   std::uint32_t mmsi = 0;
   // Faults of a target's AIS: it is silent, adds to the heading, tells a place so far ahead.
   bool ais_off = false;
@@ -92,6 +93,20 @@ struct RainState {
   GeoPoint centre;
 };
 
+// An own ship that touched another ship, or the ground.
+struct Contact {
+  enum class Kind { collision, grounding };
+  Kind kind = Kind::collision;
+  Duration when{};  // on the exercise's clock
+  std::size_t own_ship = 0;
+  bool other_own = false;  // of a collision: the other is an own ship
+  std::size_t other = 0;   // her number in its list
+  std::string own_name, other_name;
+  GeoPoint position;          // of the own ship's middle
+  double relative_mps = 0.0;  // of a collision: of one seen from the other; else over ground
+  std::string why;            // of a grounding: "the shore", "5 m of water, draught 6.5 m"
+};
+
 // What has happened in an exercise beside the motion of ships.  Copied when it changes.
 struct ExerciseLog {
   static constexpr std::size_t kMaxMarks = 1000;  // the oldest go
@@ -100,6 +115,7 @@ struct ExerciseLog {
     std::uint64_t count = 0;  // of texts so far
   };
   std::vector<wire::ExerciseMark> marks;
+  std::vector<Contact> contacts;       // as many at most
   std::vector<Text> texts;             // to the con of each own ship
   std::vector<std::string> snapshots;  // names, oldest first
   std::string can_undo;                // empty: nothing

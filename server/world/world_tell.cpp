@@ -56,6 +56,7 @@ void World::tell(wire::ExerciseState& out) const {
     tell_motion(ship, told);
     told.set_own(true);
     told.set_ship_class(part_.scenario->own_ships(static_cast<int>(ship.number)).ship_class());
+    told.set_aground(ship.aground);
     if (ship.faults) *told.mutable_faults() = ship.faults->faults;
     const SensorReading reading = reading_at(now, ship, Duration::zero());
     told.set_gyro_error_deg(reading.heading_deg);

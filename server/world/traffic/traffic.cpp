@@ -142,6 +142,12 @@ std::vector<ShipState> Traffic::states(Duration now) const {
   return states;
 }
 
+std::optional<ShipState> Traffic::state(std::size_t number, Duration now) const {
+  const auto found = ships_.find(number);
+  if (found == ships_.end() || !found->second->ship.is_on_water()) return std::nullopt;
+  return found->second->ship.state(now, reached_);
+}
+
 std::optional<std::string> Traffic::fault_of(const wire::TargetChange& change) const {
   const auto found = ships_.find(change.target());
   if (found == ships_.end()) {

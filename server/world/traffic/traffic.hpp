@@ -35,6 +35,8 @@ class Traffic {
   // The ships that are on the water at `now`, which step() has reached and is not a tick beyond;
   // in the order of their numbers.  `pace` is left at 1.
   std::vector<ShipState> states(Duration now) const;
+  // One of them; nothing if she is not on the water.
+  std::optional<ShipState> state(std::size_t number, Duration now) const;
 
   // What is wrong with an order: no such ship, a route with too many or too long legs, a speed
   // beyond her class.  Values within the ranges of exercise.proto.

@@ -113,21 +113,6 @@ TEST_F(SheetJudge, LandEventsAndDistancesAreJudged) {
   EXPECT_FALSE(judged(apart).passed());
 }
 
-TEST_F(SheetJudge, OutlinesTouchWhereTheyOverlap) {
-  ShipState a, b;
-  a.position = b.position = {50.0, 0.0};
-  a.length_m = b.length_m = 100.0;
-  a.beam_m = b.beam_m = 20.0;
-  b.position.latitude_deg += 60.0 / 111'120.0;
-  EXPECT_TRUE(outlines_touch(a, b)) << "bow to stern, 40 m into each other";
-  a.heading_deg = b.heading_deg = 90.0;
-  EXPECT_FALSE(outlines_touch(a, b)) << "side by side, 40 m of water between";
-  a.heading_deg = 0.0;
-  EXPECT_FALSE(outlines_touch(a, b)) << "50 m ahead of one, 10 m beside the other: 60 m apart";
-  b.position.latitude_deg -= 5.0 / 111'120.0;
-  EXPECT_TRUE(outlines_touch(a, b)) << "a bow in a side";
-}
-
 TEST_F(SheetJudge, WhoIsOnLandIsComplainedOf) {
   EXPECT_TRUE(land_complaints(plan_.scenario, chart(), 5.0).empty());
   scenario::Scenario wrong = plan_.scenario;

@@ -154,6 +154,7 @@ export class ShipsPanel {
         .join(' · '),
     );
     const flags = [
+      ship.aground && 'Aground: put her elsewhere',
       ship.givesWayNow && 'Gives way now',
       ship.removed && 'Off the water',
       ship.onCourse && 'Off her route',

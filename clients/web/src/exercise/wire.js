@@ -40,6 +40,7 @@ const SHIP_FIELDS = {
   26: ['gnssErrorM', 'double'],
   27: ['con', 'string'],
   28: ['onCourse', 'bool'],
+  29: ['aground', 'bool'],
 };
 const ExerciseMark = message({ 1: ['exerciseS', 'double'], 2: ['text', 'string'], 3: ['kind', 'string'] });
 const CoastLine = message({ 1: ['points', ['sint32']], 2: ['closed', 'bool'], 3: ['water', 'bool'] });

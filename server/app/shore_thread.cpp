@@ -1,0 +1,57 @@
+#include "server/app/shore_thread.hpp"
+
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+namespace skerry::server {
+
+ShoreThread::ShoreThread(Timeline& timeline, CoastService& coast, InputLog& inputs,
+                         std::function<ScenarioTime()> now)
+    : timeline_(timeline),
+      inputs_(inputs),
+      now_(std::move(now)),
+      watch_(
+          [&coast](GeoPoint centre, Length radius, ShoreWatch::SurveyDone done) {
+            coast.survey(centre, radius, std::move(done));
+          },
+          [this](std::size_t own_ship) { ground(own_ship); }) {}
+
+void ShoreThread::start() {
+  thread_ = std::jthread([this](const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "shore");
+    work(stop);
+  });
+}
+
+void ShoreThread::stop() { thread_ = {}; }
+
+void ShoreThread::work(const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any stopped;
+  std::unique_lock lock(mutex);
+  ScenarioTime next{};
+  while (!stop.stop_requested()) {
+    const ScenarioTime now = now_();
+    // After a long halt of the machine: what is still kept.
+    next = std::max(next, now - World::kTick * static_cast<std::int64_t>(Timeline::kKept - 1));
+    for (; next <= now; next += World::kTick) watch_.look(*timeline_.at(next));
+    stopped.wait_for(lock, stop, kPause, [&] { return stop.stop_requested(); });
+  }
+}
+
+void ShoreThread::ground(std::size_t own_ship) {
+  wire::ExerciseOrder order;
+  order.set_aground(static_cast<std::uint32_t>(own_ship));
+  const auto giving = inputs_.giving();
+  const Timeline::ConOrdered ordered = timeline_.order(order, kBy);
+  if (ordered.fault) return;
+  inputs_.exercised(ordered.tick, order, kBy);
+  spdlog::info("own ship {}: {} has run aground at the shore", own_ship,
+               timeline_.latest()->own_ships[own_ship].name);
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,40 @@
+// ShoreThread: has own ships run aground at the chart's shore.
+#pragma once
+
+#include <functional>
+#include <thread>
+
+#include "server/app/shore_watch.hpp"
+#include "server/radar/coast_service.hpp"
+#include "server/replay/input_log.hpp"
+#include "server/world/timeline.hpp"
+
+namespace skerry::server {
+
+// Looks at every tick of the world four times a second (ShoreWatch), on a thread of its own
+// ("shore"), and gives the world an order for each ship that has run aground.  She stops with the
+// next tick: some 0.3 s after she touched, at twenty times as fast some 6 s of the exercise.
+class ShoreThread {
+ public:
+  static constexpr auto kPause = std::chrono::milliseconds(250);
+  static constexpr const char* kBy = "the chart";  // who gave the order
+
+  // All must outlive it.  `now`: the scenario's time.
+  ShoreThread(Timeline& timeline, CoastService& coast, InputLog& inputs,
+              std::function<ScenarioTime()> now);
+  void start();
+  // Ends the thread.  Before the coast's.
+  void stop();
+
+ private:
+  void work(const std::stop_token& stop);
+  void ground(std::size_t own_ship);
+
+  Timeline& timeline_;
+  InputLog& inputs_;
+  std::function<ScenarioTime()> now_;
+  ShoreWatch watch_;
+  std::jthread thread_;
+};
+
+}  // namespace skerry::server
