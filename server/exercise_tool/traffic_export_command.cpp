@@ -7,6 +7,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "echo/tool_console/console.hpp"
 #include "protocol/nmea/log_time.hpp"
@@ -26,6 +28,38 @@ struct ExportOptions {
   bool own_ships = false, force = false;
 };
 
+// A file beside the wanted one that takes its name when it is whole, and is removed else.
+class PartFile {
+ public:
+  // Error: std::runtime_error if it cannot be made.
+  explicit PartFile(fs::path wanted)
+      : wanted_(std::move(wanted)),
+        part_(wanted_.string() + ".part"),
+        out_(part_, std::ios::binary) {
+    if (!out_) throw std::runtime_error(part_.string() + " cannot be written");
+  }
+  ~PartFile() {
+    std::error_code ignored;
+    if (!whole_) fs::remove(part_, ignored);
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  void write(std::string_view text) { out_ << text; }
+  // Error: std::runtime_error, of a full disk for one.
+  void finish() {
+    out_.close();
+    if (!out_) throw std::runtime_error(part_.string() + " cannot be written to its end");
+    fs::rename(part_, wanted_);
+    whole_ = true;
+  }
+
+ private:
+  fs::path wanted_, part_;
+  std::ofstream out_;
+  bool whole_ = false;
+};
+
 int export_traffic(const ExportOptions& options) {
   const std::string ending = fs::path(options.out).extension().string();
   if (ending != ".csv" && ending != ".nmea") {
@@ -37,8 +71,8 @@ int export_traffic(const ExportOptions& options) {
     return echo::report(fmt::format("{} is there already", options.out),
                         "Name another file, or give --force to write over it.");
   }
-  std::ofstream out(options.out, std::ios::binary);
-  if (!out) return echo::report(fmt::format("{} cannot be written", options.out));
+  // What was there stays until all of the new is.
+  PartFile part(options.out);
   TrafficExport wanted;
   wanted.form = ending == ".csv" ? TrafficForm::csv : TrafficForm::nmea;
   wanted.minutes = options.minutes;
@@ -49,11 +83,10 @@ int export_traffic(const ExportOptions& options) {
   {
     echo::Progress progress;
     done = export_traffic(
-        options.file, wanted, [&](std::string_view text) { out << text; },
+        options.file, wanted, [&](std::string_view text) { part.write(text); },
         [&](double share) { progress.show(fmt::format("{:.0f} %", 100.0 * share)); });
   }
-  out.close();
-  if (!out) throw std::runtime_error(options.out + " cannot be written to its end");
+  part.finish();
   echo::write_out(fmt::format("{}: {} reports of {} ships and marks in {:.1f} min\n", options.out,
                               done.reports, done.ships, done.minutes));
   return echo::kExitOk;
