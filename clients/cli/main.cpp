@@ -38,7 +38,7 @@ int run(int argc, char** argv) {
       make_set_command(app),      make_play_command(app),     make_record_command(app),
       make_coast_command(app),    make_board_command(app),    make_recording_command(app),
       make_doctor_command(app),   make_picture_command(app),  make_radar_command(app),
-      make_scenario_command(app), make_exercise_command(app)};
+      make_scenario_command(app), make_exercise_command(app), make_traffic_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

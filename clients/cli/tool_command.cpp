@@ -1,5 +1,5 @@
-// skerry coast, picture, radar and scenario: hand over to the programs skerry-coast, skerry-picture
-// and skerry-exercise, which know how echoes are made.  Clients do not.
+// skerry coast, picture, radar, scenario and traffic: hand over to the programs skerry-coast,
+// skerry-picture and skerry-exercise, which know how echoes are made.  Clients do not.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -67,6 +67,11 @@ Command make_radar_command(CLI::App& app) {
 Command make_scenario_command(CLI::App& app) {
   return hand_over(app, "scenario", "Makes, checks, lists and runs exercises", "skerry-exercise",
                    {});
+}
+
+Command make_traffic_command(CLI::App& app) {
+  return hand_over(app, "traffic", "Traffic from and to logs of AIS", "skerry-exercise",
+                   {"traffic"});
 }
 
 }  // namespace skerry::client

@@ -74,6 +74,27 @@ SixBitWriter begin(unsigned type, std::uint32_t mmsi) {
   return out;
 }
 
+// What messages 1, 18 and 19 have alike, from the speed to the second.
+void add_motion(SixBitWriter& out, const AisPosition& message) {
+  out.add(speed_bits(message.speed_kn), 10);
+  out.add(1, 1);  // better than 10 m
+  add_position(out, message.position);
+  out.add(angle_bits(message.course_deg, 10.0, kNoCourse), 12);
+  out.add(angle_bits(message.heading_deg, 1.0, kNoHeading), 9);
+  out.add(message.utc_second, 6);
+}
+
+void take_motion(SixBitReader& in, AisPosition& message) {
+  const std::uint32_t speed = in.take(10);
+  if (speed != kNoSpeed) message.speed_kn = speed / 10.0;
+  in.skip(1);
+  message.position = take_position(in);
+  const std::uint32_t course = in.take(12), heading = in.take(9);
+  if (course < kNoCourse) message.course_deg = course / 10.0;
+  if (heading < 360) message.heading_deg = heading;
+  message.utc_second = in.take(6);
+}
+
 SixBitWriter bits_of(const AisPosition& message) {
   SixBitWriter out = begin(message.class_b ? 18 : 1, message.mmsi);
   if (message.class_b) {
@@ -82,12 +103,7 @@ SixBitWriter bits_of(const AisPosition& message) {
     out.add(message.status, 4);
     out.add_signed(turn_bits(message.rate_of_turn_deg_min), 8);
   }
-  out.add(speed_bits(message.speed_kn), 10);
-  out.add(1, 1);  // better than 10 m
-  add_position(out, message.position);
-  out.add(angle_bits(message.course_deg, 10.0, kNoCourse), 12);
-  out.add(angle_bits(message.heading_deg, 1.0, kNoHeading), 9);
-  out.add(message.utc_second, 6);
+  add_motion(out, message);
   if (message.class_b) {
     out.add(0, 2);
     out.add(1, 1);  // a "CS" unit
@@ -102,6 +118,21 @@ SixBitWriter bits_of(const AisPosition& message) {
     out.add(0, 1);   // no RAIM
     out.add(0, 19);  // SOTDMA: directly synchronised
   }
+  return out;
+}
+
+SixBitWriter bits_of(const AisExtended& message) {
+  SixBitWriter out = begin(19, message.position.mmsi);
+  out.add(0, 8);
+  add_motion(out, message.position);
+  out.add(0, 4);
+  out.add_text(message.name, 20);
+  out.add(message.ship_type, 8);
+  add_size(out, message.size);
+  out.add(1, 4);  // GPS
+  out.add(0, 1);  // no RAIM
+  out.add(0, 2);  // data terminal ready, autonomous
+  out.add(0, 4);
   return out;
 }
 
@@ -175,14 +206,19 @@ AisMessage take_position_report(SixBitReader& in, std::uint32_t mmsi, bool class
       message.rate_of_turn_deg_min = std::copysign(root * root, root);
     }
   }
-  const std::uint32_t speed = in.take(10);
-  if (speed != kNoSpeed) message.speed_kn = speed / 10.0;
-  in.skip(1);
-  message.position = take_position(in);
-  const std::uint32_t course = in.take(12), heading = in.take(9);
-  if (course < kNoCourse) message.course_deg = course / 10.0;
-  if (heading < 360) message.heading_deg = heading;
-  message.utc_second = in.take(6);
+  take_motion(in, message);
+  return message;
+}
+
+AisMessage take_extended(SixBitReader& in, std::uint32_t mmsi) {
+  AisExtended message;
+  message.position.mmsi = mmsi;
+  in.skip(8);
+  take_motion(in, message.position);
+  in.skip(4);
+  message.name = in.take_text(20);
+  message.ship_type = in.take(8);
+  message.size = take_size(in);
   return message;
 }
 
@@ -265,6 +301,9 @@ Result<AisMessage, WireError> decode_ais(SixBitReader bits) {
     case 5:
       needed = 420;  // some send 420 or 422 bits of the 424
       break;
+    case 19:
+      needed = 301;  // up to the size: some cut the spare end
+      break;
     case 21:
       needed = 272;
       break;
@@ -281,6 +320,7 @@ Result<AisMessage, WireError> decode_ais(SixBitReader bits) {
                   fmt::format("AIS message {} of {} bits; it has {}", type, bits.bits(), needed)}};
   }
   if (type == 5) return take_voyage(bits, mmsi);
+  if (type == 19) return take_extended(bits, mmsi);
   if (type == 21) return take_aid(bits, mmsi);
   if (type == 24) return take_static(bits, mmsi);
   return take_position_report(bits, mmsi, type == 18);

@@ -1,4 +1,4 @@
-// AIS messages 1 (2, 3), 5, 18, 21 and 24 as bits.
+// AIS messages 1 (2, 3), 5, 18, 19, 21 and 24 as bits.
 // Source: ITU-R M.1371-5 annex 8.
 #pragma once
 
@@ -61,6 +61,14 @@ struct AisStatic {
   AisSize size = {};
 };
 
+// Message 19: what 18 and 24 say, in one.
+struct AisExtended {
+  AisPosition position = {.class_b = true};
+  std::string name = {};  // 20
+  unsigned ship_type = 0;
+  AisSize size = {};
+};
+
 // Message 21.
 struct AisAid {
   std::uint32_t mmsi = 0;
@@ -73,7 +81,7 @@ struct AisAid {
   bool is_virtual = false;
 };
 
-using AisMessage = std::variant<AisPosition, AisVoyage, AisStatic, AisAid>;
+using AisMessage = std::variant<AisPosition, AisVoyage, AisStatic, AisAid, AisExtended>;
 
 SixBitWriter encode(const AisMessage& message);
 // Error, without a place: unknown_kind of other messages, truncated if too short for its kind.

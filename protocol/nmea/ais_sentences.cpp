@@ -42,11 +42,12 @@ Result<std::optional<HeardAis>, WireError> AisAssembler::feed(const Sentence& se
   std::string payload(in.text(4));
   if (total > 1) {
     Begun& begun = begun_[identifier];
+    const bool continues = begun.next == number && begun.total == total;
+    if (begun.next != 0 && !continues) ++given_up_;
     if (number == 1) begun = {.total = total, .next = 1, .payload = {}};
     if (begun.next != number || begun.total != total) {
       begun = {};
-      return Failure{
-          WireError{WireErrorKind::truncated, 0, "an AIS message without its beginning"}};
+      return Failure{WireError{WireErrorKind::truncated, 0, kNoBeginning}};
     }
     begun.payload += payload;
     ++begun.next;
@@ -61,6 +62,11 @@ Result<std::optional<HeardAis>, WireError> AisAssembler::feed(const Sentence& se
   auto message = decode_ais(std::move(*bits));
   if (!message) return Failure{message.error()};
   return std::optional(HeardAis{std::move(message).value(), sentence.formatter == "VDO"});
+}
+
+std::size_t AisAssembler::pending() const {
+  return static_cast<std::size_t>(std::count_if(
+      begun_.begin(), begun_.end(), [](const Begun& begun) { return begun.next != 0; }));
 }
 
 }  // namespace skerry::nmea

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +33,16 @@ class AisAssembler {
  public:
   static constexpr unsigned kMostParts = 9;
 
+  // What feed() says of a sentence whose message has not begun.
+  static constexpr const char* kNoBeginning = "an AIS message without its beginning";
+
   // nullopt while the message continues.  Error: also if its beginning is missing.
   Result<std::optional<HeardAis>, WireError> feed(const Sentence& sentence);
+
+  // Messages that began and whose end never came; another took their place.
+  std::uint64_t given_up() const { return given_up_; }
+  // Messages that have begun.
+  std::size_t pending() const;
 
  private:
   struct Begun {
@@ -40,6 +50,7 @@ class AisAssembler {
     std::string payload;
   };
   std::array<Begun, 10> begun_;
+  std::uint64_t given_up_ = 0;
 };
 
 }  // namespace skerry::nmea

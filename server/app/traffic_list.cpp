@@ -45,7 +45,7 @@ std::optional<AisSaid> said_of(const WorldState& state, const ShipState& ship, D
 TrafficKind kind_of(const scenario::Target& target) {
   switch (target.kind()) {
     case scenario::Target::ship:
-      return TrafficKind::ship;
+      return target.ais_class() == scenario::class_b ? TrafficKind::boat : TrafficKind::ship;
     case scenario::Target::small_craft:
     case scenario::Target::reflector_craft:
       return TrafficKind::boat;
@@ -72,7 +72,7 @@ TrafficItem item_of(const scenario::Target& target) {
   item.mmsi = target.mmsi();
   item.position = geo_point(target.position());
   item.heading_deg = item.course_over_ground_deg = wrapped_degrees(target.course_deg());
-  if (item.kind == TrafficKind::ship) {
+  if (target.kind() == scenario::Target::ship) {
     item.length_m = target.length_m();
     item.beam_m = target.beam_m();
   }

@@ -1,4 +1,5 @@
-// skerry-exercise: makes, checks, lists and runs scenarios.  `skerry scenario` runs it.
+// skerry-exercise: makes, checks, lists and runs scenarios, and traffic from and to logs of AIS.
+// `skerry scenario` and `skerry traffic` run it.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -27,10 +28,16 @@ int run(int argc, char** argv) {
       "  skerry scenario new mine.yaml --template fairway --lat 57.5 --lon 11.2\n"
       "  skerry scenario check mine.yaml\n"
       "  skerry scenario run crossing --fast --checks --pictures pictures\n"
+      "  skerry traffic import harbour.nmea -o traffic.yaml\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done or a check\n"
       "failed, 2 the command line cannot be understood.\n");
-  const std::array commands = {make_new_command(app), make_check_command(app),
-                               make_list_command(app), make_run_command(app)};
+  CLI::App& traffic = add_traffic_commands(app);
+  const std::array commands = {make_new_command(app),
+                               make_check_command(app),
+                               make_list_command(app),
+                               make_run_command(app),
+                               make_traffic_import_command(traffic),
+                               make_traffic_export_command(traffic)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return console::kExitUsage;

@@ -16,6 +16,7 @@
 #include "server/world/board_registers.hpp"
 #include "server/world/exercise_events.hpp"
 #include "server/world/exercise_sheet.hpp"
+#include "server/world/logged_checks.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/route_checks.hpp"
 #include "server/world/ship_units.hpp"
@@ -180,23 +181,46 @@ class ScenarioChecker {
     if (source_.is_sound(path) && !shipped_set(name)) source_.refuse(path, complain_of_name(name));
   }
 
+  // The first target that has the number, unless an own ship has it: then -1.
+  static int first_with(const scenario::Scenario& scenario, std::uint32_t mmsi) {
+    for (const auto& ship : scenario.own_ships()) {
+      if (ship.has_mmsi() && ship.mmsi() == mmsi) return -1;
+    }
+    for (int i = 0; i < scenario.targets_size(); ++i) {
+      if (scenario.targets(i).has_mmsi() && scenario.targets(i).mmsi() == mmsi) return i;
+    }
+    return -1;
+  }
+
   void check_mmsi(const scenario::Scenario& scenario) const {
     std::map<std::uint32_t, std::string> paths;
-    const auto check = [&](const auto& bearers, const char* list) {
+    const auto check = [&](const auto& bearers, const char* list, const auto& may_share) {
       for (int i = 0; i < bearers.size(); ++i) {
         if (!bearers[i].has_mmsi()) continue;
         const std::string path = fmt::format("{}[{}].mmsi", list, i);
         if (!source_.is_sound(path)) continue;
         const auto [other, is_new] = paths.emplace(bearers[i].mmsi(), path);
-        if (is_new) continue;
+        if (is_new || may_share(i)) continue;
         source_.refuse(
             path, fmt::format("{} is that of {} too ({}); numbers must differ", bearers[i].mmsi(),
                               other->second, source_.where(other->second)));
       }
     };
-    check(scenario.own_ships(), "own_ships");
-    check(scenario.targets(), "targets");
-    check(scenario.racons(), "racons");
+    const auto never = [](int) { return false; };
+    check(scenario.own_ships(), "own_ships", never);
+    // The parts of a ship's log have her number.
+    std::map<std::uint32_t, std::vector<int>> logged;
+    check(scenario.targets(), "targets", [&](int number) {
+      std::vector<int>& parts = logged[scenario.targets(number).mmsi()];
+      if (parts.empty()) parts.push_back(first_with(scenario, scenario.targets(number).mmsi()));
+      for (const int part : parts) {
+        if (part < 0) return false;
+        if (!are_parts_of_a_log(scenario.targets(part), scenario.targets(number))) return false;
+      }
+      parts.push_back(number);
+      return true;
+    });
+    check(scenario.racons(), "racons", never);
   }
 
   void check_racons(const scenario::Scenario& scenario) const {

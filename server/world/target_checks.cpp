@@ -11,6 +11,7 @@
 #include "protocol/quantity/length.hpp"
 #include "server/config/nearest_key.hpp"
 #include "server/world/ais_identities.hpp"
+#include "server/world/logged_checks.hpp"
 #include "server/world/radar_sets.hpp"
 #include "server/world/route_checks.hpp"
 #include "server/world/scenario.hpp"
@@ -137,7 +138,9 @@ class TargetChecker {
                                             "follow_bearing_deg",
                                             "follow_distance_nm",
                                             "fishes_within_nm",
-                                            "along_nm"};
+                                            "along_nm",
+                                            "as_logged",
+                                            "ais_class"};
     static constexpr std::array kOfOthers = {"x_band_m2", "s_band_m2", "fluctuation"};
     if (ship) {
       for (const char* key : kOfOthers) {
@@ -158,7 +161,8 @@ class TargetChecker {
   void check_waypoints(const scenario::Target& target, const std::string& path) const {
     if (target.waypoints().empty()) return;
     check_count(target.waypoints_size(), kMaxWaypoints, path + ".waypoints");
-    if (source_.has(path + ".course_deg") && source_.is_sound(path + ".course_deg")) {
+    if (!target.as_logged() && source_.has(path + ".course_deg") &&
+        source_.is_sound(path + ".course_deg")) {
       source_.refuse(path + ".course_deg",
                      fmt::format("{} given besides waypoints, which set the course; allowed: "
                                  "one of the two",
@@ -174,12 +178,14 @@ class TargetChecker {
     for (int i = 0; i < target.waypoints_size(); ++i) {
       const GeoPoint to = geo_point(target.waypoints(i));
       const std::string to_path = fmt::format("{}.waypoints[{}]", path, i);
-      if (source_.is_sound(from_path) && source_.is_sound(to_path))
+      // A log may have a ship twice at one place.
+      const bool lies = target.as_logged() && distance_between(from, to).in_metres() < 1.0;
+      if (!lies && source_.is_sound(from_path) && source_.is_sound(to_path))
         check_leg(from, to, to_path, source_);
       from = to;
       from_path = to_path;
     }
-    if (target.kind() == scenario::Target::ship && source_.is_sound(path)) {
+    if (target.kind() == scenario::Target::ship && !target.as_logged() && source_.is_sound(path)) {
       check_timetable(target, path);
     }
   }
@@ -211,6 +217,7 @@ class TargetChecker {
         source_.refuse(path + key, fmt::format("given besides {}; allowed: one of the two", what));
       }
     };
+    if (target.as_logged()) return check_logged(target, path, source_);
     if (target.anchored()) {
       exclude("anchored",
               {".speed_kn", ".waypoints", ".follows", ".fishes_within_nm", ".along_nm"});

@@ -172,6 +172,8 @@ const std::vector<Room>& table() {
       {"server/relay", {"protocol/", "server/core/"}},
       {"server/playback", {"protocol/", "server/core/", "server/relay/"}},
       {"server/live", {"protocol/", "server/core/", "server/relay/"}},
+      // Logs of AIS into traffic, and traffic into logs.
+      {"server/traffic_logs", {"protocol/", "server/core/", "server/navigation/", "server/world/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
       {"server/app/control", {"protocol/", "echo/", "server/"}},
       {"server/app/options", {"protocol/", "echo/", "server/"}},

@@ -12,8 +12,10 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "protocol/nmea/ais_sentences.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 #include "tests/system/receive.hpp"
@@ -189,6 +191,59 @@ TEST_F(NavigationOutputs, AreReadByGpsdWithTheRightValues) {
        at = text.find("$RATTM", at + 1)) {
     EXPECT_EQ(text.substr(at, text.find('\n', at) - at).find("Tern"), std::string::npos);
   }
+}
+
+// The first fix of a log is said before 30 s, and then the ship sails as the log has her.
+TEST_F(NavigationOutputs, SayShipsOfAnAisLogThatAScenarioIncludes) {
+  const std::string log =
+      folder_.write("log.csv",
+                    "mmsi,time,lat,lon,name,type,length,beam,class\n"
+                    "219000001,2026-01-01T00:00:00Z,60.45,5.00,LOGGED,70,90,14,A\n"
+                    "219000001,2026-01-01T00:10:00Z,60.45,5.10,LOGGED,70,90,14,A\n"
+                    "219000002,2026-01-01T00:00:00Z,60.44,5.02,SMALL,36,12,4,B\n"
+                    "219000002,2026-01-01T00:10:00Z,60.44,5.02,SMALL,36,12,4,B\n");
+  const std::string part = folder_.write("traffic.yaml", "");
+  const Ending made = run({skerry_program(), "traffic", "import", log, "-o", part, "--force"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("2 ships in 2 tracks, 4 fixes"), std::string::npos) << made.out;
+  const RunningServer server(
+      {"--scenario", folder_.write("scenario.yaml", "include: [traffic.yaml]" + kScenario),
+       "--config",
+       folder_.write("server.yaml", "outputs:\n  - kind: nmea0183\n    port: " + port() +
+                                        "\n    static_period_s: 1\n    sentences: [vdm=0.2]\n")});
+  std::map<std::uint32_t, nmea::AisPosition> last;
+  std::map<std::uint32_t, std::string> names;
+  nmea::AisAssembler assembler;
+  std::size_t taken = 0;
+  heard_until([&](const std::string& all) {
+    for (std::size_t end = all.find('\n', taken); end != std::string::npos;
+         taken = end + 1, end = all.find('\n', taken)) {
+      const std::string line = all.substr(taken, end - taken);
+      const auto sentence = nmea::parse_sentence(line);
+      if (!sentence) continue;
+      const auto heard = assembler.feed(*sentence);
+      if (!heard || !heard->has_value()) continue;
+      const nmea::AisMessage& message = (*heard)->message;
+      if (const auto* fix = std::get_if<nmea::AisPosition>(&message)) last[fix->mmsi] = *fix;
+      if (const auto* who = std::get_if<nmea::AisVoyage>(&message)) names[who->mmsi] = who->name;
+      if (const auto* who = std::get_if<nmea::AisStatic>(&message); who && !who->part_b) {
+        names[who->mmsi] = who->name;
+      }
+    }
+    return names.contains(219'000'001) && names.contains(219'000'002) &&
+           last[219'000'001].position && last[219'000'001].position->longitude_deg > 5.0001 &&
+           last[219'000'002].position;
+  });
+  EXPECT_EQ(names[219'000'001], "LOGGED");
+  EXPECT_EQ(names[219'000'002], "SMALL");
+  const nmea::AisPosition& ship = last[219'000'001];
+  EXPECT_FALSE(ship.class_b);
+  EXPECT_NEAR(ship.position->latitude_deg, 60.45, 2e-6);
+  EXPECT_NEAR(*ship.course_deg, 90.0, 0.1);
+  // A tenth of a degree of longitude in 10 minutes.
+  EXPECT_NEAR(*ship.speed_kn, 0.1 * 60 * 6 * std::cos(60.45 * 3.14159265 / 180), 0.1);
+  EXPECT_TRUE(last[219'000'002].class_b);
+  EXPECT_NEAR(last[219'000'002].position->longitude_deg, 5.02, 2e-6);
 }
 
 // Those that gpsd does not know.

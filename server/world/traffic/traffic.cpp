@@ -108,7 +108,7 @@ void Traffic::step(Duration now, Duration tick, const std::vector<ShipState>& ow
     seen.reserve(ships_.size() + own_now.size());
     for (std::size_t i = 0; i < own_now.size(); ++i) seen.push_back(seen_own(own_now[i], i));
     for (const auto& [number, each] : ships_) {
-      if (each->ship.is_on_water()) seen.push_back(each->ship.seen(reached_));
+      if (each->ship.is_on_water(reached_)) seen.push_back(each->ship.seen(reached_));
     }
   }
   // Leaders as they are before anyone plans, so that the order of the list does not matter.
@@ -117,7 +117,7 @@ void Traffic::step(Duration now, Duration tick, const std::vector<ShipState>& ow
     const auto leader = each->ship.follows();
     if (!leader || leader->own) continue;
     const auto found = ships_.find(leader->number);
-    if (found == ships_.end() || !found->second->ship.is_on_water()) continue;
+    if (found == ships_.end() || !found->second->ship.is_on_water(reached_)) continue;
     leaders.try_emplace(leader->number, found->second->ship.state(reached_, reached_));
   }
   for (auto& [number, each] : ships_) {
@@ -137,7 +137,7 @@ std::vector<ShipState> Traffic::states(Duration now) const {
   std::vector<ShipState> states;
   states.reserve(ships_.size());
   for (const auto& [number, each] : ships_) {
-    if (each->ship.is_on_water()) states.push_back(each->ship.state(now, reached_));
+    if (each->ship.is_on_water(now)) states.push_back(each->ship.state(now, reached_));
   }
   return states;
 }

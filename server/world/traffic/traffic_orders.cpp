@@ -10,12 +10,26 @@
 #include "server/world/traffic/way_faults.hpp"
 
 namespace skerry::server {
+namespace {
+
+bool moves_her(const wire::TargetChange& change) {
+  return change.has_course_deg() || change.has_speed_kn() || change.route_size() > 0 ||
+         change.has_route_end() || change.has_gives_way() || change.has_latitude_deg();
+}
+
+}  // namespace
 
 std::optional<std::string> TrafficShip::fault_of(const wire::TargetChange& change,
                                                  Duration now) const {
   const std::string who = target_->has_ship_class()
                               ? fmt::format("{}, a {},", target_->name(), target_->ship_class())
                               : target_->name();
+  if (way_ == Way::log && !log_->covers(now) && moves_her(change)) {
+    return fmt::format(
+        "{} sails as a log has her, and is not on the water at {:.1f} min; allowed: "
+        "orders while she is",
+        target_->name(), in_seconds(now) / 60.0);
+  }
   if (change.has_latitude_deg() != change.has_longitude_deg()) {
     return "latitude and longitude: one is given without the other; expected both or none";
   }
@@ -31,9 +45,10 @@ std::optional<std::string> TrafficShip::fault_of(const wire::TargetChange& chang
 }
 
 void TrafficShip::become_stepped(Duration now) {
-  if (way_ != Way::track) return;
+  if (!is_plotted()) return;
   const ShipState here = state(now, now);
-  const std::size_t passed = track_->passed_at(now - begin_);
+  const std::size_t passed = passed_at(now);
+  const wire::RouteEnd end = way_ == Way::log ? wire::END_VANISH : wire::END_STOP;
   state_ = here;
   end_ = {here.speed_mps, 0.0};
   course_deg_ = here.heading_deg;
@@ -44,7 +59,7 @@ void TrafficShip::become_stepped(Duration now) {
   left.DeleteSubrange(0, static_cast<int>(passed));
   const double now_s = in_seconds(now);
   way_ = Way::route;
-  route_.emplace(route_of(here.position, now_s, here.speed_mps, left, wire::END_STOP), now_s);
+  route_.emplace(route_of(here.position, now_s, here.speed_mps, left, end), now_s);
 }
 
 void TrafficShip::take_route(const wire::TargetChange& change, Duration now) {
@@ -67,9 +82,7 @@ void TrafficShip::take_route(const wire::TargetChange& change, Duration now) {
 }
 
 void TrafficShip::order(const wire::TargetChange& change, Duration now) {
-  const bool moves = change.has_course_deg() || change.has_speed_kn() || change.route_size() > 0 ||
-                     change.has_route_end() || change.has_gives_way() || change.has_latitude_deg();
-  if (moves) become_stepped(now);
+  if (moves_her(change)) become_stepped(now);
   if (change.has_latitude_deg()) {
     state_.position = {change.latitude_deg(), wrapped_longitude(change.longitude_deg())};
     evasion_.reset();
@@ -110,22 +123,23 @@ void TrafficShip::tell(Duration now, wire::ExerciseShip& ship) const {
   ship.set_mmsi(target_->mmsi());
   ship.set_length_m(here.length_m);
   ship.set_beam_m(here.beam_m);
-  if (removed_) {
+  const bool gone = !is_on_water(now);
+  if (gone) {
     ship.set_latitude_deg(here.position.latitude_deg);
     ship.set_longitude_deg(here.position.longitude_deg);
     ship.set_heading_deg(here.heading_deg);
   }
   ship.set_gives_way(gives_way_);
   ship.set_gives_way_now(evasion_.has_value());
-  ship.set_removed(removed_);
+  ship.set_removed(gone);
   ship.set_sart(here.sart);
   ship.set_ais_off(here.ais_off);
   ship.set_on_course(is_off_route());
   if (route_) {
     for (wire::Waypoint& waypoint : route_->left()) *ship.add_route() = std::move(waypoint);
     ship.set_route_end(route_->route().end);
-  } else if (way_ == Way::track) {
-    const std::size_t passed = track_->passed_at(now - begin_);
+  } else if (is_plotted()) {
+    const std::size_t passed = passed_at(now);
     for (int i = static_cast<int>(passed); i < target_->waypoints_size(); ++i) {
       *ship.add_route() = target_->waypoints(i);
     }

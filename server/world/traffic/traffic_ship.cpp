@@ -53,6 +53,14 @@ Windage windage_of(const scenario::Target& target) {
   return {target.length_m(), target.height_m(), her_class.draught_m};
 }
 
+// Its legs would take much memory, and nobody sails them.
+scenario::Target without_way(const scenario::Target& target) {
+  scenario::Target still = target;
+  still.clear_waypoints();
+  still.set_speed_kn(0.0);
+  return still;
+}
+
 Privilege privilege_of(const scenario::Target& target) {
   if (target.fishes_within_nm() > 0.0) return Privilege::fishing;
   return target.ship_type() == scenario::sailing ? Privilege::sail : Privilege::power;
@@ -69,7 +77,8 @@ TrafficShip::TrafficShip(const scenario::Target& target, std::size_t number, std
                          std::optional<Leader> leader, Duration begin,
                          const Environment& environment)
     : target_(std::make_shared<const scenario::Target>(target)),
-      track_(std::make_shared<const TargetTrack>(target)),
+      track_(
+          std::make_shared<const TargetTrack>(target.as_logged() ? without_way(target) : target)),
       number_(number),
       begin_(begin),
       answer_(answer_of(target)),
@@ -83,7 +92,11 @@ TrafficShip::TrafficShip(const scenario::Target& target, std::size_t number, std
   if (target.has_radar()) {
     state_.radar = std::make_shared<const echo::RadarSet>(*shipped_set(target.radar()));
   }
-  if (!has_traffic_key(target)) return;
+  if (target.as_logged()) {
+    way_ = Way::log;
+    log_ = std::make_shared<const LoggedTrack>(target);
+  }
+  if (way_ == Way::log || !has_traffic_key(target)) return;
   const GeoPoint place = geo_point(target.position());
   if (target.anchored()) {
     way_ = Way::anchor;
@@ -116,9 +129,24 @@ TrafficShip::TrafficShip(const scenario::Target& target, std::size_t number, std
   state_.course_over_ground_deg = state_.ordered_course_deg = state_.heading_deg;
 }
 
+bool TrafficShip::is_on_water(Duration now) const {
+  return !removed_ && (way_ != Way::log || log_->covers(now));
+}
+
+ShipState TrafficShip::plotted(Duration now) const {
+  if (way_ == Way::track) return track_->at(now - begin_);
+  ShipState ship = state_;
+  log_->put(now, ship);
+  return ship;
+}
+
+std::size_t TrafficShip::passed_at(Duration now) const {
+  return way_ == Way::track ? track_->passed_at(now - begin_) : log_->passed_at(now);
+}
+
 ShipState TrafficShip::state(Duration now, Duration reached) const {
-  if (way_ == Way::track) {
-    ShipState ship = track_->at(now - begin_);
+  if (is_plotted()) {
+    ShipState ship = plotted(now);
     ship.number = number_;
     ship.radar = state_.radar;
     ship.sart = state_.sart;
@@ -137,7 +165,7 @@ ShipState TrafficShip::state(Duration now, Duration reached) const {
 }
 
 void TrafficShip::advance(Duration tick) {
-  if (way_ == Way::track || removed_) return;
+  if (is_plotted() || removed_) return;
   const ShipPlace place = position_at(state_, tick);
   state_.position = place.position;
   state_.heading_deg = place.heading_deg;
@@ -148,7 +176,7 @@ void TrafficShip::advance(Duration tick) {
 }
 
 bool TrafficShip::looks(Duration now, Duration tick) const {
-  if (way_ == Way::track || removed_ || gives_way_ == wire::GIVE_WAY_NEVER) return false;
+  if (is_plotted() || removed_ || gives_way_ == wire::GIVE_WAY_NEVER) return false;
   if (way_ == Way::anchor && !is_off_route()) return false;
   const Duration mine = kStagger * static_cast<std::int64_t>(number_ % 50);
   return (now + mine) / kLookEvery != (now + mine - tick) / kLookEvery;
@@ -193,7 +221,7 @@ RouteOrder TrafficShip::wish(Duration now, const ShipState* leader, Wanted& want
 void TrafficShip::plan(Duration now, Duration tick, const Environment& environment,
                        std::span<const SeenShip> others, const ShipState* leader) {
   const bool looks_round = looks(now, tick);
-  if (way_ == Way::track || removed_) return;
+  if (is_plotted() || removed_) return;
   if (way_ == Way::anchor && !is_off_route()) return lie_at_anchor(now, tick, environment);
   const bool lies = in_seconds(now) < start_s_ && !is_off_route();
   Wanted wanted;
@@ -284,10 +312,10 @@ void TrafficShip::lie_at_anchor(Duration now, Duration tick, const Environment& 
 }
 
 SeenShip TrafficShip::seen(Duration now) const {
-  const ShipState ship = way_ == Way::track ? track_->at(now - begin_) : ShipState{};
-  const ShipState& here = way_ == Way::track ? ship : state_;
+  const ShipState ship = is_plotted() ? plotted(now) : ShipState{};
+  const ShipState& here = is_plotted() ? ship : state_;
   const echo::SinCos course = echo::sin_cos_degrees(here.course_over_ground_deg);
-  const double speed = way_ == Way::track ? here.speed_mps : end_.speed_mps;
+  const double speed = is_plotted() ? here.speed_mps : end_.speed_mps;
   SeenShip seen;
   seen.number = number_;
   seen.position = here.position;

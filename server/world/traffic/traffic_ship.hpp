@@ -16,6 +16,7 @@
 #include "server/world/traffic/anchor_swing.hpp"
 #include "server/world/traffic/fishing_legs.hpp"
 #include "server/world/traffic/give_way.hpp"
+#include "server/world/traffic/logged_track.hpp"
 #include "server/world/traffic/route_pilot.hpp"
 #include "server/world/traffic/station.hpp"
 #include "server/world/world_state.hpp"
@@ -31,7 +32,8 @@ struct Leader {
 // A ship without a key of traffic and without an order is a TargetTrack, bit for bit.  With the
 // first of either she is stepped: rate of turn and speed follow by first order (ship_answer.hpp),
 // and she moves by position_at() of the very state that she reports, so that it leads to the next.
-// Her heading is her course over ground, but at anchor.
+// Her heading is her course over ground, but at anchor.  A ship of a log (logged_track.hpp) is on
+// the water while the log has her, and sails as it has her until she is ordered otherwise.
 // A copy is a snapshot.  All times are on the exercise's clock.  Thread: one at a time.
 class TrafficShip {
  public:
@@ -41,7 +43,7 @@ class TrafficShip {
 
   // At `now`, which is not a tick after `reached`, the last step's end.
   ShipState state(Duration now, Duration reached) const;
-  bool is_on_water() const { return !removed_; }
+  bool is_on_water(Duration now) const;
 
   // A step has two parts, so that all see each other at the same time: she moves, then she makes up
   // her mind about the tick from `now` on.
@@ -59,9 +61,13 @@ class TrafficShip {
   void tell(Duration now, wire::ExerciseShip& ship) const;
 
  private:
-  enum class Way : std::uint8_t { track, course, route, anchor, station, fishing };
+  enum class Way : std::uint8_t { track, log, course, route, anchor, station, fishing };
 
   bool is_off_route() const { return ordered_course_deg_ || ordered_speed_mps_; }
+  // Whether her place follows from the time alone.
+  bool is_plotted() const { return way_ == Way::track || way_ == Way::log; }
+  ShipState plotted(Duration now) const;
+  std::size_t passed_at(Duration now) const;
   void become_stepped(Duration now);
   void take_route(const wire::TargetChange& change, Duration now);
   RouteOrder wish(Duration now, const ShipState* leader, Wanted& wanted);
@@ -70,6 +76,7 @@ class TrafficShip {
 
   std::shared_ptr<const scenario::Target> target_;
   std::shared_ptr<const TargetTrack> track_;
+  std::shared_ptr<const LoggedTrack> log_;
   std::size_t number_;
   Duration begin_;
   ShipAnswer answer_;

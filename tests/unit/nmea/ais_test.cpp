@@ -75,6 +75,50 @@ TEST(Ais, PositionReportsComeBack) {
   }
 }
 
+// A sentence of gpsd's own test suite; the values are what gpsdecode 3.22 makes of it.
+TEST(Ais, ReadsAPublishedExtendedReport) {
+  const auto b = message_of<AisExtended>(
+      {"!AIVDM,1,1,,B,C5N3SRgPEnJGEBT>NhWAwwo862PaLELTBJ:V00000000S0D:R220,0*0B"});
+  EXPECT_EQ(b.position.mmsi, 367059850u);
+  EXPECT_TRUE(b.position.class_b);
+  EXPECT_EQ(b.position.speed_kn, 8.7);
+  EXPECT_NEAR(b.position.position->longitude_deg, -88.810392, 1e-6);
+  EXPECT_NEAR(b.position.position->latitude_deg, 29.543695, 1e-6);
+  EXPECT_EQ(b.position.course_deg, 335.9);
+  EXPECT_FALSE(b.position.heading_deg);
+  EXPECT_EQ(b.name, "CAPT.J.RIMES");
+  EXPECT_EQ(b.ship_type, 70u);
+  EXPECT_EQ(b.size, (AisSize{5, 21, 4, 4}));
+}
+
+TEST(Ais, ExtendedReportsComeBack) {
+  const AisExtended said{a_ship(true), "ANNA", 37, {10, 5, 2, 3}};
+  const auto lines = encode_ais(said, false, 4, 'A');
+  ASSERT_EQ(encode(said).bits(), 312u);
+  const auto back = message_of<AisExtended>(lines);
+  EXPECT_EQ(back.position.mmsi, 257'123'456u);
+  EXPECT_NEAR(back.position.position->latitude_deg, -60.123456, 0.51 / 600'000);
+  EXPECT_EQ(back.position.utc_second, 59u);
+  EXPECT_EQ(back.name, "ANNA");
+  EXPECT_EQ(back.ship_type, 37u);
+  EXPECT_EQ(back.size, said.size);
+}
+
+TEST(Ais, MessagesWithoutTheirEndAreCounted) {
+  AisAssembler assembler;
+  const auto lines = encode_ais(AisVoyage{.mmsi = 257'000'001, .name = "ONE"}, false, 3, 'A');
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(assembler.pending(), 0u);
+  EXPECT_TRUE(heard(assembler, lines[0]).ok());
+  EXPECT_EQ(assembler.pending(), 1u);
+  EXPECT_TRUE(heard(assembler, lines[0]).ok()) << "the first is given up";
+  EXPECT_EQ(assembler.given_up(), 1u);
+  EXPECT_TRUE(heard(assembler, lines[1])->has_value());
+  EXPECT_EQ(assembler.pending(), 0u);
+  EXPECT_EQ(heard(assembler, lines[1]).error().text, AisAssembler::kNoBeginning);
+  EXPECT_EQ(assembler.given_up(), 1u);
+}
+
 TEST(Ais, WhatIsNotKnownIsSaidSo) {
   const auto back = message_of<AisPosition>(encode_ais(AisPosition{.mmsi = 1}, true, 0, 'A'));
   EXPECT_FALSE(back.speed_kn);
