@@ -29,15 +29,16 @@ int run(int argc, char** argv) {
       "  skerry coast fit --place bergen\n"
       "  skerry picture judge halo.pcap ours.mcap\n"
       "  skerry scenario run crossing --fast --checks\n"
+      "  skerry exercise report exercise.mcap -o report.html\n"
       "  skerry board scope\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
   const std::vector<Command> commands = {
-      make_status_command(app),  make_snapshot_command(app), make_dump_command(app),
-      make_set_command(app),     make_play_command(app),     make_record_command(app),
-      make_coast_command(app),   make_board_command(app),    make_recording_command(app),
-      make_doctor_command(app),  make_picture_command(app),  make_radar_command(app),
-      make_scenario_command(app)};
+      make_status_command(app),   make_snapshot_command(app), make_dump_command(app),
+      make_set_command(app),      make_play_command(app),     make_record_command(app),
+      make_coast_command(app),    make_board_command(app),    make_recording_command(app),
+      make_doctor_command(app),   make_picture_command(app),  make_radar_command(app),
+      make_scenario_command(app), make_exercise_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

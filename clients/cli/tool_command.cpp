@@ -1,5 +1,5 @@
-// skerry coast, picture, radar and scenario: hand over to the programs skerry-coast, skerry-picture
-// and skerry-exercise, which know how echoes are made.  Clients do not.
+// skerry coast, picture, radar, scenario and exercise: hand over to the programs skerry-coast,
+// skerry-picture and skerry-exercise, which know how echoes are made.  Clients do not.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -67,6 +67,10 @@ Command make_radar_command(CLI::App& app) {
 Command make_scenario_command(CLI::App& app) {
   return hand_over(app, "scenario", "Makes, checks, lists and runs exercises", "skerry-exercise",
                    {});
+}
+
+Command make_exercise_command(CLI::App& app) {
+  return hand_over(app, "exercise", "Debriefs a recorded exercise", "skerry-exercise", {});
 }
 
 }  // namespace skerry::client

@@ -9,5 +9,6 @@ echo::Command make_new_command(CLI::App& app);
 echo::Command make_check_command(CLI::App& app);
 echo::Command make_list_command(CLI::App& app);
 echo::Command make_run_command(CLI::App& app);
+echo::Command make_report_command(CLI::App& app);
 
 }  // namespace skerry::server

@@ -16,8 +16,9 @@ using namespace skerry::server;
 namespace console = skerry::echo;
 
 int run(int argc, char** argv) {
-  CLI::App app{"Makes, checks, lists and runs scenarios and exercises, without a network.",
-               "skerry scenario"};
+  CLI::App app{
+      "Makes, checks, lists, runs and debriefs scenarios and exercises, without a network.",
+      "skerry scenario"};
   app.set_version_flag("--version", "skerry-exercise " SKERRY_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
@@ -27,10 +28,12 @@ int run(int argc, char** argv) {
       "  skerry scenario new mine.yaml --template fairway --lat 57.5 --lon 11.2\n"
       "  skerry scenario check mine.yaml\n"
       "  skerry scenario run crossing --fast --checks --pictures pictures\n"
+      "  skerry exercise report exercise.mcap -o report.html\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done or a check\n"
       "failed, 2 the command line cannot be understood.\n");
   const std::array commands = {make_new_command(app), make_check_command(app),
-                               make_list_command(app), make_run_command(app)};
+                               make_list_command(app), make_run_command(app),
+                               make_report_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return console::kExitUsage;
