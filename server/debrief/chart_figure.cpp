@@ -119,7 +119,7 @@ void draw_scale(const Sheet& sheet, std::string& out) {
 }
 
 // The part of a track that lies within a few figures' widths, without points that no one sees.
-std::string track_path(const Track& track, const Sheet& sheet) {
+std::string track_path(const ShipTrack& track, const Sheet& sheet) {
   std::string path;
   PlanePoint last{-1e9, -1e9};
   for (std::size_t i = 0; i < track.points.size(); ++i) {
@@ -134,7 +134,7 @@ std::string track_path(const Track& track, const Sheet& sheet) {
   return path;
 }
 
-void draw_hull(const Track& track, const TrackPoint& point, int colour, const Sheet& sheet,
+void draw_hull(const ShipTrack& track, const TrackPoint& point, int colour, const Sheet& sheet,
                std::string& out) {
   const PlanePoint p = sheet.at(point.position);
   if (!sheet.has(p)) return;
@@ -147,7 +147,7 @@ void draw_hull(const Track& track, const TrackPoint& point, int colour, const Sh
       0.5 * length, -side, -0.25 * length);
 }
 
-void draw_times(const Track& track, double every_s, const Sheet& sheet, std::string& out) {
+void draw_times(const ShipTrack& track, double every_s, const Sheet& sheet, std::string& out) {
   double next_s = 0.0;
   PlanePoint last{-1e9, -1e9};
   for (const TrackPoint& point : track.points) {
@@ -164,7 +164,7 @@ void draw_times(const Track& track, double every_s, const Sheet& sheet, std::str
   }
 }
 
-void draw_name(const Track& track, const Sheet& sheet, std::string& out) {
+void draw_name(const ShipTrack& track, const Sheet& sheet, std::string& out) {
   // At the last place that is in sight.
   for (auto point = track.points.rbegin(); point != track.points.rend(); ++point) {
     const PlanePoint p = sheet.at(point->position);
@@ -185,7 +185,7 @@ ChartExtent chart_extent(const Debrief& debrief) {
   ChartExtent extent;
   bool any = false;
   double south = 0.0, north = 0.0, west = 0.0, east = 0.0, lon0 = 0.0;
-  for (const Track& track : debrief.own_ships) {
+  for (const ShipTrack& track : debrief.own_ships) {
     for (const TrackPoint& point : track.points) {
       if (!any) {
         lon0 = point.position.longitude_deg;
@@ -219,21 +219,21 @@ std::string chart_figure(const Debrief& debrief, const std::optional<wire::Coast
       kSheetWidth, sheet.height(), kSheetWidth, sheet.height());
   if (coast) draw_coast(*coast, sheet, extent, out);
   draw_graticule(sheet, extent, out);
-  for (const Track& track : debrief.targets) {
+  for (const ShipTrack& track : debrief.targets) {
     out += fmt::format("<path class=\"way target\" d=\"{}\"><title>{}</title></path>",
                        track_path(track, sheet), escaped(track.name));
     if (!track.points.empty()) draw_hull(track, track.points.back(), 8, sheet, out);
   }
   for (std::size_t i = 0; i < debrief.own_ships.size(); ++i) {
-    const Track& track = debrief.own_ships[i];
+    const ShipTrack& track = debrief.own_ships[i];
     const int colour = static_cast<int>(i % 8);
     out += fmt::format("<path class=\"way c{}\" d=\"{}\"><title>{}</title></path>", colour,
                        track_path(track, sheet), escaped(track.name));
     draw_times(track, time_tick(debrief.end.at_s, 12), sheet, out);
     if (!track.points.empty()) draw_hull(track, track.points.back(), colour, sheet, out);
   }
-  for (const Track& track : debrief.targets) draw_name(track, sheet, out);
-  for (const Track& track : debrief.own_ships) draw_name(track, sheet, out);
+  for (const ShipTrack& track : debrief.targets) draw_name(track, sheet, out);
+  for (const ShipTrack& track : debrief.own_ships) draw_name(track, sheet, out);
   for (std::size_t i = 0; i < debrief.contacts.size(); ++i) {
     const PlanePoint p = sheet.at(debrief.contacts[i].position);
     out += fmt::format(

@@ -40,11 +40,11 @@ class Csv {
   bool first_ = true;
 };
 
-std::string tracks_csv(const std::vector<Track>& tracks) {
+std::string tracks_csv(const std::vector<ShipTrack>& tracks) {
   Csv csv(
       "at_s,exercise_s,ship,latitude_deg,longitude_deg,heading_deg,course_over_ground_deg,speed_kn,"
       "rate_of_turn_deg_min,rudder_deg,shaft_rpm,engine_percent");
-  for (const Track& track : tracks) {
+  for (const ShipTrack& track : tracks) {
     for (const TrackPoint& point : track.points) {
       csv << point.when << track.name << point.position << point.heading_deg
           << point.course_over_ground_deg << point.speed_kn << point.turn_deg_min
@@ -59,7 +59,7 @@ std::string passings_csv(const Debrief& debrief) {
   Csv csv(
       "at_s,exercise_s,own_ship,other,least_range_m,bearing_deg,side_of_own_ship_deg,"
       "side_of_other_deg,passed,under_limit_from_s,under_limit_s,least_forecast_m");
-  for (const Passing& passing : debrief.passings) {
+  for (const ShipPassing& passing : debrief.passings) {
     std::optional<double> from_s, least_m;
     if (passing.first_under) {
       from_s = passing.first_under->at_s;
@@ -75,8 +75,8 @@ std::string passings_csv(const Debrief& debrief) {
 
 std::string ranges_csv(const Debrief& debrief) {
   Csv csv("at_s,own_ship,other,range_nm");
-  for (const Passing& passing : debrief.passings) {
-    for (const Passing::Range& range : passing.ranges) {
+  for (const ShipPassing& passing : debrief.passings) {
+    for (const ShipPassing::Range& range : passing.ranges) {
       csv << range.at_s << passing.own_name << passing.other_name << range.range_nm;
       csv.end();
     }

@@ -30,7 +30,7 @@ struct TrackPoint {
   bool jumped = false;  // she did not sail here from the point before: she was put here
 };
 
-struct Track {
+struct ShipTrack {
   std::string name, ship_class;
   bool own = false;
   std::size_t number = 0;  // in its list
@@ -39,7 +39,7 @@ struct Track {
 };
 
 // Two ships, the first an own ship.  Ranges are between their middles.
-struct Passing {
+struct ShipPassing {
   struct Range {
     double at_s = 0.0, range_nm = 0.0;
   };
@@ -103,8 +103,8 @@ struct Debrief {
   bool incomplete = false;             // inputs are missing at the end
   std::optional<std::string> differs;  // the world refused an input: not what was sailed
   DebriefLimits limits;
-  std::vector<Track> own_ships, targets;  // targets: those that came near
-  std::vector<Passing> passings;          // nearest first
+  std::vector<ShipTrack> own_ships, targets;  // targets: those that came near
+  std::vector<ShipPassing> passings;          // nearest first
   std::vector<Contact> contacts;
   std::vector<Moment> contact_moments;  // of each of them
   std::vector<HappenedLine> happened;

@@ -137,7 +137,7 @@ class Page {
           fmt::format("{} of {} checks passed.", judged - failed, judged));
     }
     if (!debrief_.passings.empty()) {
-      const Passing& nearest = debrief_.passings.front();
+      const ShipPassing& nearest = debrief_.passings.front();
       say("", fmt::format("Nearest: {} and {}, {} at {}.", nearest.own_name, nearest.other_name,
                           miles_text(nearest.closest_m), clock_text(nearest.when.at_s)));
     }
@@ -158,7 +158,7 @@ class Page {
     HtmlTable table(columns({"own ship", "other", "#least range", "#bearing", "passed",
                              "#CPA forecast under limit", "#for", "#least forecast"}));
     std::size_t shown = 0;
-    for (const Passing& passing : debrief_.passings) {
+    for (const ShipPassing& passing : debrief_.passings) {
       if (++shown > kMostPassings) break;
       table.begin_row();
       add(table, passing.when);
@@ -184,13 +184,13 @@ class Page {
                         ? fmt::format(" {} more pairs are in the CSV files.",
                                       debrief_.passings.size() - kMostPassings)
                         : ""));
-    for (const Track& track : debrief_.own_ships) ranges_of(track);
+    for (const ShipTrack& track : debrief_.own_ships) ranges_of(track);
   }
 
-  void ranges_of(const Track& track) {
+  void ranges_of(const ShipTrack& track) {
     std::vector<PlotCurve> curves;
     double most_nm = 2.0 * debrief_.limits.cpa_nm;
-    for (const Passing& passing : debrief_.passings) {
+    for (const ShipPassing& passing : debrief_.passings) {
       const bool hers = passing.own_ship == track.number;
       if (!hers && !(passing.other_own && passing.other == track.number)) continue;
       if (curves.size() == kMostCurves || passing.ranges.size() < 2) continue;
@@ -199,7 +199,7 @@ class Page {
       if (curve.name.size() > 18) curve.name = shortened(curve.name, 16);
       curve.colour = static_cast<int>(curves.size() - 1);
       double last_s = -1e9;
-      for (const Passing::Range& each : passing.ranges) {
+      for (const ShipPassing::Range& each : passing.ranges) {
         curve.points.push_back({each.at_s, each.range_nm, each.at_s > last_s + 30.0});
         last_s = each.at_s;
         most_nm = std::max(most_nm, each.range_nm);
@@ -278,7 +278,7 @@ class Page {
 
   // One value of a ship's track as a plot; none if she does not have it.
   template <typename Value>
-  void plot(const Track& track, PlotFrame frame, bool wraps, const Value& value) {
+  void plot(const ShipTrack& track, PlotFrame frame, bool wraps, const Value& value) {
     PlotCurve curve;
     curve.colour = static_cast<int>(track.number % kMostCurves);
     for (const TrackPoint& point : track.points) {
@@ -294,7 +294,7 @@ class Page {
   }
 
   void ships() {
-    for (const Track& track : debrief_.own_ships) {
+    for (const ShipTrack& track : debrief_.own_ships) {
       out_ += fmt::format("<div class=\"ship\"><h3>{}</h3><p class=\"soft\">{}{:g} m by {:g} m</p>",
                           escaped(track.name),
                           track.ship_class.empty() ? "" : escaped(track.ship_class) + ", ",

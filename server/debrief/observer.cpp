@@ -40,7 +40,7 @@ TrackPoint point_of(const ShipState& ship, Moment now) {
   return point;
 }
 
-void add_point(Track& track, const ShipState& ship, Moment now, double every_s) {
+void add_point(ShipTrack& track, const ShipState& ship, Moment now, double every_s) {
   // A frozen exercise adds nothing but its first and last point.
   if (!track.points.empty() && now.at_s < track.points.back().when.at_s + every_s - 1e-6) return;
   TrackPoint point = point_of(ship, now);
@@ -123,7 +123,7 @@ class Observer {
   void add_tracks(const WorldState& state) {
     for (std::size_t i = 0; i < state.own_ships.size(); ++i) {
       if (out_.own_ships.size() <= i) {
-        Track& track = out_.own_ships.emplace_back();
+        ShipTrack& track = out_.own_ships.emplace_back();
         track.name = state.own_ships[i].name;
         track.own = true;
         track.number = i;
@@ -134,7 +134,7 @@ class Observer {
       add_point(out_.own_ships[i], state.own_ships[i], now_, options_.limits.every_s);
     }
     for (const ShipState& ship : state.targets) {
-      Track& track = targets_[ship.number];
+      ShipTrack& track = targets_[ship.number];
       track.name = ship.name;
       track.number = ship.number;
       track.length_m = ship.length_m;
@@ -200,7 +200,7 @@ class Observer {
     out_.end = {std::min(end_s, now_.at_s), now_.exercise_s};
     out_.differs = world_.fault();
     out_.passings = passings_.nearest();
-    for (const Passing& passing : out_.passings) {
+    for (const ShipPassing& passing : out_.passings) {
       if (passing.other_own) continue;
       const auto found = targets_.find(passing.other);
       if (found == targets_.end()) continue;
@@ -222,7 +222,7 @@ class Observer {
   ReplayedWorld world_;
   Passings passings_;
   std::vector<const scenario::ExerciseCheck*> due_;  // latest first
-  std::map<std::size_t, Track> targets_;
+  std::map<std::size_t, ShipTrack> targets_;
   std::shared_ptr<const ExerciseLog> log_;
   std::size_t next_ = 0, heard_ = 0, contacts_ = 0;
   Moment before_, now_;

@@ -22,7 +22,7 @@ std::vector<HappenedLine> setting_lines(const recording::RecordingReader& reader
 // What each own ship did after what called for it: events, texts, faults, and the first time that
 // a CPA was forecast to be too small.  `happened` by time.
 std::vector<Reaction> reactions_to(const std::vector<HappenedLine>& happened,
-                                   const std::vector<Passing>& passings,
-                                   const std::vector<Track>& own_ships);
+                                   const std::vector<ShipPassing>& passings,
+                                   const std::vector<ShipTrack>& own_ships);
 
 }  // namespace skerry::server

@@ -64,7 +64,7 @@ void Passings::look(const WorldState& state, Moment now) {
 
 void Passings::look(Watched& watched, const ShipState& own, const ShipState& other, Moment now,
                     bool is_new) {
-  Passing& passing = watched.passing;
+  ShipPassing& passing = watched.passing;
   const PlanePoint way = relative_way(own, other);
   const double seconds = now.exercise_s - watched.looked.exercise_s;
   // The nearest place of the way since the look before.
@@ -111,14 +111,15 @@ void Passings::look(Watched& watched, const ShipState& own, const ShipState& oth
   watched.looked = now;
 }
 
-std::vector<Passing> Passings::nearest() const {
-  std::vector<Passing> out;
+std::vector<ShipPassing> Passings::nearest() const {
+  std::vector<ShipPassing> out;
   for (const auto& [key, watched] : watched_) {
     if (watched.passing.closest_m <= limits_.near_nm * kMileInMetres)
       out.push_back(watched.passing);
   }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const Passing& a, const Passing& b) { return a.closest_m < b.closest_m; });
+  std::stable_sort(out.begin(), out.end(), [](const ShipPassing& a, const ShipPassing& b) {
+    return a.closest_m < b.closest_m;
+  });
   return out;
 }
 

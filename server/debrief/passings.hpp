@@ -26,11 +26,11 @@ class Passings {
   // The world some time later.
   void look(const WorldState& state, Moment now);
   // Those that came nearer than the limit, nearest first.
-  std::vector<Passing> nearest() const;
+  std::vector<ShipPassing> nearest() const;
 
  private:
   struct Watched {
-    Passing passing;
+    ShipPassing passing;
     double closest_m2 = 0.0;
     double own_heading_deg = 0.0, other_heading_deg = 0.0;
     PlanePoint way;  // at the look before

@@ -95,8 +95,8 @@ std::optional<double> next_of(const std::vector<HappenedLine>& happened, const s
 }  // namespace
 
 std::vector<Reaction> reactions_to(const std::vector<HappenedLine>& happened,
-                                   const std::vector<Passing>& passings,
-                                   const std::vector<Track>& own_ships) {
+                                   const std::vector<ShipPassing>& passings,
+                                   const std::vector<ShipTrack>& own_ships) {
   std::vector<Reaction> reactions;
   const auto add = [&](Moment when, std::string stimulus, std::size_t ship) {
     Reaction& reaction = reactions.emplace_back();
@@ -117,7 +117,7 @@ std::vector<Reaction> reactions_to(const std::vector<HappenedLine>& happened,
       }
     }
   }
-  for (const Passing& passing : passings) {
+  for (const ShipPassing& passing : passings) {
     if (!passing.first_under) continue;
     add(*passing.first_under, fmt::format("CPA with {} forecast too small", passing.other_name),
         passing.own_ship);

@@ -26,7 +26,7 @@ std::string words_for(const Contact& contact) {
              : fmt::format("{} aground: {}", contact.own_name, contact.why);
 }
 
-std::string side_text(const Passing& passing) {
+std::string side_text(const ShipPassing& passing) {
   const auto side = [](double relative_deg) {
     if (std::fabs(relative_deg) <= 20.0) return "ahead";
     if (std::fabs(relative_deg) >= 160.0) return "astern";

@@ -17,7 +17,7 @@ const char* kind_of(const Contact& contact);
 // "collision of A and B", "A aground: the shore".
 std::string words_for(const Contact& contact);
 // Which side each turned to the other: "port to starboard"; "ahead" and "astern" within 20 deg.
-std::string side_text(const Passing& passing);
+std::string side_text(const ShipPassing& passing);
 // Letters alone, for a class of a row.
 std::string class_of(std::string_view kind);
 // At most so many octets of whole characters, and "...".

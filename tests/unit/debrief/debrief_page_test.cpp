@@ -25,7 +25,7 @@ Debrief some_debrief(const std::string& name) {
   debrief.end = {3700.0, 3000.0};
   debrief.has_one_clock = false;
   for (const bool own : {true, false}) {
-    Track& track = (own ? debrief.own_ships : debrief.targets).emplace_back();
+    ShipTrack& track = (own ? debrief.own_ships : debrief.targets).emplace_back();
     track.own = own;
     track.name = track.ship_class = name;
     track.length_m = 100.0;
@@ -39,7 +39,7 @@ Debrief some_debrief(const std::string& name) {
       point.shaft_rpm = 100.0;
     }
   }
-  Passing& passing = debrief.passings.emplace_back();
+  ShipPassing& passing = debrief.passings.emplace_back();
   passing.own_name = passing.other_name = name;
   passing.closest_m = 100.0;
   passing.first_under = Moment{10.0, 8.0};
@@ -141,7 +141,7 @@ TEST(DebriefPage, OfNothingAtAllIsAPage) {
 
 TEST(DebriefPage, IsSmallAfterLongExercises) {
   Debrief debrief = some_debrief("Long");
-  Track& track = debrief.own_ships[0];
+  ShipTrack& track = debrief.own_ships[0];
   track.points.clear();
   for (int i = 0; i < 8 * 3600; ++i) {
     TrackPoint& point = track.points.emplace_back();

@@ -31,8 +31,8 @@ void sail(ShipState& state, double seconds) {
 }
 
 // Both sail on for that long, looked at every `step_s`.
-std::vector<Passing> passed(ShipState own, ShipState other, double length_s, double step_s,
-                            const DebriefLimits& limits = {}) {
+std::vector<ShipPassing> passed(ShipState own, ShipState other, double length_s, double step_s,
+                                const DebriefLimits& limits = {}) {
   Passings passings(limits);
   for (double at = 0.0; at <= length_s; at += step_s) {
     WorldState state;
@@ -49,7 +49,7 @@ TEST(Passings, OfACrossingIsThatOfTheClosedForm) {
   // She comes from starboard and passes astern: 200 m.
   const auto all = passed(ship("Own", 0, 0, 0, 10), ship("Other", 2000, 2200, 270, 10), 900.0, 1.0);
   ASSERT_EQ(all.size(), 1u);
-  const Passing& passing = all[0];
+  const ShipPassing& passing = all[0];
   // Seen from the own ship she moves west and south at 10 kn each.
   // 2 km of a plane bend that much.
   EXPECT_NEAR(passing.closest_m, 200.0 / std::sqrt(2.0), 0.5);
