@@ -195,6 +195,59 @@ TEST(Debrief, OfARecordedCollisionHasItsTimeAndTheLeastDistance) {
   }
 }
 
+// North of her lies an island, of the world's shoreline: the server has her run aground, and the
+// recording makes that again without looking at a chart.
+TEST(Debrief, OfAGroundingAtTheShoreHasItWhereTheShoreIs) {
+  const TempFolder folder;
+  const std::string recordings = folder.path("recordings");
+  RunningServer server({"--scenario", folder.write("shore.yaml", R"(
+name: Upon the shore
+exercise: {goal: Keep off, freeze_on: [grounding]}
+own_ships:
+  - name: Alfa
+    position: {lat: 60.452, lon: 5.034}
+    course_deg: 0
+    speed_kn: 10
+    length_m: 60
+    beam_m: 12
+    radars: [{name: Main, spokes: 256, cells: 256, rpm: 60, range_nm: 3}]
+)"),
+                        "--record-folder", recordings, "--record-reserve-mib", "0"});
+  client::SpokeClient client = connected(server);
+  wire::Record record;
+  record.set_action(wire::Record::START);
+  record.set_name("exercise");
+  ASSERT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
+  wire::Set set;
+  set.set_instructor(true);
+  set.mutable_exercise()->mutable_clock()->set_rate(10.0);
+  ASSERT_EQ(client.set(set, kAnswerTime)->code(), wire::Reply::OK);
+  const wire::Status frozen =
+      await_status(client, [](const wire::Status& status) { return status.world().frozen(); });
+  const double air_s = frozen.scenario_s();
+  await_status(client,
+               [&](const wire::Status& status) { return status.scenario_s() > air_s + 3.0; });
+  record.set_action(wire::Record::STOP);
+  ASSERT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
+  EXPECT_EQ(server.stop().code, 0);
+
+  const std::string file = recordings + "/exercise.mcap", tables = folder.path("tables");
+  const Ending made = run({skerry_program(), "exercise", "report", file, "--csv", tables});
+  ASSERT_EQ(made.code, 0) << made.out << made.err;
+  EXPECT_THAT(made.out, HasSubstr("0 collisions, 1 groundings"));
+  const auto mishaps = rows_of(tables + "/mishaps.csv");
+  ASSERT_EQ(mishaps.size(), 1u);
+  EXPECT_EQ(mishaps[0].at("why"), "the shore");
+  // The shore lies at 60.457; she may be told some 4 s of the exercise late, and machines are slow.
+  const double latitude = std::stod(mishaps[0].at("latitude_deg"));
+  EXPECT_GT(latitude, 60.4560);
+  EXPECT_LT(latitude, 60.4590);
+  std::printf("aground at %.5f N after %s s\n", latitude, mishaps[0].at("exercise_s").c_str());
+  const Ending verified = run({skerry_program(), "recording", "verify", file});
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("\nidentical\n"));
+}
+
 TEST(Debrief, SaysWhatCannotBeDebriefed) {
   const TempFolder folder;
   const auto refused = [&](const std::string& file, const std::string& reason) {
