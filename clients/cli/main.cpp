@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
       "  skerry picture judge halo.pcap ours.mcap\n"
       "  skerry scenario run crossing --fast --checks\n"
       "  skerry exercise fault Sirius gyro-bias=5\n"
+      "  skerry exercise report exercise.mcap -o report.html\n"
       "  skerry board scope\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");

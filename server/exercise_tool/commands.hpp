@@ -9,6 +9,7 @@ echo::Command make_new_command(CLI::App& app);
 echo::Command make_check_command(CLI::App& app);
 echo::Command make_list_command(CLI::App& app);
 echo::Command make_run_command(CLI::App& app);
+echo::Command make_report_command(CLI::App& app);
 
 // Of the command `traffic`.
 CLI::App& add_traffic_commands(CLI::App& app);

@@ -17,8 +17,9 @@ using namespace skerry::server;
 namespace console = skerry::echo;
 
 int run(int argc, char** argv) {
-  CLI::App app{"Makes, checks, lists and runs scenarios and exercises, without a network.",
-               "skerry scenario"};
+  CLI::App app{
+      "Makes, checks, lists, runs and debriefs scenarios and exercises, without a network.",
+      "skerry scenario"};
   app.set_version_flag("--version", "skerry-exercise " SKERRY_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
@@ -29,6 +30,7 @@ int run(int argc, char** argv) {
       "  skerry scenario check mine.yaml\n"
       "  skerry scenario run crossing --fast --checks --pictures pictures\n"
       "  skerry traffic import harbour.nmea -o traffic.yaml\n"
+      "  skerry exercise report exercise.mcap -o report.html\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done or a check\n"
       "failed, 2 the command line cannot be understood.\n");
   CLI::App& traffic = add_traffic_commands(app);
@@ -36,6 +38,7 @@ int run(int argc, char** argv) {
                                make_check_command(app),
                                make_list_command(app),
                                make_run_command(app),
+                               make_report_command(app),
                                make_traffic_import_command(traffic),
                                make_traffic_export_command(traffic)};
   if (argc == 1) {

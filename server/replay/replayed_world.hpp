@@ -26,6 +26,9 @@ class ReplayedWorld {
   // The world at a time, as Timeline::at() has it, with every input given at its tick.
   WorldStatePtr at(ScenarioTime time);
 
+  // The world itself, as at() gave it last; to go on from there for a while.
+  World world() const { return timeline_.world(); }
+
   // The first input that the world refused: the recording is not of this scenario.
   const std::optional<std::string>& fault() const { return fault_; }
 

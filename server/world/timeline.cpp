@@ -70,6 +70,11 @@ std::optional<std::string> Timeline::fault_of(const wire::ExerciseOrder& order) 
   return world_.fault_of(order);
 }
 
+World Timeline::world() const {
+  const std::lock_guard lock(mutex_);
+  return world_;
+}
+
 void Timeline::tell(wire::ExerciseState& state) const {
   const std::lock_guard lock(mutex_);
   world_.tell(state);

@@ -58,6 +58,8 @@ class Timeline {
   // An instructor's order, likewise; `by`: who gave it.
   ConOrdered order(const wire::ExerciseOrder& order, const std::string& by);
   std::optional<std::string> fault_of(const wire::ExerciseOrder& order) const;
+  // A copy of the world at the newest tick made.
+  World world() const;
   // Every ship as of the newest tick made, and what has happened.
   void tell(wire::ExerciseState& state) const;
 

@@ -177,6 +177,9 @@ const std::vector<Room>& table() {
       {"server/app", {"protocol/", "echo/", "server/"}},
       {"server/app/control", {"protocol/", "echo/", "server/"}},
       {"server/app/options", {"protocol/", "echo/", "server/"}},
+      // What happened in a recorded exercise, as values, a page and tables.
+      {"server/debrief",
+       {"protocol/", "server/world/", "server/replay/", "server/app/control/control_change.hpp"}},
       // The tool that makes, checks and runs exercises without a network.
       {"server/exercise_tool", {"protocol/", "echo/", "server/"}},
       // Clients know the protocol, never the server nor how an echo is made.

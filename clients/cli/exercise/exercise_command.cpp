@@ -4,8 +4,8 @@
 namespace skerry::client {
 
 Command make_exercise_command(CLI::App& app) {
-  CLI::App* exercise =
-      app.add_subcommand("exercise", "Leads and watches the exercise of a running server");
+  CLI::App* exercise = app.add_subcommand(
+      "exercise", "Leads and watches the exercise of a running server; debriefs a recorded one");
   exercise->require_subcommand(1);
   exercise->footer(
       "Examples:\n"
@@ -17,6 +17,7 @@ Command make_exercise_command(CLI::App& app) {
       "  skerry exercise put Sirius --latitude 60.4 --longitude 5.2\n"
       "  skerry exercise fault Sirius gyro-bias=5 log-lost\n"
       "  skerry exercise text Sirius \"Reduce to 8 knots\"\n"
+      "  skerry exercise report watch.mcap -o report.html\n"
       "Each says more with --help.  Weather, rain, own ships' courses, rudder and engine are set "
       "by\n"
       "skerry set --instructor.\n");
@@ -25,6 +26,8 @@ Command make_exercise_command(CLI::App& app) {
                           make_ship_commands, make_fault_commands}) {
     for (const Command& command : make(*exercise)) commands.push_back(command);
   }
+  commands.push_back(hand_over(*exercise, "report", "Debriefs a recorded exercise",
+                               "skerry-exercise", {"report"}));
   return {exercise, [commands] { return run_parsed(commands); }};
 }
 

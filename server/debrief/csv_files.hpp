@@ -1,0 +1,23 @@
+// The debrief as tables for other programs.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "server/debrief/debrief.hpp"
+
+namespace skerry::server {
+
+// Names and contents: own_ships.csv, targets.csv, passings.csv, ranges.csv, mishaps.csv,
+// timeline.csv, reactions.csv, checks.csv.  RFC 4180, UTF-8, a line of names first; times in
+// seconds, `at_s` since the server began, `exercise_s` on the exercise's clock; what is not known
+// is empty.
+std::vector<std::pair<std::string, std::string>> csv_files(const Debrief& debrief);
+
+// A cell: in quotes where it must be; a text that a spreadsheet would take for a formula gets an
+// apostrophe in front.
+std::string csv_cell(std::string_view text);
+
+}  // namespace skerry::server
