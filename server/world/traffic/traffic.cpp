@@ -144,7 +144,7 @@ std::vector<ShipState> Traffic::states(Duration now) const {
 
 std::optional<ShipState> Traffic::state(std::size_t number, Duration now) const {
   const auto found = ships_.find(number);
-  if (found == ships_.end() || !found->second->ship.is_on_water()) return std::nullopt;
+  if (found == ships_.end() || !found->second->ship.is_on_water(now)) return std::nullopt;
   return found->second->ship.state(now, reached_);
 }
 
