@@ -158,6 +158,13 @@ RainMapPtr rain_map_for(const RainMapKey& key) {
   const std::lock_guard lock(mutex);
   const auto found = std::find(kept.begin(), kept.end(), map);
   if (found == kept.end()) {
+    // A radar that is late may still want the step before; what is older, and what the area was
+    // before it was changed, only a jump back in time would ask for again.
+    std::erase_if(kept, [&](const RainMapPtr& each) {
+      const RainMapKey& old = each->key();
+      return old.identity == key.identity &&
+             (old.kind != key.kind || old.radius_m != key.radius_m || old.step + 1 < key.step);
+    });
     kept.insert(kept.begin(), map);
   } else {
     std::rotate(kept.begin(), found, found + 1);

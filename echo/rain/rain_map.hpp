@@ -68,7 +68,8 @@ class RainMap {
 };
 using RainMapPtr = std::shared_ptr<const RainMap>;
 
-// The map of a key, made when it is first asked for; those used last are kept.  Thread: any.
+// The map of a key, made when it is first asked for.  An area's present map and the one before are
+// kept, of 128 areas or 64 MiB at most.  Thread: any.
 RainMapPtr rain_map_for(const RainMapKey& key);
 
 }  // namespace skerry::echo

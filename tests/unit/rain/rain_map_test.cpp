@@ -158,5 +158,20 @@ TEST(RainMap, HasTheSameBitsOnEveryInstructionSetAndThread) {
   }
 }
 
+// An exercise of hours shall not fill the memory with rain that has fallen.
+TEST(RainMap, OfPastStepsAreLetGo) {
+  RainMapKey key{.identity = 0x5EED, .kind = RainKind::cell, .radius_m = 4000.0, .step = 0};
+  std::vector<std::weak_ptr<const RainMap>> maps;
+  for (; key.step < 6; ++key.step) maps.push_back(rain_map_for(key));
+  for (std::size_t step = 0; step < 4; ++step) EXPECT_TRUE(maps[step].expired()) << step;
+  EXPECT_FALSE(maps[4].expired());
+  EXPECT_FALSE(maps[5].expired());
+  key.step = 5;
+  key.radius_m = 3000.0;  // an instructor has changed it
+  const std::weak_ptr<const RainMap> changed = rain_map_for(key);
+  EXPECT_TRUE(maps[5].expired());
+  EXPECT_FALSE(changed.expired());
+}
+
 }  // namespace
 }  // namespace skerry::echo
