@@ -25,7 +25,10 @@ using testing::HasSubstr;
 constexpr const char* kScenario = R"(
 name: Collision course
 seed: 2
-exercise: {goal: Give way, freeze_on: [collision]}
+exercise:
+  goal: Give way
+  freeze_on: [collision]
+  checks: [{at_min: 3.9, says: Lima is seen, sees: [Lima]}]
 own_ships:
   - name: Alfa
     position: {lat: 0, lon: -30}
@@ -33,7 +36,7 @@ own_ships:
     speed_kn: 12
     length_m: 120
     beam_m: 20
-    radars: [{name: Main, spokes: 256, cells: 256, rpm: 60, range_nm: 3}]
+    radars: [{name: Main, spokes: 256, cells: 256, rpm: 24, range_nm: 3}]
 targets:
   - {name: Kilo, position: {lat: 0.02, lon: -29.98}, course_deg: 270, speed_kn: 12, length_m: 90, beam_m: 14}
   - {name: Lima, position: {lat: 0.03, lon: -30.01}, course_deg: 180, speed_kn: 15, length_m: 90, beam_m: 14}
@@ -124,6 +127,8 @@ TEST(Debrief, OfARecordedCollisionHasItsTimeAndTheLeastDistance) {
   set.set_instructor(true);
   set.mutable_exercise()->mutable_clock()->set_rate(20.0);
   ASSERT_EQ(client.set(set, kAnswerTime)->code(), wire::Reply::OK);
+  // A change before its first spoke is none to the recording.
+  await_status(client, [](const wire::Status& status) { return status.recorder().spokes() > 0; });
   wire::Set gain;
   gain.set_gain(77.0);
   ASSERT_EQ(client.set(gain, kAnswerTime)->code(), wire::Reply::OK);
@@ -143,8 +148,10 @@ TEST(Debrief, OfARecordedCollisionHasItsTimeAndTheLeastDistance) {
 
   const std::string page = folder.path("report.html"), tables = folder.path("tables");
   const Ending made = run({skerry_program(), "exercise", "report", recordings + "/exercise.mcap",
-                           "-o", page, "--csv", tables, "--no-checks"});
+                           "-o", page, "--csv", tables});
   ASSERT_EQ(made.code, 0) << made.out << made.err;
+  // Checks of the sheet are judged too.
+  EXPECT_THAT(text_of(tables + "/checks.csv"), HasSubstr("Lima is seen,passed"));
   EXPECT_THAT(made.out, HasSubstr("1 collisions, 0 groundings"));
 
   const auto mishaps = rows_of(tables + "/mishaps.csv");
