@@ -38,7 +38,9 @@ void ShoreThread::work(const std::stop_token& stop) {
     const ScenarioTime now = now_();
     // After a long halt of the machine: what is still kept.
     next = std::max(next, now - World::kTick * static_cast<std::int64_t>(Timeline::kKept - 1));
-    for (; next <= now; next += World::kTick) watch_.look(*timeline_.at(next));
+    for (; next <= now && !stop.stop_requested(); next += World::kTick) {
+      watch_.look(*timeline_.at(next));
+    }
     stopped.wait_for(lock, stop, kPause, [&] { return stop.stop_requested(); });
   }
 }

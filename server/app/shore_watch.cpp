@@ -7,6 +7,7 @@
 #include "protocol/quantity/angle.hpp"
 #include "server/world/hull_outline.hpp"
 #include "server/world/short_way.hpp"
+#include "server/world/world.hpp"
 
 namespace skerry::server {
 namespace {
@@ -102,8 +103,14 @@ void ShoreWatch::look(Watched& watched, const ShipState& ship, std::size_t numbe
     watched = {};
     return;
   }
-  const double gone_m = watched.last ? metres_of_way(watched.last->position, ship.position) : 0.0;
-  if (gone_m > kMostStep_m) watched = {};
+  double gone_m = watched.last ? metres_of_way(watched.last->position, ship.position) : 0.0;
+  // What she can have sailed since she was looked at: less than kSpacing_m and a tick.
+  const double sailed_m =
+      kSpacing_m + 10.0 + 2.0 * std::fabs(ship.speed_mps) * ship.pace * in_seconds(World::kTick);
+  if (gone_m > (ship.driven ? kMostStep_m : std::min(kMostStep_m, sailed_m))) {
+    watched = {};
+    gone_m = 0.0;
+  }
   if (watched.last) {
     const double turned =
         std::fabs(std::remainder(ship.heading_deg - watched.last->heading_deg, 360.0));

@@ -1,6 +1,8 @@
 #include "server/traffic_logs/nmea_log.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <variant>
 
 #include "protocol/nmea/log_line.hpp"
@@ -25,6 +27,14 @@ LeftOut kind_of(const WireError& error) {
     default:
       return LeftOut::bad_checksum;
   }
+}
+
+// As times before sentences must be (nmea/log_time.hpp): a receiver without a fix tells its own
+// epoch.
+bool is_plausible(const std::optional<UtcTime>& utc) {
+  using namespace std::chrono;
+  return utc && *utc >= UtcTime(sys_days(1990y / January / 1).time_since_epoch()) &&
+         *utc < UtcTime(sys_days(2100y / January / 1).time_since_epoch());
 }
 
 bool is_blank(std::string_view line) {
@@ -62,9 +72,11 @@ void NmeaLog::take(std::string_view line, std::optional<UtcTime> heard) {
   }
   left_out.add(LeftOut::other_sentence);
   if (sentence->formatter == "ZDA") {
-    if (const auto zda = nmea::decode_zda(*sentence); zda && zda->utc) clock_ = zda->utc;
+    if (const auto zda = nmea::decode_zda(*sentence); zda && is_plausible(zda->utc))
+      clock_ = zda->utc;
   } else if (sentence->formatter == "RMC") {
-    if (const auto rmc = nmea::decode_rmc(*sentence); rmc && rmc->utc) clock_ = rmc->utc;
+    if (const auto rmc = nmea::decode_rmc(*sentence); rmc && rmc->valid && is_plausible(rmc->utc))
+      clock_ = rmc->utc;
   }
 }
 

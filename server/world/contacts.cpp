@@ -8,14 +8,17 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "server/world/hull_outline.hpp"
+#include "server/world/logged_checks.hpp"
+#include "server/world/ship_units.hpp"
 #include "server/world/short_way.hpp"
 
 namespace skerry::server {
 namespace {
 
-// What any ship may do until the next search: targets at most 60 kn, driven ships 100 m/s, others
-// gather little way meanwhile.
-constexpr double kMostTarget_mps = 31.0, kMostDriven_mps = 100.0, kMoreWay_mps = 3.0;
+// What any ship may do until the next search: targets what a log may have of them, driven ships 100
+// m/s; others at most what is ordered, and of a class little more than they make.
+constexpr double kMostTarget_mps = knots_in_mps(kMostLoggedSpeed_kn), kMostDriven_mps = 100.0,
+                 kMoreWay_mps = 3.0;
 constexpr double kSearchSeconds = 5.0, kMargin_m = 30.0;
 constexpr double kLeastDegree_m = 110'000.0;  // of latitude
 
@@ -27,7 +30,8 @@ PlanePoint plane_way(GeoPoint from, GeoPoint to) {
 double half_size_m(const ShipState& ship) { return 0.5 * (ship.length_m + ship.beam_m); }
 
 double most_mps(const ShipState& own) {
-  return own.driven ? kMostDriven_mps : std::fabs(own.speed_mps) + kMoreWay_mps;
+  if (own.driven) return kMostDriven_mps;
+  return std::max(std::fabs(own.speed_mps), std::fabs(own.ordered_speed_mps)) + kMoreWay_mps;
 }
 
 HullOutline outline_of(const ShipState& ship, double larger_m = 0.0) {

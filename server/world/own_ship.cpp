@@ -132,6 +132,7 @@ void OwnShip::step(const Environment& environment) {
 bool OwnShip::drive(const OwnShipFix& fix, Duration now) {
   const bool begins = !driven_;
   if (begins) driven_.emplace(state_, now_);
+  if (begins) state_.aground = false;  // whoever drives her says where she is
   driven_->take(fix, now);
   state_.driven = true;
   return begins;
@@ -148,8 +149,8 @@ void OwnShip::put(const ShipState& there, const Environment& environment) {
   state_.heading_deg = wrapped_degrees(there.heading_deg);
   state_.speed_mps = there.speed_mps;
   state_.rate_of_turn_deg_s = 0.0;
-  if (driven_) return;  // until the next fix
   state_.aground = there.aground;
+  if (driven_) return;  // until the next fix
   go_on(environment);
 }
 

@@ -165,7 +165,9 @@ bool World::drive(std::size_t own_ship, const OwnShipFix& fix, ScenarioTime now)
           "rate of turn (deg/min)");
   const Duration into =
       now.time_since_epoch() - kTick * static_cast<std::int64_t>(tick_);  // of this tick
-  return part_.own_ships[own_ship].drive(whole, part_.clock.at(into));
+  const bool begins = part_.own_ships[own_ship].drive(whole, part_.clock.at(into));
+  if (begins) part_.contacts.search_anew();
+  return begins;
 }
 
 void World::order(std::size_t own_ship, std::optional<double> course_deg,
@@ -183,6 +185,7 @@ void World::order(std::size_t own_ship, std::optional<double> course_deg,
   }
   if (course_deg) part_.own_ships[own_ship].order_course(*course_deg);
   if (speed_kn) part_.own_ships[own_ship].order_speed(knots_in_mps(*speed_kn));
+  part_.contacts.search_anew();
 }
 
 std::optional<std::string> World::fault_of(std::size_t own_ship,
@@ -196,6 +199,7 @@ std::optional<std::string> World::fault_of(std::size_t own_ship,
 void World::order(std::size_t own_ship, const wire::ConOrder& order) {
   if (const auto fault = fault_of(own_ship, order)) throw std::invalid_argument(*fault);
   part_.own_ships[own_ship].order(order);
+  part_.contacts.search_anew();
 }
 
 }  // namespace skerry::server

@@ -69,11 +69,12 @@ void World::look_for_mishaps(Duration now) {
   for (std::size_t i = 0; i < ships.size(); ++i) {
     const ShipState& ship = ships[i];
     if (!ship.con || ship.driven || ship.aground || ship.con->depth_below_keel_m > 0.0) continue;
-    const double depth_m = part_.environment->depth_m;
-    stops = record(grounding_of(ship, i, now,
-                                fmt::format("{:.1f} m of water, draught {:.1f} m", depth_m,
-                                            ship.con->ship_class->hull->draught_m()))) ||
-            stops;
+    const double draught_m = ship.con->ship_class->hull->draught_m();
+    stops =
+        record(grounding_of(ship, i, now,
+                            fmt::format("{:.1f} m of water, draught {:.1f} m",
+                                        ship.con->depth_below_keel_m + draught_m, draught_m))) ||
+        stops;
     part_.own_ships[i].run_aground(ship);
   }
   // The clock stops where this step ended, not where the tick on the air does.

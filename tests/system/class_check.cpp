@@ -340,7 +340,7 @@ int main(int argc, char** argv) {
   using namespace skerry::system_test;
   Options options;
   CLI::App cli{"Runs skerryd with a class: own ships, two consoles each, traffic, sea and rain"};
-  cli.add_option("--ships", options.size.ships, "Own ships")->check(CLI::Range(1, 100));
+  cli.add_option("--ships", options.size.ships, "Own ships")->check(CLI::Range(1, 64));
   cli.add_option("--targets", options.size.targets, "Targets")->check(CLI::Range(20, 500));
   cli.add_option("--seconds", options.seconds, "How long")->check(CLI::Range(4.0, 86400.0));
   cli.add_option("--rain-every", options.rain_every, "Seconds between changes of a rain")

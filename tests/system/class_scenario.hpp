@@ -9,7 +9,7 @@
 namespace skerry::system_test {
 
 struct ClassSize {
-  unsigned ships = 20;     // own ships, 1 .. 100
+  unsigned ships = 20;     // own ships, 1 .. 64: what a scenario may have
   unsigned targets = 500;  // 20 .. 500
   bool small = false;      // radars that a server with a sanitizer keeps up with
 };

@@ -51,6 +51,7 @@ std::string notes_of(const ExerciseShip& ship) {
     notes += fmt::format("{}{}", notes.empty() ? "" : ", ", note);
   };
   if (ship.removed()) add("off the water");
+  if (ship.aground()) add("aground: put her elsewhere");
   if (!ship.con().empty()) add("con: " + printable(ship.con(), 48));
   if (ship.gives_way_now()) add("gives way");
   if (ship.on_course()) add("off her route");

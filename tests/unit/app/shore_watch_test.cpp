@@ -49,8 +49,9 @@ class ShoreWatchTest : public testing::Test {
     for (ShoreWatch::SurveyDone& done : std::exchange(asked_, {})) done(chart_);
   }
   ShipState& ship() { return state_.own_ships[0]; }
-  // She goes north, looked at every `step_m`.
+  // She goes north, looked at every `step_m`, ten times a second.
   void sail(double way_m, double step_m) {
+    ship().speed_mps = 10.0 * step_m;
     for (double gone = 0.0; gone < way_m; gone += step_m) {
       ship().position = advanced(ship().position, {step_m, 0.0});
       watch_.look(state_);
@@ -138,6 +139,18 @@ TEST_F(ShoreWatchTest, DoesNotSailTheWayOfAShipThatIsPut) {
   EXPECT_TRUE(aground_.empty());
 }
 
+// An instructor moors her, or takes her over a mole.
+TEST_F(ShoreWatchTest, DoesNotSailAShortWayOfAShipThatIsPut) {
+  ship().position = advanced({60.0, 5.0}, {200.0, 0.0});
+  watch_.look(state_);
+  sail(20.0, 1.0);
+  ship().speed_mps = 0.0;
+  ship().position = advanced({60.0, 5.0}, {380.0, 0.0});  // her bow 30 m upon land
+  watch_.look(state_);
+  watch_.look(state_);
+  EXPECT_TRUE(aground_.empty());
+}
+
 TEST_F(ShoreWatchTest, AsksForANewWindowBeforeTheOldOneEnds) {
   chart_.rings[0] = island({60.5, 5.0}, 100.0);  // 30 NM north
   watch_.look(state_);
@@ -162,8 +175,10 @@ TEST_F(ShoreWatchTest, AsksSeldomForAChartThatCannotBeRead) {
   watch_.look(state_);
   asked_.front()(std::nullopt);
   asked_.clear();
-  for (int i = 0; i < ShoreWatch::kPatience; ++i) watch_.look(state_);
-  EXPECT_LE(surveys_, 2);
+  for (int i = 0; i < ShoreWatch::kPatience - 1; ++i) watch_.look(state_);
+  EXPECT_EQ(surveys_, 1);
+  for (int i = 0; i < 3; ++i) watch_.look(state_);
+  EXPECT_EQ(surveys_, 2);
 }
 
 }  // namespace

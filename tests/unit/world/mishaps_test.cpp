@@ -144,6 +144,21 @@ TEST(Collision, OfAShipThatWasPutPastAnotherIsNone) {
   EXPECT_TRUE(world.state().log->contacts.empty());
 }
 
+// Whoever is near is looked for once in some seconds; an order in between shall not be missed.
+TEST(Collision, OfAShipThatIsOrderedToLeapIsFound) {
+  World world = mishap_world(R"(
+name: Leap
+own_ships:
+  - {name: Alfa, position: {lat: 0, lon: 2}, course_deg: 0, speed_time_constant_s: 0.1, length_m: 10, beam_m: 3, radars: [{}]}
+  - {name: Bravo, position: {lat: 0.000723, lon: 2}, course_deg: 0, length_m: 10, beam_m: 3, radars: [{}]}
+)");
+  run_seconds(world, 1.0);
+  world.order(0, std::nullopt, 60.0);
+  run_seconds(world, 5.0);
+  ASSERT_EQ(world.state().log->contacts.size(), 1u);
+  EXPECT_EQ(world.state().log->contacts[0].other_name, "Bravo");
+}
+
 TEST(Collision, BelongsToTheSnapshotThatIsRestored) {
   World world = mishap_world(kHeadOn);
   wire::ExerciseOrder order;
@@ -342,6 +357,18 @@ TEST(Grounding, IsRefusedOfNobody) {
   World world = mishap_world(kShallow);
   ASSERT_TRUE(world.fault_of(aground(2)));
   EXPECT_EQ(*world.fault_of(aground(2)), "own ship 2: there are 2, counted from 0");
+}
+
+TEST(Grounding, IsOverForAShipThatIsDrivenFromOutside) {
+  World world = mishap_world(kHeadOn);
+  run_seconds(world, 10.0);
+  world.order(aground(0), "shore");
+  run_seconds(world, 1.0);
+  ASSERT_TRUE(world.state().own_ships[0].aground);
+  const ScenarioTime now = world.state().time;
+  world.drive(0, {.position = GeoPoint{0.01, 2.0}, .speed_mps = 5.0}, now);
+  run_seconds(world, 1.0);
+  EXPECT_FALSE(world.state().own_ships[0].aground);
 }
 
 }  // namespace
