@@ -270,6 +270,12 @@ TEST_F(ExerciseCommand, WatchWritesALineForEachChange) {
 // On a leg of a great circle the course to steer changes all the time.
 TEST_F(ExerciseCommand, WatchIsSilentWhileShipsOnlyFollowTheirRoutes) {
   order({"target", "order", "Ferry", "--waypoint", "60.5,15.0"});
+  // She steers for it from the next step of the exercise on; that is a change.
+  state([](const auto& s) {
+    return std::any_of(s.ships().begin(), s.ships().end(), [](const auto& ship) {
+      return ship.name() == "Ferry" && ship.ordered_course_deg() > 85.0;
+    });
+  });
   order({"pace", "20"});
   ChildProcess watch({skerry_program(), "exercise", "watch", "--count", "3", "--port",
                       std::to_string(server_.tcp_port())});
