@@ -178,7 +178,8 @@ class Page {
     out_ += table.html();
     say("soft",
         fmt::format("Ranges are between the ships' middles. The limit: a CPA under {:g} NM within "
-                    "{:g} min, if both keep course and speed. Passed: own ship's side, hers.{}",
+                    "{:g} min, if both keep course and speed. Passed: own ship's side, hers. "
+                    "For: by the exercise's clock.{}",
                     debrief_.limits.cpa_nm, debrief_.limits.tcpa_min,
                     debrief_.passings.size() > kMostPassings
                         ? fmt::format(" {} more pairs are in the CSV files.",

@@ -132,7 +132,7 @@ struct WorldState {
   std::shared_ptr<const ExerciseLog> log;  // never null
   std::vector<ShipState> own_ships;
   std::vector<ShipState> targets;  // the ships among them
-  double water_level_m = 0.0;      // over the charted coastline, 0 or less
+  double water_level_m = 0.0;      // over the charted coastline, -17 to 15
 
   EnvironmentPtr environment;  // never null
   std::vector<RainState> rain;

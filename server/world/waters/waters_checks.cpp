@@ -15,13 +15,25 @@ void check_tide(const scenario::Sea& sea, YamlSource& source) {
     if (source.has(key)) source.refuse(key, "given beside sea.tide; allowed: one of the two");
   }
   std::set<int> names;
-  double amplitudes = 0.0;
+  double amplitudes = 0.0, coastline = 0.0;
   for (int i = 0; i < sea.tide_size(); ++i) {
     const std::string path = fmt::format("sea.tide[{}].name", i);
     amplitudes += sea.tide(i).amplitude_m();
+    if (sea.tide(i).name() <= scenario::TideConstituent::s2) {
+      coastline += sea.tide(i).amplitude_m();  // of m2 and s2: Tide::over_coastline_m()
+    }
     if (!source.is_sound(path) || names.insert(sea.tide(i).name()).second) continue;
     source.refuse(path, fmt::format("{} is given twice; allowed: each constituent once",
                                     scenario::TideConstituent::Name_Name(sea.tide(i).name())));
+  }
+  // What echo::Scene::water_level_m may be.
+  constexpr double kMostBelow_m = 17.0, kMostAbove_m = 15.0;
+  if (amplitudes + coastline > kMostBelow_m || amplitudes - coastline > kMostAbove_m) {
+    source.refuse(
+        "sea.tide",
+        fmt::format("the water goes from {:.2f} m below mean high water springs to {:.2f} "
+                    "m above it; allowed: {} m below to {} m above",
+                    amplitudes + coastline, amplitudes - coastline, kMostBelow_m, kMostAbove_m));
   }
   constexpr double kLeastDepth_m = 2.0;
   if (source.is_sound("sea.depth_m") && sea.depth_m() - amplitudes < kLeastDepth_m) {

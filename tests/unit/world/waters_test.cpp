@@ -184,5 +184,14 @@ TEST(Waters, MistakesAreToldTogether) {
             "water to 6 h after it\ntest.yaml: 5 errors");
 }
 
+TEST(Waters, ATideBeyondWhatAShoreCanShowIsRefused) {
+  const std::string head =
+      "name: s\nown_ships: [{name: F, position: {lat: 60, lon: 5}, radars: [{}]}]\n";
+  EXPECT_EQ(refusal(head + "sea: {tide: [{name: m2, amplitude_m: 8}]}"), "");
+  EXPECT_EQ(refusal(head + "sea: {tide: [{name: m2, amplitude_m: 8}, {name: k1, amplitude_m: 2}]}"),
+            "3:13: sea.tide: the water goes from 18.00 m below mean high water springs to 2.00 m "
+            "above it; allowed: 17 m below to 15 m above");
+}
+
 }  // namespace
 }  // namespace skerry::server
