@@ -118,11 +118,22 @@ TEST_F(LogFiles, SaysWhatIsWrongWithAFile) {
 
 // A day of a busy place: a million sentences of 500 ships.  The log is 69 MB; memory must not grow
 // with it.
+// A sanitizer's memory is not ours, and it takes its time.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMemoryIsOurs = false;
+#elif defined(__has_feature)
+constexpr bool kMemoryIsOurs =
+    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+constexpr bool kMemoryIsOurs = true;
+#endif
+
 TEST_F(LogFiles, AMillionSentencesTakeLittleMemory) {
+  constexpr int kRounds = kMemoryIsOurs ? 2000 : 40;
   const std::string file = (folder_ / "day.nmea").string();
   {
     std::ofstream out(file, std::ios::binary);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < kRounds; ++i) {
       for (std::uint32_t ship = 0; ship < 500; ++ship) {
         const double way = 0.0005 * i + 0.002 * std::sin(0.01 * i + ship);
         out << logged(position_of(219'000'000 + ship, 50.0 + 0.01 * ship + 0.1 * way, 5.0 + way),
@@ -147,16 +158,17 @@ TEST_F(LogFiles, AMillionSentencesTakeLittleMemory) {
   const LogFileRead log = *result;
   most_mb = std::max(most_mb, resident_mb());
   const double grew_mb = most_mb - before_mb;
-  EXPECT_EQ(log.used, 1'000'000u);
+  EXPECT_EQ(log.used, 500u * kRounds);
   const auto ships = book_.finish();
   EXPECT_EQ(ships.size(), 500u);
   std::size_t kept = 0;
   for (const LoggedShip& ship : ships) {
     for (const LoggedPiece& piece : ship.pieces) kept += piece.fixes.size();
   }
-  std::printf("a log of %.0f MB: memory grew by %.1f MB; %zu fixes of a million kept\n",
+  std::printf("a log of %.0f MB: memory grew by %.1f MB; %zu fixes kept\n",
               static_cast<double>(fs::file_size(file)) / 1e6, grew_mb, kept);
   RecordProperty("grew_mb", std::to_string(grew_mb));
+  if (!kMemoryIsOurs) return;
   EXPECT_GT(grew_mb, 0.5) << "it was measured";
   EXPECT_LT(grew_mb, 16.0);
 }
