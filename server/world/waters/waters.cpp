@@ -25,10 +25,10 @@ Stream between(Stream a, Stream b, double share) {
 
 // Square of the distance on a sphere of 60 NM a degree, by the middle latitude: for weighing.
 double distance_squared(GeoPoint a, GeoPoint b) {
-  constexpr double kMetresPerDegree = 60.0 * 1852.0;
-  const double north = kMetresPerDegree * (b.latitude_deg - a.latitude_deg);
+  constexpr double kMetresADegree = 60.0 * 1852.0;
+  const double north = kMetresADegree * (b.latitude_deg - a.latitude_deg);
   const double across = wrapped_longitude(b.longitude_deg - a.longitude_deg);
-  const double east = kMetresPerDegree * across *
+  const double east = kMetresADegree * across *
                       echo::sin_cos_degrees(0.5 * (a.latitude_deg + b.latitude_deg)).cos;
   return north * north + east * east;
 }
