@@ -28,8 +28,8 @@ double distance_squared(GeoPoint a, GeoPoint b) {
   constexpr double kMetresADegree = 60.0 * 1852.0;
   const double north = kMetresADegree * (b.latitude_deg - a.latitude_deg);
   const double across = wrapped_longitude(b.longitude_deg - a.longitude_deg);
-  const double east = kMetresADegree * across *
-                      echo::sin_cos_degrees(0.5 * (a.latitude_deg + b.latitude_deg)).cos;
+  const double east =
+      kMetresADegree * across * echo::sin_cos_degrees(0.5 * (a.latitude_deg + b.latitude_deg)).cos;
   return north * north + east * east;
 }
 
