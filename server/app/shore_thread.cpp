@@ -3,9 +3,12 @@
 #include <pthread.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <utility>
+
+#include "server/world/short_way.hpp"
 
 namespace skerry::server {
 
@@ -18,7 +21,7 @@ ShoreThread::ShoreThread(Timeline& timeline, CoastService& coast, InputLog& inpu
           [&coast](GeoPoint centre, Length radius, ShoreWatch::SurveyDone done) {
             coast.survey(centre, radius, std::move(done));
           },
-          [this](std::size_t own_ship) { ground(own_ship); }) {}
+          [this](std::size_t own_ship, GeoPoint at) { ground(own_ship, at); }) {}
 
 void ShoreThread::start() {
   thread_ = std::jthread([this](const std::stop_token& stop) {
@@ -45,7 +48,10 @@ void ShoreThread::work(const std::stop_token& stop) {
   }
 }
 
-void ShoreThread::ground(std::size_t own_ship) {
+void ShoreThread::ground(std::size_t own_ship, GeoPoint at) {
+  // This thread is up to a quarter of a second late: an instructor may have put her elsewhere.
+  const ShortWay since = short_way_between(at, timeline_.latest()->own_ships[own_ship].position);
+  if (std::hypot(since.north_m, since.east_m) > ShoreWatch::kMostStep_m) return;
   wire::ExerciseOrder order;
   order.set_aground(static_cast<std::uint32_t>(own_ship));
   const auto giving = inputs_.giving();

@@ -28,7 +28,7 @@ class ShoreThread {
 
  private:
   void work(const std::stop_token& stop);
-  void ground(std::size_t own_ship);
+  void ground(std::size_t own_ship, GeoPoint at);
 
   Timeline& timeline_;
   InputLog& inputs_;

@@ -126,7 +126,7 @@ void ShoreWatch::look(Watched& watched, const ShipState& ship, std::size_t numbe
     const bool touches = is_on_land(between(from, ship, static_cast<double>(k) / looks), *land);
     if (touches && watched.clear) {
       watched.clear = false;
-      aground_(number);
+      aground_(number, ship.position);
       return;
     }
     watched.clear = !touches;

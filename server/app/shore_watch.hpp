@@ -34,7 +34,7 @@ class ShoreWatch {
   // Asks for the chart; the answer may come later, from another thread, or be nothing.
   using SurveyDone = std::function<void(std::optional<echo::CoastChart>)>;
   using Survey = std::function<void(GeoPoint, Length, SurveyDone)>;
-  using Aground = std::function<void(std::size_t own_ship)>;
+  using Aground = std::function<void(std::size_t own_ship, GeoPoint at)>;
   ShoreWatch(Survey survey, Aground aground);
 
   // The world as it is now; call it with each tick, or now and then.

@@ -9,7 +9,6 @@
 // grew; prints the CPU time of each part.  With --small it only counts: for tests, on busy
 // machines.
 #include <fmt/format.h>
-#include <poll.h>
 #include <sched.h>
 #include <sys/resource.h>
 
@@ -162,15 +161,9 @@ class ClassCheck {
   }
 
   void read_once() {
-    std::vector<LoadConsole*> consoles = {instructor_.get()};
-    for (const Reader& reader : readers_) consoles.push_back(reader.console);
-    std::vector<pollfd> sockets;
-    for (const LoadConsole* console : consoles) sockets.push_back({console->socket(), POLLIN, 0});
-    constexpr int kLookAroundMs = 20;
-    ::poll(sockets.data(), sockets.size(), kLookAroundMs);
-    for (std::size_t i = 0; i < sockets.size(); ++i) {
-      if (sockets[i].revents != 0) consoles[i]->read();
-    }
+    std::vector<LoadReceiver*> receivers = {instructor_.get()};
+    for (const Reader& reader : readers_) receivers.push_back(reader.console);
+    read_ready(receivers);
   }
 
   void read_until(const std::function<bool()>& condition) {

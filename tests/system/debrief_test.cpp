@@ -113,37 +113,48 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST(Debrief, OfARecordedCollisionHasItsTimeAndTheLeastDistance) {
-  const TempFolder folder;
-  const std::string recordings = folder.path("recordings");
-  RunningServer server({"--scenario", folder.write("collision.yaml", kScenario), "--record-folder",
-                        recordings, "--record-reserve-mib", "0"});
-  client::SpokeClient client = connected(server);
+// Begins the recording "exercise" and runs it at that pace.
+void record_at(client::SpokeClient& client, double rate) {
   wire::Record record;
   record.set_action(wire::Record::START);
   record.set_name("exercise");
   ASSERT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
   wire::Set set;
   set.set_instructor(true);
-  set.mutable_exercise()->mutable_clock()->set_rate(20.0);
+  set.mutable_exercise()->mutable_clock()->set_rate(rate);
   ASSERT_EQ(client.set(set, kAnswerTime)->code(), wire::Reply::OK);
+}
+
+// Waits until the mishap has frozen the exercise, and for some seconds of radar after it (a
+// recording ends with its last spoke); ends the recording.
+wire::Status recorded_until_frozen(client::SpokeClient& client) {
+  const wire::Status frozen =
+      await_status(client, [](const wire::Status& status) { return status.world().frozen(); });
+  await_status(client, [&](const wire::Status& status) {
+    return status.scenario_s() > frozen.scenario_s() + 3.0;
+  });
+  wire::Record record;
+  record.set_action(wire::Record::STOP);
+  EXPECT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
+  return frozen;
+}
+
+TEST(Debrief, OfARecordedCollisionHasItsTimeAndTheLeastDistance) {
+  const TempFolder folder;
+  const std::string recordings = folder.path("recordings");
+  RunningServer server({"--scenario", folder.write("collision.yaml", kScenario), "--record-folder",
+                        recordings, "--record-reserve-mib", "0"});
+  client::SpokeClient client = connected(server);
+  ASSERT_NO_FATAL_FAILURE(record_at(client, 20.0));
   // A change before its first spoke is none to the recording.
   await_status(client, [](const wire::Status& status) { return status.recorder().spokes() > 0; });
   wire::Set gain;
   gain.set_gain(77.0);
   ASSERT_EQ(client.set(gain, kAnswerTime)->code(), wire::Reply::OK);
-  // Until the collision has frozen the exercise.
-  const wire::Status frozen =
-      await_status(client, [](const wire::Status& status) { return status.world().frozen(); });
+  const wire::Status frozen = recorded_until_frozen(client);
   const double touch_s = touching_time();
   ASSERT_GT(touch_s, 0.0);
   EXPECT_NEAR(frozen.world().exercise_s(), touch_s, 0.12) << "at the end of that step";
-  // Some seconds of radar after it: a recording ends with its last spoke.
-  const double air_s = frozen.scenario_s();
-  await_status(client,
-               [&](const wire::Status& status) { return status.scenario_s() > air_s + 3.0; });
-  record.set_action(wire::Record::STOP);
-  ASSERT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
   EXPECT_EQ(server.stop().code, 0);
 
   const std::string page = folder.path("report.html"), tables = folder.path("tables");
@@ -221,21 +232,8 @@ own_ships:
 )"),
                         "--record-folder", recordings, "--record-reserve-mib", "0"});
   client::SpokeClient client = connected(server);
-  wire::Record record;
-  record.set_action(wire::Record::START);
-  record.set_name("exercise");
-  ASSERT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
-  wire::Set set;
-  set.set_instructor(true);
-  set.mutable_exercise()->mutable_clock()->set_rate(10.0);
-  ASSERT_EQ(client.set(set, kAnswerTime)->code(), wire::Reply::OK);
-  const wire::Status frozen =
-      await_status(client, [](const wire::Status& status) { return status.world().frozen(); });
-  const double air_s = frozen.scenario_s();
-  await_status(client,
-               [&](const wire::Status& status) { return status.scenario_s() > air_s + 3.0; });
-  record.set_action(wire::Record::STOP);
-  ASSERT_EQ(client.record(record, kAnswerTime)->code(), wire::Reply::OK);
+  ASSERT_NO_FATAL_FAILURE(record_at(client, 10.0));
+  const wire::Status frozen = recorded_until_frozen(client);
   EXPECT_EQ(server.stop().code, 0);
 
   const std::string file = recordings + "/exercise.mcap", tables = folder.path("tables");

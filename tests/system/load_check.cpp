@@ -3,7 +3,6 @@
 // exactly, or if a spoke was encoded twice.  Prints how late the antenna was, which is no business
 // of a test: the machine may be busy.
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -119,18 +118,11 @@ class LoadCheck {
     });
   }
 
-  // Reads whatever has come, or waits a little for something.
   void read_once() {
     std::vector<LoadReceiver*> receivers = {control_.get()};
     if (stalled_reads_) receivers.push_back(stalled_.get());
     for (const Reader& reader : readers_) receivers.push_back(reader.receiver);
-    std::vector<pollfd> sockets;
-    for (LoadReceiver* receiver : receivers) sockets.push_back({receiver->socket(), POLLIN, 0});
-    constexpr int kLookAroundMs = 20;
-    ::poll(sockets.data(), sockets.size(), kLookAroundMs);
-    for (std::size_t i = 0; i < sockets.size(); ++i) {
-      if (sockets[i].revents != 0) receivers[i]->read();
-    }
+    read_ready(receivers);
   }
 
   void read_for(double seconds) {

@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -55,6 +56,16 @@ std::optional<std::size_t> receive(int socket, std::span<std::uint8_t> into) {
 void SpokeCount::take(std::uint64_t sequence) {
   if (losses_.take(sequence) && sequence >= count_from_) ++counted_;
   newest_ = std::max(newest_.value_or(0), sequence);
+}
+
+void read_ready(std::span<LoadReceiver* const> receivers) {
+  constexpr int kLookAroundMs = 20;
+  std::vector<pollfd> sockets;
+  for (const LoadReceiver* receiver : receivers) sockets.push_back({receiver->socket(), POLLIN, 0});
+  ::poll(sockets.data(), sockets.size(), kLookAroundMs);
+  for (std::size_t i = 0; i < sockets.size(); ++i) {
+    if (sockets[i].revents != 0) receivers[i]->read();
+  }
 }
 
 LoadReceiver::~LoadReceiver() { ::close(socket_); }

@@ -53,6 +53,9 @@ class LoadReceiver {
   std::uint64_t bytes_ = 0;
 };
 
+// Reads whatever has come to any of them, or waits a little (20 ms) for something.
+void read_ready(std::span<LoadReceiver* const> receivers);
+
 // A console on TCP.
 class LoadConsole : public LoadReceiver {
  public:

@@ -36,7 +36,7 @@ class ShoreWatchTest : public testing::Test {
               centre_ = centre;
               if (answers_) answer();
             },
-            [this](std::size_t ship) { aground_.push_back(ship); }) {
+            [this](std::size_t ship, GeoPoint) { aground_.push_back(ship); }) {
     ShipState ship;
     ship.length_m = 100.0;
     ship.beam_m = 16.0;

@@ -28,7 +28,9 @@ seed: 3
 exercise:
   goal: Keep clear
   briefing: You have the watch.
-  checks: [{at_min: 1, says: apart, apart: [{ship: Alfa, other: Kilo, least_nm: 0.1}]}, {at_min: 20, says: late, apart: [{ship: Alfa, other: Kilo, least_nm: 0.1}]}]
+  checks:
+    - {at_min: 1, says: apart, apart: [{ship: Alfa, other: Kilo, least_nm: 0.1}]}
+    - {at_min: 20, says: late, apart: [{ship: Alfa, other: Kilo, least_nm: 0.1}]}
 own_ships:
   - {name: Alfa, position: {lat: 0, lon: 2}, course_deg: 0, speed_kn: 10, length_m: 100, radars: [{name: Main}]}
 targets:

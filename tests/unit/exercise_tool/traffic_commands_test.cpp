@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,43 +10,19 @@
 #include <vector>
 
 #include "server/app/exercise_files.hpp"
-#include "server/exercise_tool/commands.hpp"
+#include "tests/unit/exercise_tool/tool_run.hpp"
 
 namespace skerry::server {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct TrafficRan {
-  int code = 0;
-  std::string out, err;
-};
-
-TrafficRan traffic(std::vector<std::string> arguments) {
-  CLI::App app{"", "skerry scenario"};
-  app.require_subcommand(1);
-  CLI::App& command = add_traffic_commands(app);
-  const std::array commands = {make_traffic_import_command(command),
-                               make_traffic_export_command(command)};
+ToolRun traffic(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "traffic");
-  std::reverse(arguments.begin(), arguments.end());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  TrafficRan result{echo::kExitUsage, {}, {}};
-  try {
-    app.parse(arguments);
-    for (const echo::Command& each : commands) {
-      if (each.app->parsed()) result.code = each.run();
-    }
-  } catch (const CLI::ParseError&) {
-    result.code = echo::kExitUsage;
-  } catch (const std::exception& error) {
-    result.code = echo::kExitFailure;
-    result.err = error.what();
-  }
-  result.out = testing::internal::GetCapturedStdout();
-  result.err += testing::internal::GetCapturedStderr();
-  return result;
+  return run_tool(std::move(arguments), [](CLI::App& app) {
+    CLI::App& command = add_traffic_commands(app);
+    return std::vector{make_traffic_import_command(command), make_traffic_export_command(command)};
+  });
 }
 
 class TrafficCommands : public testing::Test {
@@ -64,13 +39,13 @@ class TrafficCommands : public testing::Test {
 };
 
 TEST_F(TrafficCommands, AnExportIsImportedAndIncluded) {
-  const TrafficRan exported =
+  const ToolRun exported =
       traffic({"export", "crossing", "-o", at("c.nmea"), "--minutes", "3", "--own-ships"});
   ASSERT_EQ(exported.code, 0) << exported.err;
   EXPECT_NE(exported.out.find("of 6 ships and marks in 3.0 min"), std::string::npos)
       << exported.out;
   std::ofstream(at("c.nmea"), std::ios::app) << "# a comment\n!AIVDM,broken\n";
-  const TrafficRan imported = traffic({"import", at("c.nmea"), "-o", at("c.yaml")});
+  const ToolRun imported = traffic({"import", at("c.nmea"), "-o", at("c.yaml")});
   ASSERT_EQ(imported.code, 0) << imported.err;
   EXPECT_NE(imported.out.find("6 ships in 6 tracks"), std::string::npos) << imported.out;
   EXPECT_NE(imported.out.find("1  left out: no sentence in the line"), std::string::npos)
@@ -86,7 +61,7 @@ TEST_F(TrafficCommands, AnExportIsImportedAndIncluded) {
 // A recording that a former version made, in which own ship was ordered about.
 TEST_F(TrafficCommands, ARecordedExerciseHasItsOwnTimesAndOrders) {
   const std::string recording = SKERRY_SOURCE_DIR "/tests/golden/recordings/inputs.mcap";
-  const TrafficRan run = traffic(
+  const ToolRun run = traffic(
       {"export", recording, "-o", at("r.csv"), "--every", "1", "--own-ships", "--minutes", "0.2"});
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string text = text_of(at("r.csv"));
@@ -106,7 +81,7 @@ TEST_F(TrafficCommands, ImportTakesOnlyWhatIsWanted) {
                                 "219000001,2021-01-05T00:20:00Z,55.0,11.0\n"
                                 "219000002,2021-01-05T00:10:00Z,56.0,11.0\n"
                                 "219000002,2021-01-05T00:20:00Z,56.0,11.0\n";
-  const TrafficRan run =
+  const ToolRun run =
       traffic({"import", at("t.csv"), "-o", at("t.yaml"), "--from", "2021-01-05T00:05:00Z",
                "--until", "2021-01-05T00:30:00Z", "--area", "55,11,10", "--tolerance", "5"});
   ASSERT_EQ(run.code, 0) << run.err;
@@ -118,7 +93,7 @@ TEST_F(TrafficCommands, ImportTakesOnlyWhatIsWanted) {
 
 TEST_F(TrafficCommands, WhatCannotBeDoneIsSaidAndLeavesNoFile) {
   std::ofstream(at("text")) << "nothing\n";
-  const TrafficRan nothing = traffic({"import", at("text"), "-o", at("x.yaml")});
+  const ToolRun nothing = traffic({"import", at("text"), "-o", at("x.yaml")});
   EXPECT_EQ(nothing.code, 1);
   EXPECT_NE(nothing.err.find("no ship is left"), std::string::npos) << nothing.err;
   EXPECT_FALSE(fs::exists(at("x.yaml")));

@@ -149,7 +149,8 @@ TEST(Collision, OfAShipThatIsOrderedToLeapIsFound) {
   World world = mishap_world(R"(
 name: Leap
 own_ships:
-  - {name: Alfa, position: {lat: 0, lon: 2}, course_deg: 0, speed_time_constant_s: 0.1, length_m: 10, beam_m: 3, radars: [{}]}
+  - {name: Alfa, position: {lat: 0, lon: 2}, course_deg: 0, speed_time_constant_s: 0.1, length_m: 10,
+     beam_m: 3, radars: [{}]}
   - {name: Bravo, position: {lat: 0.000723, lon: 2}, course_deg: 0, length_m: 10, beam_m: 3, radars: [{}]}
 )");
   run_seconds(world, 1.0);
@@ -216,7 +217,8 @@ TEST(Collision, OfRandomEncountersAgreesWithAFineSweep) {
     World world = mishap_world(fmt::format(R"(
 name: Encounter
 own_ships:
-  - {{name: Alfa, position: {{lat: {}, lon: {}}}, course_deg: {}, speed_kn: {}, length_m: {}, beam_m: {}, radars: [{{}}]}}
+  - {{name: Alfa, position: {{lat: {}, lon: {}}}, course_deg: {}, speed_kn: {},
+     length_m: {}, beam_m: {}, radars: [{{}}]}}
 targets:
   - {{name: Kilo, position: {{lat: {}, lon: {}}}, course_deg: {}, speed_kn: {}, length_m: {}, beam_m: {}}}
 )",
