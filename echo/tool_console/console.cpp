@@ -7,11 +7,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "echo/tool_console/command.hpp"
+#include "echo/tool_console/part_file.hpp"
 
 namespace skerry::echo {
 namespace {
@@ -42,14 +42,9 @@ void write_out(std::string_view text) {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {
-  const auto fail = [&] {
-    throw std::runtime_error(
-        fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
-  };
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "wb"), std::fclose);
-  if (!out) fail();
-  if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size()) fail();
-  if (std::fclose(out.release()) != 0) fail();
+  PartFile part(file);
+  part.write(text);
+  part.finish();
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}

@@ -16,7 +16,8 @@ void watch_pipe();
 // Writes to stdout at once.  Error: ReaderGone, or std::runtime_error for a full disk and the like.
 void write_out(std::string_view text);
 
-// Writes a whole file.  Error: std::runtime_error naming the file and the reason.
+// Writes a file whole or not at all, as PartFile does.  Error: std::runtime_error naming the file
+// and the reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
 // Says on stderr how far something is, in place; nothing where stderr is not a terminal.

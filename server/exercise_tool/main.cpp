@@ -1,11 +1,13 @@
-// skerry-exercise: makes, checks, lists and runs scenarios, and traffic from and to logs of AIS.
-// `skerry scenario` and `skerry traffic` run it.
+// skerry-exercise: makes, checks, lists and runs scenarios, debriefs recorded exercises, and reads
+// and writes logs of AIS.  `skerry scenario`, `skerry exercise report` and `skerry traffic` run it.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
 
 #include "echo/tool_console/command.hpp"
 #include "echo/tool_console/console.hpp"
@@ -16,10 +18,16 @@ namespace {
 using namespace skerry::server;
 namespace console = skerry::echo;
 
+// As `skerry` hands the commands over: `skerry traffic import`, `skerry exercise report`.
+std::string command_of(int argc, char** argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  return first == "traffic" ? "skerry" : first == "report" ? "skerry exercise" : "skerry scenario";
+}
+
 int run(int argc, char** argv) {
   CLI::App app{
       "Makes, checks, lists, runs and debriefs scenarios and exercises, without a network.",
-      "skerry scenario"};
+      command_of(argc, argv)};
   app.set_version_flag("--version", "skerry-exercise " SKERRY_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
@@ -59,7 +67,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  console::name_program("skerry scenario");
+  console::name_program(command_of(argc, argv));
   console::watch_pipe();
   spdlog::set_level(spdlog::level::warn);
   try {

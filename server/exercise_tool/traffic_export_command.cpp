@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "echo/tool_console/console.hpp"
+#include "echo/tool_console/part_file.hpp"
 #include "protocol/nmea/log_time.hpp"
 #include "server/exercise_tool/commands.hpp"
 #include "server/exercise_tool/traffic_export.hpp"
@@ -28,38 +28,6 @@ struct ExportOptions {
   bool own_ships = false, force = false;
 };
 
-// A file beside the wanted one that takes its name when it is whole, and is removed else.
-class PartFile {
- public:
-  // Error: std::runtime_error if it cannot be made.
-  explicit PartFile(fs::path wanted)
-      : wanted_(std::move(wanted)),
-        part_(wanted_.string() + ".part"),
-        out_(part_, std::ios::binary) {
-    if (!out_) throw std::runtime_error(part_.string() + " cannot be written");
-  }
-  ~PartFile() {
-    std::error_code ignored;
-    if (!whole_) fs::remove(part_, ignored);
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-
-  void write(std::string_view text) { out_ << text; }
-  // Error: std::runtime_error, of a full disk for one.
-  void finish() {
-    out_.close();
-    if (!out_) throw std::runtime_error(part_.string() + " cannot be written to its end");
-    fs::rename(part_, wanted_);
-    whole_ = true;
-  }
-
- private:
-  fs::path wanted_, part_;
-  std::ofstream out_;
-  bool whole_ = false;
-};
-
 int export_traffic(const ExportOptions& options) {
   const std::string ending = fs::path(options.out).extension().string();
   if (ending != ".csv" && ending != ".nmea") {
@@ -72,7 +40,7 @@ int export_traffic(const ExportOptions& options) {
                         "Name another file, or give --force to write over it.");
   }
   // What was there stays until all of the new is.
-  PartFile part(options.out);
+  echo::PartFile part(options.out);
   TrafficExport wanted;
   wanted.form = ending == ".csv" ? TrafficForm::csv : TrafficForm::nmea;
   wanted.minutes = options.minutes;
