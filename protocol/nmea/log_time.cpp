@@ -5,8 +5,6 @@
 namespace skerry::nmea {
 namespace {
 
-constexpr std::int64_t kFirst_s = 631'152'000;    // 1990
-constexpr std::int64_t kAfter_s = 4'102'444'800;  // 2100
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
 // Reads a text from its begin on; once something is not there, nothing more is.
@@ -71,7 +69,11 @@ class TimeText {
 };
 
 std::optional<LogTime> within(std::int64_t seconds, std::int64_t ns, std::size_t length) {
-  if (seconds < kFirst_s || seconds >= kAfter_s) return std::nullopt;
+  const std::chrono::seconds since_1970(seconds);
+  if (since_1970 < kFirstLogTime.time_since_epoch() ||
+      since_1970 >= kAfterLogTimes.time_since_epoch()) {
+    return std::nullopt;
+  }
   return LogTime{UtcTime(Duration(seconds * kSecond_ns + ns)), length};
 }
 

@@ -1,6 +1,7 @@
 // Times as logs of sentences and tables of positions write them.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -8,6 +9,11 @@
 #include "protocol/quantity/time.hpp"
 
 namespace skerry::nmea {
+
+// Times of logs are from the one on and before the other; a receiver without a fix tells older
+// ones.
+inline constexpr UtcTime kFirstLogTime{std::chrono::seconds(631'152'000)};     // 1990
+inline constexpr UtcTime kAfterLogTimes{std::chrono::seconds(4'102'444'800)};  // 2100
 
 struct LogTime {
   UtcTime utc{};

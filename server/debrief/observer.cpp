@@ -248,19 +248,11 @@ std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
                                     const DebriefOptions& options,
                                     const DebriefProgress& progress) {
   const recording::Summary& summary = reader.summary();
-  double end_s = in_seconds(summary.end - exercise.epoch);
-  if (options.until_s) end_s = std::min(end_s, *options.until_s);
-  if (end_s < 0.0) {
-    throw std::runtime_error(fmt::format(
-        "{}: the recording ends {:.0f} s before its exercise begins; expected times after it",
-        summary.file, -end_s));
-  }
-  if (end_s > kLongestDebrief_s && !options.until_s) {
-    throw std::runtime_error(fmt::format(
-        "{}: the recording says that it ends {:.0f} hours after its exercise began; if that is "
-        "so, say with --until how many minutes of it to look at",
-        summary.file, end_s / 3600.0));
-  }
+  const double whole_s = in_seconds(length_to_replay(
+      reader, exercise,
+      options.until_s ? std::optional(seconds_as_duration(*options.until_s)) : std::nullopt,
+      "--until"));
+  const double end_s = std::min(whole_s, in_seconds(summary.end - exercise.epoch));
   Debrief debrief;
   const scenario::ExerciseSheet& sheet = plan.scenario.exercise();
   debrief.exercise = plan.scenario.name();

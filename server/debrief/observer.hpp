@@ -18,13 +18,9 @@ struct DebriefOptions {
   std::function<JudgedCheck(const scenario::ExerciseCheck&, const World&)> judge;
 };
 
-// The longest exercise that is made again without being asked for.
-inline constexpr double kLongestDebrief_s = 48.0 * 3600.0;
-
 // The world is remade by the recorded inputs, so everything is the truth to the last bit.
 // `progress` gets the share done, 0 .. 1, and what is being done; false gives up, which gives
-// nothing. Error: std::runtime_error if the recording ends before the exercise began or later than
-// kLongestDebrief_s.
+// nothing. Error: that of length_to_replay().
 using DebriefProgress = std::function<bool(double, const char*)>;
 std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
                                     const RecordedExercise& exercise, const ExercisePlan& plan,

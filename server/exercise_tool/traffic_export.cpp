@@ -1,7 +1,5 @@
 #include "server/exercise_tool/traffic_export.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -19,8 +17,6 @@ namespace skerry::server {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr Duration kLongest = 48h;  // of a recording, unless more is asked for
 
 constexpr UtcTime kUsualBegin{
     std::chrono::sys_days(std::chrono::year(2026) / 1 / 1).time_since_epoch()};
@@ -59,19 +55,11 @@ double export_recording(const std::string& file, const TrafficExport& wanted, Tr
   ReplayedWorld world(plan.scenario, exercise->world, plan.in_range);
   const UtcTime begin =
       wanted.begin.value_or(std::chrono::floor<std::chrono::seconds>(exercise->epoch));
-  const Duration length = wanted.minutes > 0.0 ? seconds_as_duration(60.0 * wanted.minutes)
-                                               : reader->summary().end - exercise->epoch;
-  if (length < Duration::zero()) {
-    throw std::runtime_error(fmt::format(
-        "{}: the recording ends {:.0f} s before its exercise begins; expected times after it", file,
-        -in_seconds(length)));
-  }
-  if (length > kLongest && wanted.minutes <= 0.0) {
-    throw std::runtime_error(fmt::format(
-        "{}: the recording says that it ends {:.0f} hours after its exercise began; if that is so, "
-        "say with --minutes how many minutes of it to export",
-        file, in_seconds(length) / 3600.0));
-  }
+  const Duration length = length_to_replay(
+      *reader, *exercise,
+      wanted.minutes > 0.0 ? std::optional(seconds_as_duration(60.0 * wanted.minutes))
+                           : std::nullopt,
+      "--minutes");
   Duration now{};
   for (; now <= length; now += 1s) {
     const ScenarioTime time{now};

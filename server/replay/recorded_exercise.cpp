@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
+#include <stdexcept>
 
 #include "server/radar/sector_maker.hpp"
 
@@ -143,6 +145,27 @@ Result<RecordedExercise, RecordingError> RecordedExercise::read(
   std::stable_sort(exercise.world.begin(), exercise.world.end(),
                    [](const WorldInput& a, const WorldInput& b) { return a.tick < b.tick; });
   return exercise;
+}
+
+Duration length_to_replay(const recording::RecordingReader& reader,
+                          const RecordedExercise& exercise, std::optional<Duration> wanted,
+                          const std::string& option) {
+  constexpr Duration kLongest = std::chrono::hours(48);
+  const recording::Summary& summary = reader.summary();
+  const Duration whole = summary.end - exercise.epoch;
+  if (whole < Duration::zero()) {
+    throw std::runtime_error(fmt::format(
+        "{}: the recording ends {:.0f} s before its exercise begins; expected times after it",
+        summary.file, -in_seconds(whole)));
+  }
+  if (wanted) return *wanted;
+  if (whole > kLongest) {
+    throw std::runtime_error(fmt::format(
+        "{}: the recording says that it ends {:.0f} hours after its exercise began; if that is so, "
+        "say with {} how many minutes of it are wanted",
+        summary.file, in_seconds(whole) / 3600.0, option));
+  }
+  return whole;
 }
 
 }  // namespace skerry::server

@@ -44,6 +44,13 @@ struct RecordedExercise {
       const recording::RecordingReader& reader);
 };
 
+// How much of it is made again, from its begin: `wanted`, or to the recording's end.
+// Error: std::runtime_error if the recording ends before its exercise begins, or more than 48 hours
+// after it (a damaged time) and nothing is wanted; it then names `option`, which says how much.
+Duration length_to_replay(const recording::RecordingReader& reader,
+                          const RecordedExercise& exercise, std::optional<Duration> wanted,
+                          const std::string& option);
+
 inline const std::string kScenarioDocument = "scenario.yaml";
 inline const std::string kChartsDocument = "charts.json";
 

@@ -1,11 +1,11 @@
 #include "server/traffic_logs/nmea_log.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <variant>
 
 #include "protocol/nmea/log_line.hpp"
+#include "protocol/nmea/log_time.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 
 namespace skerry::server {
@@ -29,12 +29,8 @@ LeftOut kind_of(const WireError& error) {
   }
 }
 
-// As times before sentences must be (nmea/log_time.hpp): a receiver without a fix tells its own
-// epoch.
 bool is_plausible(const std::optional<UtcTime>& utc) {
-  using namespace std::chrono;
-  return utc && *utc >= UtcTime(sys_days(1990y / January / 1).time_since_epoch()) &&
-         *utc < UtcTime(sys_days(2100y / January / 1).time_since_epoch());
+  return utc && *utc >= nmea::kFirstLogTime && *utc < nmea::kAfterLogTimes;
 }
 
 bool is_blank(std::string_view line) {

@@ -67,6 +67,21 @@ class ObserverTest : public testing::Test {
       fs::temp_directory_path() / ("skerry-debrief-" + std::to_string(getpid()));
 };
 
+// As a damaged time says it.
+TEST_F(ObserverTest, ARecordingOfDaysIsMadeAgainOnlyAsFarAsAsked) {
+  recorded_.length_s = 60.0 * 3600.0;
+  const std::string bytes = bytes_of(recorded_);
+  try {
+    debrief_of(bytes);
+    ADD_FAILURE() << "it sailed for days";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("60 hours"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("--until"), std::string::npos) << error.what();
+  }
+  EXPECT_NEAR(debrief_of(bytes, {.limits = {}, .until_s = 240.0, .judge = {}}).end.at_s, 240.0,
+              0.11);
+}
+
 TEST_F(ObserverTest, TellsACollisionAtItsTime) {
   const Debrief debrief = debrief_of(bytes_of(recorded_));
   EXPECT_EQ(debrief.exercise, "Head <on>");
