@@ -52,6 +52,11 @@ inline std::vector<PlanePoint> edge_of(const Hull& hull, double spacing_m) {
 }
 
 inline bool touch(const Hull& a, const Hull& b, double spacing_m) {
+  const double apart_m =
+      std::hypot(b.middle.east_m - a.middle.east_m, b.middle.north_m - a.middle.north_m);
+  // No point of an outline is farther from its middle than half its length and half its beam
+  // together.
+  if (apart_m > (a.length_m + a.beam_m + b.length_m + b.beam_m) / 2.0) return false;
   for (const PlanePoint point : edge_of(a, spacing_m)) {
     if (has(b, point)) return true;
   }

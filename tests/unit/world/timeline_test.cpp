@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <limits>
-#include <thread>
-#include <vector>
 
 #include "server/world/scenario.hpp"
 
@@ -112,45 +109,6 @@ TEST(Timeline, AnOrderThatCannotBeGivenIsToldAndOrdersNothing) {
   EXPECT_EQ(timeline.order(0, order).fault, std::nullopt);
   EXPECT_EQ(timeline.order(0, order).tick, 13u);
   EXPECT_EQ(timeline.at(at_tick(14))->own_ships[0].con->engine_percent, -100.0);
-}
-
-// Meant for TSan; the invariants are what each thread may rely on meanwhile.
-TEST(Timeline, ServesManyThreadsAtOnce) {
-  Timeline timeline{World(default_scenario())};
-  std::atomic<bool> start{false};
-  std::vector<std::jthread> threads;
-  std::atomic<int> wrong{0};
-  for (int thread = 0; thread < 3; ++thread) {
-    threads.emplace_back([&, thread] {
-      while (!start) std::this_thread::yield();
-      for (int k = 0; k < 2000; ++k) {
-        const ScenarioTime t = at_tick(k) + 7ms * thread;
-        const WorldStatePtr state = timeline.at(t);
-        if (!state || state->own_ships.size() != 2) ++wrong;
-        // Another thread may have gone on by more than is kept, never less.
-        if (state && state->time + World::kTick <= t) ++wrong;
-      }
-    });
-  }
-  threads.emplace_back([&] {
-    while (!start) std::this_thread::yield();
-    ScenarioTime before{};
-    std::uint64_t tick = 0;
-    for (int k = 0; k < 2000; ++k) {
-      const WorldStatePtr state = timeline.latest();
-      if (!state || state->time < before) ++wrong;
-      if (state) before = state->time;
-      if (k % 20 == 0) {
-        const std::uint64_t effective = timeline.order(0, k % 360, 5.0 + k % 7);
-        if (effective < tick) ++wrong;
-        tick = effective;
-      }
-    }
-  });
-  start = true;
-  threads.clear();
-  EXPECT_EQ(wrong, 0);
-  EXPECT_EQ(timeline.latest()->time, at_tick(1999));
 }
 
 }  // namespace
