@@ -52,7 +52,8 @@ RadarServer::RadarServer(const scenario::Scenario& scenario,
                                             coast_rules(scenario))),
       airwaves_(count_radars(scenario)),
       inputs_(count_radars(scenario), std::move(documents)),
-      shore_(timeline_, *coast_, inputs_, [this] { return instant().time; }) {
+      shore_(timeline_, *coast_, inputs_, [this] { return instant().time; }),
+      rain_(timeline_, scenario.seed(), [this] { return instant().time; }) {
   const WorldStatePtr state = timeline_.latest();
   std::uint32_t index = 0;
   for (int i = 0; i < scenario.own_ships_size(); ++i) {
@@ -129,11 +130,13 @@ void RadarServer::start() {
   inputs_.began(epoch.utc, kServerName);
   coast_->start();
   shore_.start();
+  rain_.start();
   for (auto& radar : radars_) radar->unit.start(epoch);
   for (auto& board : boards_) board->start(epoch.steady, epoch.utc);
 }
 
 void RadarServer::stop() {
+  rain_.stop();
   shore_.stop();
   for (auto& board : boards_) board->stop();
   for (auto& radar : radars_) radar->unit.stop();

@@ -15,6 +15,7 @@
 #include "server/board/board_unit.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/radar/radar_unit.hpp"
+#include "server/radar/rain_ahead.hpp"
 #include "server/replay/input_log.hpp"
 #include "server/world/scenario.pb.h"
 #include "server/world/timeline.hpp"
@@ -89,6 +90,7 @@ class RadarServer : public RadarHost {
   Airwaves airwaves_;
   InputLog inputs_;
   ShoreThread shore_;
+  RainAhead rain_;
   std::vector<std::unique_ptr<Mount>> radars_;
   std::atomic<std::uint64_t> views_version_{1};
   std::vector<std::shared_ptr<BoardUnit>> boards_;  // one of each radar
