@@ -339,6 +339,9 @@ int main(int argc, char** argv) {
   cli.add_option("--rain-every", options.rain_every, "Seconds between changes of a rain")
       ->check(CLI::Range(1.0, 86400.0));
   cli.add_option("--cores", options.cores, "For the server; 0: all")->check(CLI::Range(0, 64));
+  cli.add_flag(
+      "--open-sea", options.size.open_sea,
+      "In the Atlantic instead of the Dover Strait: no coast, whose indexes differ in size");
   cli.add_flag("--small", options.size.small,
                "Small radars, and lateness is no fault: for servers with a sanitizer");
   CLI11_PARSE(cli, argc, argv);
