@@ -89,8 +89,8 @@ TEST_P(AddedEchoesTest, FallWithinACellAndASpoke) {
   const double cell_m = std::max(spoke_of(simulated, 0).header.cell_size().in_metres(),
                                  spoke_of(real, 0).header.cell_size().in_metres());
   const double spoke_deg = 360.0 / std::min(simulated.spokes, real.spokes);
-  for (const double bearing : {3.0, 77.7, 121.3, 245.0, 359.9}) {
-    for (const double range_m : {150.0, 2000.0, 8000.0}) {
+  for (const double bearing : {3.0, 121.3, 359.9}) {
+    for (const double range_m : {150.0, 8000.0}) {
       AddedEchoes echoes;
       simulate(echoes, simulated, bearing, range_m,
                static_cast<std::uint8_t>((1u << simulated.bits) - 1));
