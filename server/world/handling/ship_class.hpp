@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/world/handling/bank_load.hpp"
 #include "server/world/handling/hull.hpp"
 #include "server/world/handling/steering_gear.hpp"
 #include "server/world/handling/wave_load.hpp"
@@ -31,6 +32,7 @@ struct ShipClass {
   double block;
   std::shared_ptr<const Hull> hull;  // never null
 
+  BankShape bank_shape() const { return {hull->length_m(), beam_m, hull->draught_m(), block}; }
   WaveShape wave_shape() const { return {hull->length_m(), beam_m, hull->draught_m(), block}; }
 };
 

@@ -80,6 +80,7 @@ class Rates {
                        around_.waves_from_deg * kRadiansPerDegree - s.heading,
                        around_.time_s + after_s, around_.seed);
     }
+    if (around_.banks.acts()) all += bank_load(around_.banks, s.u);
     const double fade = 1.0 / (1.0 + squared(s.u / kThrusterFade_mps));
     push(ship_.bow, orders_.bow * fade, all);
     push(ship_.stern, orders_.stern * fade, all);
