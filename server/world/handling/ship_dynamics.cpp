@@ -72,8 +72,10 @@ class Rates {
     Loads all;
     if (around_.wind_mps > 0.0) {
       const double north = wind_north_ - ground.north, east = wind_east_ - ground.east;
-      all += wind_load(ship_.wind, ship_.hull->length_m(), north * heading.cos + east * heading.sin,
-                       east * heading.cos - north * heading.sin);
+      const double x = north * heading.cos + east * heading.sin;
+      const double y = east * heading.cos - north * heading.sin;
+      all += ship_.isherwood ? isherwood_load(*ship_.isherwood, x, y)
+                             : wind_load(ship_.wind, ship_.hull->length_m(), x, y);
     }
     if (around_.wave_height_m > 0.0) {
       all += wave_load(ship_.wave_shape(), around_.wave_height_m,
