@@ -191,6 +191,71 @@ TEST(BankLoad, DoesNotMakeHerMotionWild) {
   }
 }
 
+// In a channel the walls mirror one another's images: those at 2 (a + n W) on the one side and
+// 2 (b + n W) on the other are left over, W wide.  Adding two single walls leaves out n >= 1.
+TEST(BankLoad, TwoWallsAddUpButForTheirMirrors) {
+  double worst = 0.0;
+  for (const char* key : {"vlcc", "container", "coaster"}) {
+    const BankShape s = find_ship_class(key)->bank_shape();
+    const double wide = 5.0 * s.beam_m, depth = 1.5 * s.draught_m;
+    for (const double beams : {0.8, 1.2, 1.8}) {
+      const double near = beams * s.beam_m, far = wide - near;
+      const auto apart = [&](double more) {
+        const SlowPull a = slow_pull(s, near + more, depth), b = slow_pull(s, far + more, depth);
+        return SlowPull{a.suction - b.suction, a.stern - b.stern};
+      };
+      const SlowPull added = apart(0.0);
+      SlowPull whole = added;
+      for (int n = 1; n <= 3; ++n) {
+        const SlowPull more = apart(n * wide);
+        whole.suction += more.suction;
+        whole.stern += more.stern;
+      }
+      worst = std::max({worst, 1.0 - added.stern / whole.stern,
+                        1.0 - (added.suction + added.stern) / (whole.suction + whole.stern)});
+    }
+  }
+  std::printf("in a channel of five beams too little by up to %.1f %%\n", 100.0 * worst);
+  EXPECT_LT(worst, 0.06);
+  EXPECT_GT(worst, 0.0);
+}
+
+// The helm and the drift that hold her on a line along a wall at half her speed.  For scale: by the
+// abstract of Yasukawa, Ocean Engineering 188 (2019), a car carrier by a sloped bank needs all of
+// 35 deg at 0.27 lengths from it in 1.2 draughts of water.
+TEST(BankLoad, IsHeldByAHelmThatShipsHave) {
+  for (const ShipClass& ship : ship_classes()) {
+    const double length = ship.hull->length_m(), u = 0.5 * ship.service_speed_mps;
+    double before_deg = 90.0;
+    for (const double draughts : {1.2, 1.5, 2.0}) {
+      const double depth = draughts * ship.hull->draught_m();
+      const Loads pull = bank_load(wall_pull(ship.bank_shape(), 0.27 * length, depth), u);
+      const double shaft = shaft_for(*ship.hull, u);
+      const auto rates = [&](double v, double rudder) {
+        return ship.hull->change({.u = u, .v = v}, {rudder, shaft}, depth, pull);
+      };
+      double v = 0.0, rudder = 0.0;
+      for (int i = 0; i < 100; ++i) {
+        constexpr double kSmall = 1e-4;
+        const BodyChange at = rates(v, rudder);
+        const BodyChange by_v = rates(v + kSmall, rudder), by_rudder = rates(v, rudder + kSmall);
+        const double a = (by_v.v - at.v) / kSmall, b = (by_rudder.v - at.v) / kSmall;
+        const double c = (by_v.r - at.r) / kSmall, d = (by_rudder.r - at.r) / kSmall;
+        v -= 0.5 * (at.v * d - at.r * b) / (a * d - b * c);
+        rudder -= 0.5 * (a * at.r - c * at.v) / (a * d - b * c);
+      }
+      const double helm_deg = rudder * 180.0 / kPi;
+      std::printf("%-11s %.1f draughts: helm %5.1f deg to the bank, drift %.2f deg\n",
+                  ship.key.data(), draughts, helm_deg, std::atan2(v, u) * 180.0 / kPi);
+      EXPECT_GT(helm_deg, 1.0) << ship.key;
+      EXPECT_LT(helm_deg, 35.0) << ship.key;
+      EXPECT_LT(helm_deg, before_deg) << ship.key << ": deeper, less";
+      EXPECT_GT(v, 0.0) << ship.key << ": her bow away from it";
+      before_deg = helm_deg;
+    }
+  }
+}
+
 // Without a pull, a ship's bits are those of a ship that knows no banks (ShipDynamics has the
 // hash); with one she sheers: stern in, bow out.
 TEST(BankLoad, MakesAShipSheerOffWithoutHelm) {
