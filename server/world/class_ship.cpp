@@ -8,6 +8,7 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "server/world/bank_effect.hpp"
 #include "server/world/dead_reckoning.hpp"
 #include "server/world/handling/machinery.hpp"
 #include "server/world/sensors/sensor_reading.hpp"
@@ -178,6 +179,10 @@ void ClassShip::begin_tick(const Environment& environment, Duration now, Duratio
   // The heading is that to which position_at() has brought her: what the world shows.
   state_.heading_rad = ship.heading_deg * kRadiansPerDegree;
   Surroundings around = surroundings_of(environment, ship.position, now, seed_);
+  if (environment.banks) {
+    around.banks = pull_of(*environment.banks, class_.bank_shape(), ship.position, ship.heading_deg,
+                           around.depth_m);
+  }
   const double tick_s = in_seconds(tick);
 
   // The autopilot steers by what the gyro says.

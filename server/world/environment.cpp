@@ -25,6 +25,7 @@ Environment environment_of(const scenario::Scenario& scenario) {
   environment.current_kn = sea.current_kn();
   environment.depth_m = sea.depth_m();
   environment.waters = std::make_shared<const Waters>(scenario);
+  if (!scenario.banks().empty()) environment.banks = std::make_shared<const Banks>(scenario);
   for (const scenario::RainCell& cell : scenario.rain()) {
     RainCloud cloud;
     cloud.id = environment.next_rain_id++;

@@ -12,6 +12,7 @@
 #include "protocol/quantity/time.hpp"
 #include "protocol/wire/controls.pb.h"
 #include "server/world/scenario.pb.h"
+#include "server/world/waters/banks.hpp"
 #include "server/world/waters/waters.hpp"
 
 namespace skerry::server {
@@ -38,6 +39,7 @@ struct Environment {
   double current_kn = 0.0;
   double depth_m = 1000.0;  // besides the tide
   std::shared_ptr<const Waters> waters = std::make_shared<const Waters>(scenario::Scenario());
+  std::shared_ptr<const Banks> banks;  // null: there are none
   std::vector<RainCloud> rain;
   std::uint32_t next_rain_id = 1;
   echo::Artefacts artefacts;

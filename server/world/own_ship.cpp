@@ -46,7 +46,9 @@ OwnShip::OwnShip(const scenario::OwnShip& ship, const Environment& environment, 
   state_.wake = ship.wake();
   state_.mmsi = ship.mmsi();
   if (ship.has_ship_class()) {
-    class_ship_.emplace(*find_ship_class(ship.ship_class()), ship, seed);
+    const ShipClass& found = *find_ship_class(ship.ship_class());
+    const bool isherwood = ship.wind_model() == scenario::OwnShip::isherwood;
+    class_ship_.emplace(isherwood ? in_isherwoods_wind(found) : found, ship, seed);
   }
   begin_tick(environment);
 }

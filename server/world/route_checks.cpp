@@ -36,7 +36,7 @@ void check_leg(GeoPoint from, GeoPoint to, const std::string& path, YamlSource& 
 
 void check_ship_class(scenario::OwnShip& ship, const std::string& path, YamlSource& source) {
   if (!ship.has_ship_class()) {
-    for (const char* key : {".route", ".turn_radius_nm"}) {
+    for (const char* key : {".route", ".turn_radius_nm", ".wind_model"}) {
       if (!source.has(path + key)) continue;
       source.refuse(path + key, fmt::format("given for a ship without a ship_class; allowed: with "
                                             "one of {}",

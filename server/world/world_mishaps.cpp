@@ -7,6 +7,7 @@
 
 #include "protocol/quantity/angle.hpp"
 #include "server/world/handling/ship_class.hpp"
+#include "server/world/hull_outline.hpp"
 #include "server/world/ship_units.hpp"
 #include "server/world/world.hpp"
 
@@ -32,6 +33,19 @@ Contact grounding_of(const ShipState& ship, std::size_t number, Duration when, s
   contact.relative_mps = std::fabs(ship.speed_mps);
   contact.why = std::move(why);
   return contact;
+}
+
+// Empty: she floats.
+std::string why_aground(const ShipState& ship, const Environment& environment) {
+  if (ship.con->depth_below_keel_m <= 0.0) {
+    const double draught_m = ship.con->ship_class->hull->draught_m();
+    return fmt::format("{:.1f} m of water, draught {:.1f} m",
+                       ship.con->depth_below_keel_m + draught_m, draught_m);
+  }
+  if (!environment.banks) return {};
+  const HullOutline outline = hull_outline(ship.length_m, ship.beam_m, ship.heading_deg);
+  const std::string* const bank = environment.banks->touched_by(ship.position, outline);
+  return bank == nullptr ? "" : *bank;
 }
 
 }  // namespace
@@ -68,13 +82,10 @@ void World::look_for_mishaps(Duration now) {
   }
   for (std::size_t i = 0; i < ships.size(); ++i) {
     const ShipState& ship = ships[i];
-    if (!ship.con || ship.driven || ship.aground || ship.con->depth_below_keel_m > 0.0) continue;
-    const double draught_m = ship.con->ship_class->hull->draught_m();
-    stops =
-        record(grounding_of(ship, i, now,
-                            fmt::format("{:.1f} m of water, draught {:.1f} m",
-                                        ship.con->depth_below_keel_m + draught_m, draught_m))) ||
-        stops;
+    if (!ship.con || ship.driven || ship.aground) continue;
+    const std::string why = why_aground(ship, *part_.environment);
+    if (why.empty()) continue;
+    stops = record(grounding_of(ship, i, now, why)) || stops;
     part_.own_ships[i].run_aground(ship);
   }
   // The clock stops where this step ended, not where the tick on the air does.

@@ -131,10 +131,11 @@ const std::vector<Room>& table() {
       {"server/world/sensors",
        {"protocol/quantity/", "protocol/wire/exercise.pb.h", "echo/kernel/exact_math.hpp",
         "echo/kernel/hash.hpp"}},
-      // Tide and streams: arithmetic on what the scenario says.
+      // Tide, streams and banks: arithmetic on what the scenario says.
       {"server/world/waters",
        {"protocol/quantity/", "server/config/", "server/world/scenario.pb.h",
-        "server/world/ship_units.hpp", "echo/kernel/exact_math.hpp"}},
+        "server/world/ship_units.hpp", "server/world/short_way.hpp",
+        "server/world/hull_outline.hpp", "echo/kernel/exact_math.hpp"}},
       // The ships among the targets.
       {"server/world/traffic",
        {"protocol/", "server/config/", "server/world/", "echo/kernel/exact_math.hpp",

@@ -161,7 +161,59 @@ const std::vector<ShipClass>& table() {
   return classes;
 }
 
+struct Superstructure {
+  double share;  // of the lateral area
+  int masts;
+};
+
+Superstructure superstructure_of(WindType type) {
+  switch (type) {
+    case WindType::container_loaded:
+      return {0.65, 1};
+    case WindType::ferry:
+      return {0.6, 1};
+    case WindType::tanker_loaded:
+      return {0.35, 1};
+    case WindType::cargo_loaded:
+      return {0.45, 2};
+    case WindType::fishing:
+    case WindType::research:
+      return {0.5, 2};
+    case WindType::offshore_supply:
+    case WindType::speedboat:
+    case WindType::tender:
+      break;
+  }
+  return {0.5, 1};
+}
+
+IsherwoodShape isherwood_shape(const ShipClass& ship) {
+  const double length = ship.hull->length_m();
+  const Superstructure above = superstructure_of(ship.wind.type);
+  return {.length_m = length,
+          .beam_m = ship.beam_m,
+          .frontal_m2 = ship.wind.frontal_m2,
+          .lateral_m2 = ship.wind.lateral_m2,
+          .superstructure_m2 = above.share * ship.wind.lateral_m2,
+          .perimeter_m = length + 2.0 * ship.height_m,
+          .centre_from_bow_m = 0.5 * length - ship.wind.centre_m,
+          .masts = above.masts,
+          .height_m = ship.wind.height_m};
+}
+
 }  // namespace
+
+const ShipClass& in_isherwoods_wind(const ShipClass& ship) {
+  static const std::vector<ShipClass> classes = [] {
+    std::vector<ShipClass> all = table();
+    for (ShipClass& each : all) each.isherwood = isherwood_shape(each);
+    return all;
+  }();
+  for (const ShipClass& each : classes) {
+    if (each.key == ship.key) return each;
+  }
+  return ship;
+}
 
 std::span<const ShipClass> ship_classes() { return table(); }
 

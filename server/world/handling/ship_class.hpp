@@ -2,11 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "server/world/handling/bank_load.hpp"
 #include "server/world/handling/hull.hpp"
+#include "server/world/handling/isherwood_load.hpp"
 #include "server/world/handling/steering_gear.hpp"
 #include "server/world/handling/wave_load.hpp"
 #include "server/world/handling/wind_load.hpp"
@@ -30,7 +33,10 @@ struct ShipClass {
   WindShape wind;
   double block;
   std::shared_ptr<const Hull> hull;  // never null
+  // Her wind is Isherwood's instead of Blendermann's.
+  std::optional<IsherwoodShape> isherwood = {};
 
+  BankShape bank_shape() const { return {hull->length_m(), beam_m, hull->draught_m(), block}; }
   WaveShape wave_shape() const { return {hull->length_m(), beam_m, hull->draught_m(), block}; }
 };
 
@@ -38,6 +44,13 @@ struct ShipClass {
 std::span<const ShipClass> ship_classes();
 // nullptr if there is none of that key.
 const ShipClass* find_ship_class(std::string_view key);
+// The same class as `ship` of the table, with her wind by Isherwood.  His factors that the table
+// has not are assumed: her length over all is that of her hull, the outline rises by her height and
+// falls again, and the superstructure's share of the lateral area and the masts go by her wind type
+// (0.65 and one for a container ship with her boxes, 0.6 and one for a ferry, 0.35 and one for a
+// tanker, 0.45 and two for a cargo ship, 0.5 and two for a fishing or research vessel, else 0.5 and
+// one).  Made once.
+const ShipClass& in_isherwoods_wind(const ShipClass& ship);
 // "coaster, container, ..." for messages.
 std::string ship_class_keys();
 

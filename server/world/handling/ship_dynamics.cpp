@@ -72,14 +72,17 @@ class Rates {
     Loads all;
     if (around_.wind_mps > 0.0) {
       const double north = wind_north_ - ground.north, east = wind_east_ - ground.east;
-      all += wind_load(ship_.wind, ship_.hull->length_m(), north * heading.cos + east * heading.sin,
-                       east * heading.cos - north * heading.sin);
+      const double x = north * heading.cos + east * heading.sin;
+      const double y = east * heading.cos - north * heading.sin;
+      all += ship_.isherwood ? isherwood_load(*ship_.isherwood, x, y)
+                             : wind_load(ship_.wind, ship_.hull->length_m(), x, y);
     }
     if (around_.wave_height_m > 0.0) {
       all += wave_load(ship_.wave_shape(), around_.wave_height_m,
                        around_.waves_from_deg * kRadiansPerDegree - s.heading,
                        around_.time_s + after_s, around_.seed);
     }
+    if (around_.banks.acts()) all += bank_load(around_.banks, s.u);
     const double fade = 1.0 / (1.0 + squared(s.u / kThrusterFade_mps));
     push(ship_.bow, orders_.bow * fade, all);
     push(ship_.stern, orders_.stern * fade, all);

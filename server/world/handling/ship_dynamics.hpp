@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "server/world/handling/bank_load.hpp"
 #include "server/world/handling/ship_class.hpp"
 
 namespace skerry::server {
@@ -15,6 +16,7 @@ struct Surroundings {
   double wave_height_m = 0.0, waves_from_deg = 0.0;  // significant
   double time_s = 0.0;                               // since the scenario began
   std::uint64_t seed = 0;                            // of the waves
+  BankPull banks = {};                               // all of them together
 };
 
 // What her wheel, telegraph and thrusters are set to.

@@ -6,6 +6,9 @@
 #include <set>
 #include <string>
 
+#include "server/world/ship_units.hpp"
+#include "server/world/short_way.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -44,10 +47,36 @@ void check_tide(const scenario::Sea& sea, YamlSource& source) {
   }
 }
 
+void check_banks(const scenario::Scenario& scenario, YamlSource& source) {
+  if (scenario.banks_size() > kMaxBanks) {
+    source.refuse("banks",
+                  fmt::format("{} entries; allowed: at most {}", scenario.banks_size(), kMaxBanks));
+    return;
+  }
+  for (int i = 0; i < scenario.banks_size(); ++i) {
+    const auto& line = scenario.banks(i).line();
+    const std::string path = fmt::format("banks[{}].line", i);
+    if (!source.is_sound(path)) continue;
+    if (line.size() < 2 || line.size() > kMaxBankPoints) {
+      source.refuse(path, fmt::format("{} points; allowed: 2 to {}", line.size(), kMaxBankPoints));
+      continue;
+    }
+    for (int k = 1; k < line.size(); ++k) {
+      const ShortWay way = short_way_between(geo_point(line[k - 1]), geo_point(line[k]));
+      const double long_m = length_of({way.east_m, way.north_m});
+      if (long_m >= 1.0 && long_m <= kLongestBankPart_m) continue;
+      source.refuse(fmt::format("{}[{}]", path, k),
+                    fmt::format("{:.1f} m from the point before it; allowed: 1 to {} m", long_m,
+                                kLongestBankPart_m));
+    }
+  }
+}
+
 }  // namespace
 
 void check_waters(const scenario::Scenario& scenario, YamlSource& source) {
   check_tide(scenario.sea(), source);
+  check_banks(scenario, source);
   if (scenario.tidal_diamonds_size() > kMaxTidalDiamonds) {
     source.refuse("tidal_diamonds", fmt::format("{} entries; allowed: at most {}",
                                                 scenario.tidal_diamonds_size(), kMaxTidalDiamonds));

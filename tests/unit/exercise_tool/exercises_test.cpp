@@ -1,6 +1,7 @@
 // The shipped exercises: each is good, runs to its end and passes its own checks.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "server/exercise_tool/exercise_run.hpp"
 #include "server/exercise_tool/land_check.hpp"
 #include "server/world/shipped_exercises.hpp"
+#include "server/world/world.hpp"
 
 namespace skerry::server {
 namespace {
@@ -51,6 +53,38 @@ TEST_P(Exercises, RunsToItsEndAndPassesItsChecks) {
                               {}});
   EXPECT_TRUE(whole);
   EXPECT_EQ(run.not_reached(), 0);
+}
+
+// Means of Hansa's rudder on her track, by herself: before the walls, along the southern one, and
+// between the two.
+struct RiverHelm {
+  double before_deg = 0.0, along_deg = 0.0, between_deg = 0.0;
+};
+
+RiverHelm river_helm(const scenario::Scenario& scenario) {
+  World world(scenario);
+  RiverHelm helm;
+  for (int tick = 0; tick < 14 * 600; ++tick) {
+    world.step();
+    const double rudder = world.state().own_ships.front().con->rudder_deg;
+    if (tick >= 3600 && tick < 4200) helm.before_deg += rudder / 600;
+    if (tick >= 5100 && tick < 5700) helm.along_deg += rudder / 600;
+    if (tick >= 6900 && tick < 8400) helm.between_deg += rudder / 1500;
+  }
+  EXPECT_FALSE(world.state().own_ships.front().aground);
+  std::printf("before %.2f deg, along %.2f deg, between %.2f deg\n", helm.before_deg,
+              helm.along_deg, helm.between_deg);
+  return helm;
+}
+
+TEST(RiverExercise, TheSouthernWallWantsHelmTowardsItAndTheGateNone) {
+  scenario::Scenario scenario = open_scenario("river").scenario;
+  const RiverHelm helm = river_helm(scenario);
+  EXPECT_LT(std::fabs(helm.before_deg), 0.2);
+  EXPECT_GT(helm.along_deg, 1.5) << "to starboard";
+  EXPECT_LT(std::fabs(helm.between_deg), 0.5);
+  scenario.clear_banks();
+  EXPECT_LT(std::fabs(river_helm(scenario).along_deg), 0.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Exercises,

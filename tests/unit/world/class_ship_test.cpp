@@ -192,6 +192,17 @@ TEST(ClassShip, TheSameWorldOnEveryMachine) {
   EXPECT_EQ(sum, 0x45a143889569d8d7ull) << std::hex << sum;
 }
 
+TEST(ClassShip, FeelsTheWindByTheModelThatIsGiven) {
+  const auto blown = [](const char* model) {
+    World world(scene(std::string("    ship_class: ferry\n    speed_kn: 0\n") + model,
+                      "sea: {wind_from_deg: 250, wind_kn: 40}\n"));
+    for (int i = 0; i < 3000; ++i) world.step();
+    return world.state().own_ships.front().position;
+  };
+  EXPECT_EQ(blown(""), blown("    wind_model: blendermann\n"));
+  EXPECT_NE(blown(""), blown("    wind_model: isherwood\n"));
+}
+
 TEST(ClassShip, AScenariosFaultsAreNamed) {
   const std::string head =
       "name: x\nown_ships:\n  - name: Frida\n    position: {lat: 60.5, lon: 4.5}\n    radars: "
@@ -202,6 +213,13 @@ TEST(ClassShip, AScenariosFaultsAreNamed) {
   EXPECT_EQ(refusal(head + "    route: [{lat: 60, lon: 4}]\n"),
             "6:12: own_ships[0].route: given for a ship without a ship_class; allowed: with one of "
             "vlcc, tanker, container, mariner, ferry, coaster, fast_craft, fishing, tug, pilot");
+  EXPECT_EQ(refusal(head + "    wind_model: isherwood\n"),
+            "6:17: own_ships[0].wind_model: given for a ship without a ship_class; allowed: with "
+            "one of vlcc, tanker, container, mariner, ferry, coaster, fast_craft, fishing, tug, "
+            "pilot");
+  EXPECT_EQ(
+      refusal(head + "    ship_class: vlcc\n    wind_model: beaufort\n"),
+      "7:17: own_ships[0].wind_model: expected one of blendermann, isherwood, given beaufort");
   EXPECT_EQ(refusal(head + "    ship_class: vlcc\n    speed_kn: 30\n"),
             "7:15: own_ships[0].speed_kn: 30 kn for a vlcc; allowed: up to 18.6 kn");
   EXPECT_EQ(refusal(head + "    ship_class: vlcc\n    turn_time_constant_s: 8\n"),

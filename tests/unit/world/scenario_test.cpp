@@ -42,7 +42,7 @@ TEST(Scenario, RefusesWhatTheSchemaForbids) {
             "6:5: own_ships[0].coarse_deg: unknown key; did you mean \"course_deg\"?; known keys: "
             "name, position, course_deg, speed_kn, length_m, beam_m, height_m, "
             "speed_time_constant_s, turn_time_constant_s, max_rate_of_turn_deg_min, radars, "
-            "motion, wake, mmsi, ship_type, ship_class, route, turn_radius_nm");
+            "motion, wake, mmsi, ship_type, ship_class, route, turn_radius_nm, wind_model");
   EXPECT_EQ(refusal("name: s\nown_ships:\n  - name: Frida\n    position: {lat: 91, lon: 5}\n"
                     "    radars: [{}]\n"),
             "4:21: own_ships[0].position.lat: 91 is out of range; allowed: -90 to 90 deg");
