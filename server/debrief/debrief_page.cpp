@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kMostCurves = 8;      // of one plot
 constexpr std::size_t kMostPassings = 200;  // of the table
+constexpr std::size_t kMostMishaps = 1000;  // of the table and of marks on plots
 
 PlotFrame plot_of(const char* title, const char* unit, double least_span) {
   PlotFrame frame;
@@ -33,7 +34,7 @@ class Page {
  public:
   Page(const Debrief& debrief, const std::optional<wire::Coastline>& coast)
       : debrief_(debrief), coast_(coast) {
-    for (std::size_t i = 0; i < debrief.contacts.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(debrief.contacts.size(), kMostMishaps); ++i) {
       const Contact& contact = debrief.contacts[i];
       marks_.push_back({debrief.contact_moments[i].at_s, kind_of(contact), words_for(contact)});
     }
@@ -221,7 +222,8 @@ class Page {
   void mishaps() {
     if (debrief_.contacts.empty()) return say("good", "None.");
     HtmlTable table(columns({"#on the chart", "what", "own ship", "with", "position", "#kn"}));
-    for (std::size_t i = 0; i < debrief_.contacts.size(); ++i) {
+    const std::size_t count = debrief_.contacts.size(), shown = std::min(count, kMostMishaps);
+    for (std::size_t i = 0; i < shown; ++i) {
       const Contact& contact = debrief_.contacts[i];
       table.begin_row(kind_of(contact));
       add(table, debrief_.contact_moments[i]);
@@ -233,6 +235,10 @@ class Page {
       table.add(fmt::format("{:.1f}", contact.relative_mps * 3600.0 / 1852.0));
     }
     out_ += table.html();
+    if (count > shown) {
+      say("bad", fmt::format("These are the first {} of {}; all of them are in mishaps.csv.", shown,
+                             count));
+    }
     say("soft", "kn: of one ship as seen from the other; of a grounding, over ground.");
   }
 

@@ -54,6 +54,11 @@ void add_point(ShipTrack& track, const ShipState& ship, Moment now, double every
   track.points.push_back(point);
 }
 
+bool is_same(const Contact& a, const Contact& b) {
+  return a.when == b.when && a.kind == b.kind && a.own_ship == b.own_ship &&
+         a.other_own == b.other_own && a.other == b.other;
+}
+
 class Observer {
  public:
   Observer(const RecordedExercise& exercise, const ExercisePlan& plan,
@@ -166,10 +171,17 @@ class Observer {
     }
     heard_ = marks.size();
     const auto& contacts = state.log->contacts;
-    for (; contacts_ < contacts.size() && contacts_ < ExerciseLog::kMaxMarks; ++contacts_) {
-      out_.contacts.push_back(contacts[contacts_]);
-      out_.contact_moments.push_back(moment_of(in_seconds(contacts[contacts_].when), state));
+    std::size_t next = std::min(contacts_, contacts.size());
+    if (contacts.size() == ExerciseLog::kMaxMarks && !out_.contacts.empty()) {
+      // As with marks.
+      next = contacts.size();
+      while (next > 0 && !is_same(contacts[next - 1], out_.contacts.back())) --next;
     }
+    for (; next < contacts.size(); ++next) {
+      out_.contacts.push_back(contacts[next]);
+      out_.contact_moments.push_back(moment_of(in_seconds(contacts[next].when), state));
+    }
+    contacts_ = contacts.size();
     log_ = state.log;
   }
 

@@ -65,6 +65,7 @@ constexpr Range kRanges[] = {
     {"current_set_deg", 0.0, kLast},
     {"current_kn", 0.0, 12.0},
     {"depth_m", 0.0, 12'000.0},
+    {"visibility_nm", 0.02, 30.0},
     {"rudder_deg", -90.0, 90.0},
     {"rudder_order_deg", -90.0, 90.0},
     {"engine_percent", -100.0, 100.0},

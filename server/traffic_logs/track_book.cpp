@@ -45,7 +45,31 @@ void put(const HeardIdentity& heard, HeardIdentity& into) {
   if (heard.class_b) into.class_b = heard.class_b;
 }
 
+std::int64_t begin_of(const LoggedPiece& piece) { return piece.fixes.front().utc_ms; }
+
 }  // namespace
+
+bool TrackBook::Ship::has_finished(std::int64_t utc_ms) const {
+  // Nearly always the time is after all of them.
+  for (auto each = pieces.rbegin(); each != pieces.rend(); ++each) {
+    if (utc_ms > each->fixes.back().utc_ms) return false;
+    if (utc_ms >= begin_of(*each)) return true;
+  }
+  return false;
+}
+
+bool TrackBook::Ship::has_begun_since_last(std::int64_t utc_ms) const {
+  return std::any_of(pieces.rbegin(), pieces.rend(), [&](const LoggedPiece& each) {
+    return begin_of(each) > last->utc_ms && begin_of(each) <= utc_ms;
+  });
+}
+
+void TrackBook::Ship::finish(LoggedPiece done) {
+  const auto after = std::upper_bound(
+      pieces.begin(), pieces.end(), begin_of(done),
+      [](std::int64_t utc_ms, const LoggedPiece& each) { return utc_ms < begin_of(each); });
+  pieces.insert(after, std::move(done));
+}
 
 TrackBook::Ship* TrackBook::ship_of(std::uint32_t mmsi) {
   if (const auto other = other_than_ship(mmsi)) {
@@ -87,7 +111,9 @@ void TrackBook::take(const HeardFix& heard) {
       std::chrono::duration_cast<std::chrono::milliseconds>(heard.utc->time_since_epoch()).count();
   const LogFix fix = log_fix(utc_ms, *heard.position);
   if (!ship.last) return begin_piece(ship, fix, heard);
-  if (fix.utc_ms - ship.last->utc_ms < kLeast_ms) return left_out_.add(LeftOut::time_back);
+  if (ship.has_finished(fix.utc_ms)) return left_out_.add(LeftOut::time_back);
+  if (fix.utc_ms - ship.last->utc_ms < kLeast_ms) return take_earlier(ship, fix, heard);
+  ship.backs = 0;
   if (!can_sail(*ship.last, fix)) {
     const bool agrees =
         ship.strays > 0 && fix.utc_ms - ship.stray.utc_ms >= kLeast_ms && can_sail(ship.stray, fix);
@@ -98,7 +124,8 @@ void TrackBook::take(const HeardFix& heard) {
     return begin_piece(ship, fix, heard);
   }
   ship.strays = 0;
-  if (Duration(std::chrono::milliseconds(fix.utc_ms - ship.last->utc_ms)) > rules_.gap) {
+  if (Duration(std::chrono::milliseconds(fix.utc_ms - ship.last->utc_ms)) > rules_.gap ||
+      ship.has_begun_since_last(fix.utc_ms)) {
     end_piece(ship);
     return begin_piece(ship, fix, heard);
   }
@@ -109,6 +136,17 @@ void TrackBook::take(const HeardFix& heard) {
   if (ship.block.size() >= kBlock) thin_block(ship);
 }
 
+void TrackBook::take_earlier(Ship& ship, const LogFix& fix, const HeardFix& heard) {
+  if (fix.utc_ms >= ship.piece.fixes.front().utc_ms) return left_out_.add(LeftOut::time_back);
+  const bool agrees =
+      ship.backs > 0 && fix.utc_ms - ship.back.utc_ms >= kLeast_ms && can_sail(ship.back, fix);
+  ship.backs = agrees ? ship.backs + 1 : 1;
+  ship.back = fix;
+  if (ship.backs < kStraysThatAgree) return left_out_.add(LeftOut::time_back);
+  end_piece(ship);
+  begin_piece(ship, fix, heard);
+}
+
 void TrackBook::begin_piece(Ship& ship, const LogFix& fix, const HeardFix& heard) {
   ship.piece = {};
   ship.piece.fixes.push_back(fix);
@@ -116,7 +154,7 @@ void TrackBook::begin_piece(Ship& ship, const LogFix& fix, const HeardFix& heard
   ship.piece.heard = 1;
   ship.block.assign(1, fix);
   ship.last = fix;
-  ship.strays = 0;
+  ship.strays = ship.backs = 0;
   ++used_;
 }
 
@@ -131,7 +169,7 @@ void TrackBook::thin_block(Ship& ship) {
     // The next piece begins where and when this one ends.
     LoggedPiece next;
     next.fixes.push_back(kept);
-    ship.pieces.push_back(std::exchange(ship.piece, std::move(next)));
+    ship.finish(std::exchange(ship.piece, std::move(next)));
   }
   ship.block.assign(1, ship.block.back());
 }
@@ -140,7 +178,7 @@ void TrackBook::end_piece(Ship& ship) {
   thin_block(ship);
   if (ship.piece.fixes.size() >= 2) {
     ship.piece.fixes.shrink_to_fit();
-    ship.pieces.push_back(std::move(ship.piece));
+    ship.finish(std::move(ship.piece));
   } else if (ship.piece.heard == 1) {
     left_out_.add(LeftOut::single);
     --used_;

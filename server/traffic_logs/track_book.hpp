@@ -39,7 +39,9 @@ struct LoggedShip {
   std::uint64_t heard = 0;          // fixes in them
 };
 
-// Fixes of one ship must come in the order of time; those of different ships need not.  What is
+// Fixes of one ship must come in the order of time; those of different ships need not.  Three in
+// turn that agree with each other and are before the track being made, in a time of which none is
+// finished, begin a track anew: so one fix dated ahead does not cost the rest of the log.  What is
 // not used is counted.  Memory grows with the ships (kBlock fixes of each wait) and with the fixes
 // that are kept, not with the log.  Thread: one at a time.
 class TrackBook {
@@ -68,15 +70,23 @@ class TrackBook {
  private:
   struct Ship {
     HeardIdentity identity;
-    std::vector<LoggedPiece> pieces;
-    LoggedPiece piece;           // being made
-    std::vector<LogFix> block;   // begins with the piece's last fix, once it has one
-    std::optional<LogFix> last;  // used
+    std::vector<LoggedPiece> pieces;  // in the order of time, none within another's
+    LoggedPiece piece;                // being made
+    std::vector<LogFix> block;        // begins with the piece's last fix, once it has one
+    std::optional<LogFix> last;       // used
     LogFix stray;
     unsigned strays = 0;
+    LogFix back;  // the last of those before the piece being made
+    unsigned backs = 0;
+
+    bool has_finished(std::int64_t utc_ms) const;
+    // Whether a finished piece begins after the last fix and not after that time.
+    bool has_begun_since_last(std::int64_t utc_ms) const;
+    void finish(LoggedPiece done);
   };
   Ship* ship_of(std::uint32_t mmsi);
   void begin_piece(Ship& ship, const LogFix& fix, const HeardFix& heard);
+  void take_earlier(Ship& ship, const LogFix& fix, const HeardFix& heard);
   void thin_block(Ship& ship);
   void end_piece(Ship& ship);
 

@@ -24,6 +24,7 @@ Environment environment_of(const scenario::Scenario& scenario) {
   environment.current_set_deg = wrapped_degrees(sea.current_set_deg());
   environment.current_kn = sea.current_kn();
   environment.depth_m = sea.depth_m();
+  environment.visibility_nm = scenario.atmosphere().visibility_nm();
   environment.waters = std::make_shared<const Waters>(scenario);
   if (!scenario.banks().empty()) environment.banks = std::make_shared<const Banks>(scenario);
   for (const scenario::RainCell& cell : scenario.rain()) {

@@ -29,6 +29,9 @@ struct RainCloud {
   echo::RainKind kind = echo::RainKind::cell;
 };
 
+// By eye, the greatest: clear weather.  As scenario.proto has it.
+constexpr double kClearVisibility_nm = 30.0;
+
 // Immutable once in force.  Directions of sea and swell are from true north here.
 struct Environment {
   echo::Atmosphere atmosphere;
@@ -38,6 +41,7 @@ struct Environment {
   double current_set_deg = 0.0;   // whither; besides the tidal streams
   double current_kn = 0.0;
   double depth_m = 1000.0;  // besides the tide
+  double visibility_nm = kClearVisibility_nm;  // by eye: for traffic and people, not for radars
   std::shared_ptr<const Waters> waters = std::make_shared<const Waters>(scenario::Scenario());
   std::shared_ptr<const Banks> banks;  // null: there are none
   std::vector<RainCloud> rain;

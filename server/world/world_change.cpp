@@ -91,6 +91,7 @@ std::optional<wire::Reply> change_environment(const wire::WorldChange& change, D
   if (change.has_current_kn()) environment.current_kn = change.current_kn();
   if (change.has_depth_m()) environment.depth_m = change.depth_m();
   if (change.has_k_factor()) environment.atmosphere.k_factor = change.k_factor();
+  if (change.has_visibility_nm()) environment.visibility_nm = change.visibility_nm();
   if (change.has_ducting()) environment.atmosphere.ducting = change.ducting();
   change_artefacts(change, environment.artefacts);
   if (auto wrong = remove_rain(change, environment)) return wrong;
@@ -115,6 +116,9 @@ wire::World world_message(const Environment& environment, Duration now) {
   world.set_depth_m(environment.depth_m);
   world.set_k_factor(environment.atmosphere.k_factor);
   world.set_ducting(environment.atmosphere.ducting);
+  if (environment.visibility_nm < kClearVisibility_nm) {
+    world.set_visibility_nm(environment.visibility_nm);
+  }
   for (const RainCloud& cloud : environment.rain) {
     const GeoPoint centre = place_of(cloud, now);
     wire::RainCell& cell = *world.add_rain();

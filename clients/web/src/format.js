@@ -28,6 +28,13 @@ export function rangeNm(nm) {
   return Number.isFinite(nm) ? String(Number(nm.toFixed(3))) : NONE;
 }
 
+// By eye; the server says nothing of clear weather, and takes this for it.
+export const CLEAR_NM = 30;
+
+export function visibility(nm) {
+  return nm === undefined || nm >= CLEAR_NM ? 'clear' : Number.isFinite(nm) ? `${Number(nm.toPrecision(3))} NM` : NONE;
+}
+
 export function distance(metres) {
   if (!Number.isFinite(metres)) return NONE;
   const nm = metres / NAUTICAL_MILE_M;

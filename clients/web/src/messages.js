@@ -48,6 +48,7 @@ const WORLD_FIELDS = {
   7: ['waveHeightM', 'double'], 8: ['kFactor', 'double'], 9: ['ducting', 'double'], 10: ['rain', [RainCell]],
   22: ['windKn', 'double?'], 23: ['currentSetDeg', 'double'], 24: ['currentKn', 'double'], 25: ['depthM', 'double'],
   26: ['exerciseS', 'double'], 27: ['frozen', 'bool'], 28: ['rate', 'double'],
+  29: ['visibilityNm', 'double?'],
 };
 const ConState = message({
   1: ['shipClass', 'string'], 2: ['steering', 'uint32'], 3: ['rudderDeg', 'double'], 4: ['rudderOrderDeg', 'double'],
@@ -206,6 +207,7 @@ const CHANGE_FIELDS = {
   seaState: [1, 'double'], windFromDeg: [2, 'double'], swellHeightM: [3, 'double'], swellPeriodS: [4, 'double'],
   swellFromDeg: [5, 'double'], waveHeightM: [6, 'double'], kFactor: [7, 'double'], ducting: [8, 'double'],
   removeAllRain: [11, 'uint32'], windKn: [23, 'double'], currentSetDeg: [24, 'double'], currentKn: [25, 'double'], depthM: [26, 'double'],
+  visibilityNm: [27, 'double'],
 };
 const RAIN_FIELDS = {
   id: [1, 'uint32'], latitudeDeg: [2, 'double'], longitudeDeg: [3, 'double'], radiusNm: [4, 'double'],

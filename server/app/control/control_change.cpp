@@ -16,7 +16,8 @@ using google::protobuf::Message;
 std::string text_of(const wire::BlankedSectors& blanked) {
   std::string text;
   for (const auto& sector : blanked.sectors()) {
-    text += fmt::format("{}{} to {}", text.empty() ? "" : ", ", sector.from_deg(), sector.to_deg());
+    text += fmt::format("{}{:.6g} to {:.6g}", text.empty() ? "" : ", ", sector.from_deg(),
+                        sector.to_deg());
   }
   return text.empty() ? "none" : text;
 }
@@ -30,16 +31,26 @@ std::string text_of(const wire::RainCell& cell) {
 
 std::string text_of(const Message& message, const FieldDescriptor& field) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
+  if (field.has_presence() && !reflection.HasField(message, &field)) {
+    return field.name() == "visibility_nm" ? "clear" : "not given";
+  }
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
-      return fmt::format("{}", reflection.GetDouble(message, &field));
+      return fmt::format("{:.6g}", reflection.GetDouble(message, &field));
     case FieldDescriptor::CPPTYPE_BOOL:
       return reflection.GetBool(message, &field) ? "on" : "off";
     case FieldDescriptor::CPPTYPE_ENUM:
-      return reflection.GetEnum(message, &field)->name();
+      return wire::word_of(*field.enum_type(), reflection.GetEnumValue(message, &field));
     default:
       return {};
   }
+}
+
+// Texts are rounded; a number that is not may have changed nevertheless.
+bool is_same_number(const Message& before, const Message& after, const FieldDescriptor& field) {
+  return field.cpp_type() != FieldDescriptor::CPPTYPE_DOUBLE ||
+         before.GetReflection()->GetDouble(before, &field) ==
+             after.GetReflection()->GetDouble(after, &field);
 }
 
 bool carries_fields(const FieldDescriptor& field) {
@@ -60,7 +71,8 @@ void add_differences(const Message& before, const Message& after, const std::str
     }
     if (field.is_repeated() || field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) continue;
     std::string was = text_of(before, field), is = text_of(after, field);
-    if (was != is) out.push_back({prefix + field.name(), std::move(was), std::move(is)});
+    if (was == is && is_same_number(before, after, field)) continue;
+    out.push_back({prefix + field.name(), std::move(was), std::move(is)});
   }
 }
 

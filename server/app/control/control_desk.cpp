@@ -174,7 +174,8 @@ void ControlDesk::plan_orders(const wire::Set& set, Next& next) const {
   const auto add = [&](const char* control, double before, double after) {
     // Orders are kept in other units, so they are equal but for rounding.
     if (std::abs(before - after) > 1e-9) {
-      next.changes.push_back({control, fmt::format("{:.6g}", before), fmt::format("{}", after)});
+      next.changes.push_back(
+          {control, fmt::format("{:.6g}", before), fmt::format("{:.6g}", after)});
     }
   };
   if (set.has_course_deg()) {

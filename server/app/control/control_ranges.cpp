@@ -116,6 +116,25 @@ std::optional<wire::Reply> refusal_of_places(const Message& set, const Descripto
   return std::nullopt;
 }
 
+// An order to the wheel or the lever and one to who or what keeps course or speed instead: one of
+// them would silently win.
+std::optional<wire::Reply> refusal_of_orders(const wire::Set& set) {
+  const wire::ConOrder& con = set.con();
+  if (set.has_speed_kn() && con.has_engine_percent()) {
+    return refusal(wire::Reply::REFUSED,
+                   "engine: given together with an ordered speed; expected one of the two");
+  }
+  if (set.has_course_deg() &&
+      (con.has_rudder_deg() || con.has_heading_deg() || con.has_steering())) {
+    return refusal(wire::Reply::REFUSED,
+                   fmt::format("{}: given together with an ordered course; expected one of the two",
+                               con.has_rudder_deg()    ? "rudder"
+                               : con.has_heading_deg() ? "heading"
+                                                       : "steering"));
+  }
+  return std::nullopt;
+}
+
 std::optional<wire::Reply> refusal_of_locks(const wire::Set& set) {
   if (set.lock().empty() && set.unlock().empty()) return std::nullopt;
   if (!set.instructor()) {
@@ -177,6 +196,7 @@ std::optional<wire::Reply> refusal_of(const wire::Set& set) {
                    fmt::format("blanked sectors: {} of them; allowed: at most {}",
                                set.blanked_sectors().sectors_size(), kMaxSectorsSet));
   }
+  if (auto wrong = refusal_of_orders(set)) return wrong;
   return refusal_of_locks(set);
 }
 

@@ -47,6 +47,25 @@ struct InSight {
   bool gives_way;  // to her, if need be
 };
 
+// What she may alter by, in the order in which she tries it: who has altered to port in fog does
+// not change sides.
+std::vector<double> alterations(OpenSides open, bool has_unseen,
+                                const std::optional<Evasion>& now) {
+  std::vector<double> out;
+  if (now) out.push_back(0.0);
+  // Rule 8(b): by so much that a radar shows it at once.
+  const double least = has_unseen ? 30.0 : 15.0;
+  const auto add = [&](double side) {
+    for (double deg = least; deg <= 90.0; deg += 15.0) out.push_back(side * deg);
+  };
+  const bool holds_port = now && now->alteration_deg < 0.0;
+  const bool may_port = open.port && (has_unseen || holds_port);
+  if (may_port && holds_port) add(-1.0);
+  if (open.starboard) add(1.0);
+  if (may_port && !holds_port) add(-1.0);
+  return out;
+}
+
 }  // namespace
 
 Passing passing_of(PlanePoint to_other, PlanePoint own_way, PlanePoint other_way) {
@@ -78,7 +97,7 @@ Encounter encounter_of(const SeenShip& ship, double course_deg, const SeenShip& 
 
 std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, double speed_mps,
                                   wire::GiveWay manners, const std::optional<Evasion>& now,
-                                  std::span<const SeenShip> others) {
+                                  std::span<const SeenShip> others, const Visibility& visibility) {
   const Manners when = manners_of(manners);
   const echo::SinCos latitude = echo::sin_cos_degrees(ship.position.latitude_deg);
   const double most_north_deg = kSight_m / kMetresPerDegree;
@@ -87,6 +106,7 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
   bool must = false;
   double soonest_s = when.time_s;
   const SeenShip* whom = nullptr;
+  std::vector<Unseen> unseen;  // those that she has to act for
   for (const SeenShip& other : others) {
     const double north_deg = other.position.latitude_deg - ship.position.latitude_deg;
     if (std::fabs(north_deg) > most_north_deg) continue;
@@ -98,7 +118,9 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     if (dot(to_her, to_her) > kSight_m * kSight_m) continue;
     InSight seen{&other, to_her, when.clear_m + ship.length_m + other.length_m, false};
     const bool kept_from = now && now->for_number == other.number && now->for_own == other.own;
-    seen.gives_way = kept_from || encounter_of(ship, course_deg, other, to_her) != Encounter::none;
+    const bool by_radar = !visibility.in_sight(length_of(to_her));
+    const Encounter encounter = encounter_of(ship, course_deg, other, to_her);
+    seen.gives_way = kept_from || by_radar || encounter != Encounter::none;
     in_sight.push_back(seen);
     if (!seen.gives_way) continue;
     Passing approach = passing_of(to_her, alone, other.way);
@@ -112,6 +134,10 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     const double limit_s = now ? 2.0 * when.time_s : when.time_s;
     if (approach.distance_m >= limit_m || approach.time_s > limit_s) continue;
     must = true;
+    if (by_radar) {
+      unseen.push_back({std::remainder(bearing_of(to_her) - course_deg, 360.0),
+                        encounter == Encounter::overtaking});
+    }
     if (whom == nullptr || approach.time_s < soonest_s) {
       soonest_s = approach.time_s;
       whom = &other;
@@ -141,10 +167,11 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
   Evasion best{0.0, 1.0, whom->number, whom->own, same ? now->way_then : whom->way};
   double best_short = 1e9;
   const double held = now ? now->alteration_deg : 0.0;
-  for (double alteration = 0.0; alteration <= 90.0; alteration += 15.0) {
-    if (alteration == 0.0 && !now) continue;
+  const OpenSides open = open_sides(unseen);
+  for (const double alteration : alterations(open, !unseen.empty(), now)) {
     // To come back by a step needs more room than to stay.
-    const double margin = alteration < held ? kMargin * kMarginToReturn : kMargin;
+    const bool comes_back = held < 0.0 ? alteration > held : alteration < held;
+    const double margin = comes_back ? kMargin * kMarginToReturn : kMargin;
     const double is_short = shortfall(course_deg + alteration, speed_mps, margin);
     if (is_short <= 0.0 || is_short < best_short - 0.05) {
       best_short = is_short;
@@ -154,7 +181,7 @@ std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, doubl
     if (is_short <= 0.0) return best;
   }
   for (const double share : {0.5, kSlowest}) {
-    for (const double alteration : {0.0, 90.0}) {
+    for (const double alteration : {0.0, open.starboard ? 90.0 : open.port ? -90.0 : 0.0}) {
       const double is_short = shortfall(course_deg + alteration, share * speed_mps, kMargin);
       if (is_short >= best_short - 0.05) continue;
       best_short = is_short;

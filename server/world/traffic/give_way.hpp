@@ -4,7 +4,8 @@
 // beam keeps out of her way.  Rule 14: on reciprocal courses both alter to starboard.  Rule 15: of
 // two that cross, the one that has the other on her starboard side keeps out of the way, and does
 // not cross ahead.  Rule 16: early, and by much.  Rule 17: the other keeps course and speed.  Rule
-// 18: power gives way to sail, and both to who fishes.
+// 18: power gives way to sail, and both to who fishes.  Those not in sight of one another go by
+// rule 19 instead (restricted_visibility.hpp).
 #pragma once
 
 #include <cstddef>
@@ -14,6 +15,7 @@
 
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/wire/exercise.pb.h"
+#include "server/world/traffic/restricted_visibility.hpp"
 
 namespace skerry::server {
 
@@ -54,7 +56,7 @@ Passing passing_of(PlanePoint to_other, PlanePoint own_way, PlanePoint other_way
 
 // What she does for others, until she looks again.
 struct Evasion {
-  double alteration_deg = 0.0;  // to starboard of the course of her leg
+  double alteration_deg = 0.0;  // to starboard of the course of her leg; to port in fog alone
   double share_of_speed = 1.0;
   std::size_t for_number = 0;  // of the ship that she gives way to
   bool for_own = false;
@@ -65,9 +67,11 @@ struct Evasion {
 // already. Early: nearest point under 0.5 NM and a length of each, within 12 minutes; late: 0.25 NM
 // and 3 minutes.  She takes the least alteration by 15 deg, up to 90, that passes clear by a
 // margin, of others as well; where none does she slows down, or else takes what is best.  She
-// returns when the old course is clear.
+// returns when the old course is clear.  She acts for all that she cannot see for fog, by 30 deg or
+// more, and to port where rule 19 leaves her no other side or starboard does not pass clear.
 std::optional<Evasion> look_round(const SeenShip& ship, double course_deg, double speed_mps,
                                   wire::GiveWay manners, const std::optional<Evasion>& now,
-                                  std::span<const SeenShip> others);
+                                  std::span<const SeenShip> others,
+                                  const Visibility& visibility = {});
 
 }  // namespace skerry::server

@@ -249,7 +249,11 @@ void TrafficShip::plan(Duration now, Duration tick, const Environment& environme
     order.speed_mps = *ordered_speed_mps_;
     if (ordered_course_deg_) order.brake_mps2 = 0.0;
   }
-  if (!lies) evade(looks_round, others, order);
+  const Visibility visibility{nautical_miles(environment.visibility_nm).in_metres()};
+  if (gives_way_ != wire::GIVE_WAY_NEVER && !ordered_speed_mps_ && way_ != Way::station) {
+    order.speed_mps = safe_speed_mps(order.speed_mps, visibility);
+  }
+  if (!lies) evade(looks_round, others, visibility, order);
 
   wanted.left_deg = std::remainder(order.course_deg - state_.heading_deg, 360.0);
   if (wanted.left_deg == -180.0) wanted.left_deg = 180.0;
@@ -273,7 +277,8 @@ void TrafficShip::plan(Duration now, Duration tick, const Environment& environme
   state_.ordered_speed_mps = order.brake_mps2 > 0.0 ? 0.0 : order.speed_mps;
 }
 
-void TrafficShip::evade(bool looks_round, std::span<const SeenShip> others, RouteOrder& order) {
+void TrafficShip::evade(bool looks_round, std::span<const SeenShip> others,
+                        const Visibility& visibility, RouteOrder& order) {
   if (gives_way_ == wire::GIVE_WAY_NEVER) {
     evasion_.reset();
     return;
@@ -281,9 +286,9 @@ void TrafficShip::evade(bool looks_round, std::span<const SeenShip> others, Rout
   if (looks_round) {
     // Alone she would sail as ordered; but while she does not evade, what she makes counts.
     const double alone_mps = evasion_ ? order.speed_mps : end_.speed_mps;
-    evasion_ = alone_mps < kDrifts_mps
-                   ? std::nullopt
-                   : look_round(seen({}), order.leg_deg, alone_mps, gives_way_, evasion_, others);
+    evasion_ = alone_mps < kDrifts_mps ? std::nullopt
+                                       : look_round(seen({}), order.leg_deg, alone_mps, gives_way_,
+                                                    evasion_, others, visibility);
   }
   if (!evasion_) return;
   order.course_deg = wrapped_degrees(order.leg_deg + evasion_->alteration_deg);

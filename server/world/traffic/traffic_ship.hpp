@@ -72,7 +72,8 @@ class TrafficShip {
   void take_route(const wire::TargetChange& change, Duration now);
   RouteOrder wish(Duration now, const ShipState* leader, Wanted& wanted);
   void lie_at_anchor(Duration now, Duration tick, const Environment& environment);
-  void evade(bool looks_round, std::span<const SeenShip> others, RouteOrder& order);
+  void evade(bool looks_round, std::span<const SeenShip> others, const Visibility& visibility,
+             RouteOrder& order);
 
   std::shared_ptr<const scenario::Target> target_;
   std::shared_ptr<const TargetTrack> track_;

@@ -324,6 +324,19 @@ test('one has the con, the other is told who; it is given away, taken, overruled
   assert.deepEqual(two.problems, []);
 });
 
+test('the visibility is told by eye, and clear weather is clear', async () => {
+  for (const radar of [COASTER, PLAIN]) {
+    const page = await open(radar);
+    await page.waitForFunction(() => document.getElementById('visibility').textContent === 'clear');
+    await set('--instructor', '--visibility', '0.5');
+    await page.waitForFunction(() => document.getElementById('visibility').textContent === '0.5 NM');
+    await set('--instructor', '--visibility', '30');
+    await page.waitForFunction(() => document.getElementById('visibility').textContent === 'clear');
+    await assert.rejects(set('--instructor', '--visibility', '0.01'), /0.02 to 30 NM/);
+    assert.deepEqual(page.problems, []);
+  }
+});
+
 test('what the instructor has locked is disabled and marked', async () => {
   const page = await open(COASTER);
   await steady(page);

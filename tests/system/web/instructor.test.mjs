@@ -98,6 +98,13 @@ test('freeze, pace, marks and weather reach the server, and every instructor see
   await page.locator('#weather-windKn').fill('31');
   await page.locator('#weather-windKn').press('Enter');
   await until(other, 's.world.windKn > 30.9 && s.world.windKn < 31.1');
+  await page.locator('#weather-visibilityNm').fill('0.5');
+  await page.locator('#weather-visibilityNm').press('Enter');
+  await until(other, 's.world.visibilityNm === 0.5');
+  await other.waitForFunction(() => document.getElementById('weather-visibilityNm').value === '0.5');
+  await page.locator('#weather-visibilityNm').fill('30');
+  await page.locator('#weather-visibilityNm').press('Enter');
+  await until(other, 's.world.visibilityNm === undefined');
   await other.waitForFunction(() => document.getElementById('last-order').textContent.length > 5);
   assert.deepEqual([...page.problems, ...other.problems], []);
 });

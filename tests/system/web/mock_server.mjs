@@ -51,7 +51,7 @@ export class MockServer {
     this.locked = [];
     this.world = {
       seaState: 2, windFromDeg: 225, swellHeightM: 0, swellPeriodS: 10, swellFromDeg: 0, waveHeightM: 0, kFactor: 4 / 3,
-      ducting: 0, rain: [], windKn: 14, currentSetDeg: 90, currentKn: 1, depthM: 40, sideLobes: true, multipleEchoes: true, indirectEchoes: true, shadowSectors: true,
+      ducting: 0, rain: [], windKn: 14, currentSetDeg: 90, currentKn: 1, depthM: 40, visibilityNm: 5, sideLobes: true, multipleEchoes: true, indirectEchoes: true, shadowSectors: true,
       secondTrace: true, interference: true, overheadCables: true, saturation: true, minimumRange: true, antennaMotion: true,
     };
     this.views = new Map([[0, this.settings]]);  // by number

@@ -173,11 +173,25 @@ TEST_F(Desk, TheLogNamesWhoWhereWhatAndBothValues) {
   const std::string who = "console 192.0.2.1:9: radar 1 view 0: ";
   EXPECT_THAT(lines_,
               ElementsAre(who + "gain 50 -> 60", who + "transmit on -> off",
-                          who + "mode CUSTOM -> HARBOUR", who + "blanked_sectors none -> 0 to 20",
+                          who + "mode custom -> harbour", who + "blanked_sectors none -> 0 to 20",
                           who + "speed_kn 8 -> 5", who + "world.sea_state 0 -> 4"));
   lines_.clear();
   expect_ok(set);  // once more: nothing changes
   EXPECT_TRUE(lines_.empty()) << lines_.front();
+
+  wire::Set weather = of(1);
+  weather.mutable_world()->set_wind_kn(24.999999999999996);
+  weather.mutable_world()->set_visibility_nm(0.5);
+  expect_ok(weather);
+  EXPECT_THAT(lines_, ElementsAre(who + "world.wind_kn not given -> 25",
+                                  who + "world.visibility_nm clear -> 0.5"));
+  lines_.clear();
+  weather.Clear();
+  weather.set_radar(1);
+  weather.mutable_world()->set_visibility_nm(30.0);
+  expect_ok(weather);
+  desk_.reset();  // tells what it holds back
+  EXPECT_THAT(lines_, testing::Contains(who + "world.visibility_nm 0.5 -> clear"));
 }
 
 TEST_F(Desk, ALockedControlRefusesTheWholeSetAndNamesItself) {

@@ -61,7 +61,7 @@ TEST(ControlRanges, EveryNumberHasARange) {
       EXPECT_THAT(reply->text(), HasSubstr("allowed: ")) << field.full_name();
     }
   });
-  EXPECT_EQ(numbers, 45);
+  EXPECT_EQ(numbers, 46);
 }
 
 TEST(ControlRanges, BothEndsOfARangeAreAllowed) {
@@ -112,6 +112,29 @@ TEST(ControlRanges, BlankedSectorsAreFourAtMost) {
   EXPECT_EQ(text_of(set), "");
   set.mutable_blanked_sectors()->add_sectors();
   EXPECT_EQ(text_of(set), "blanked sectors: 5 of them; allowed: at most 4");
+}
+
+TEST(ControlRanges, TwoOrdersToTheSameEndAreRefusedAndNoneSilentlyWins) {
+  wire::Set set;
+  set.set_speed_kn(8.0);
+  set.mutable_con()->set_rudder_deg(5.0);
+  EXPECT_EQ(text_of(set), "");
+  set.mutable_con()->set_engine_percent(50.0);
+  EXPECT_EQ(text_of(set), "engine: given together with an ordered speed; expected one of the two");
+  EXPECT_EQ(refusal_of(set)->code(), wire::Reply::REFUSED);
+  set.Clear();
+  set.set_course_deg(90.0);
+  set.mutable_con()->set_engine_percent(50.0);
+  set.mutable_con()->set_turn_rate_deg_min(20.0);
+  EXPECT_EQ(text_of(set), "");
+  set.mutable_con()->set_steering(wire::STEERING_TRACK);
+  EXPECT_EQ(text_of(set),
+            "steering: given together with an ordered course; expected one of the two");
+  set.mutable_con()->set_heading_deg(90.0);
+  EXPECT_EQ(text_of(set),
+            "heading: given together with an ordered course; expected one of the two");
+  set.mutable_con()->set_rudder_deg(5.0);
+  EXPECT_EQ(text_of(set), "rudder: given together with an ordered course; expected one of the two");
 }
 
 TEST(ControlRanges, OnlyTheInstructorLocksAndOnlyControls) {

@@ -177,6 +177,33 @@ TEST_F(ObserverTest, TellsGroundingsFaultsAndPlaces) {
   EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const auto& p) { return p.jumped; }), 1);
 }
 
+// The world keeps the last thousand; she runs aground and is put elsewhere, again and again.
+TEST_F(ObserverTest, TellsContactsAfterTheThousandth) {
+  constexpr std::uint64_t kTimes = 1100;
+  for (std::uint64_t i = 0; i < kTimes; ++i) {
+    wire::ExerciseOrder order;
+    order.set_aground(0);
+    recorded_.order(10 + 2 * i, order);
+    order.mutable_own_ship()->set_latitude_deg(0.5);
+    order.mutable_own_ship()->set_longitude_deg(2.1);
+    recorded_.order(11 + 2 * i, order);
+  }
+  const Debrief debrief = debrief_of(bytes_of(recorded_));
+  ASSERT_EQ(debrief.contacts.size(), kTimes);
+  ASSERT_EQ(debrief.contact_moments.size(), kTimes);
+  EXPECT_NEAR(debrief.contact_moments.back().at_s, 1.0 + 0.2 * (kTimes - 1), 0.11);
+  EXPECT_TRUE(std::is_sorted(debrief.contacts.begin(), debrief.contacts.end(),
+                             [](const Contact& a, const Contact& b) { return a.when < b.when; }));
+  EXPECT_NE(debrief_page(debrief, {})
+                .find("These are the first 1000 of 1100; all of them are in "
+                      "mishaps.csv."),
+            std::string::npos);
+  for (const auto& [name, text] : csv_files(debrief)) {
+    if (name != "mishaps.csv") continue;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(kTimes) + 1);
+  }
+}
+
 TEST_F(ObserverTest, JudgesChecksWhereTheWorldIsThen) {
   DebriefOptions options;
   std::vector<double> judged_at;

@@ -51,6 +51,7 @@ class Changer {
       case 3:
         set.mutable_world()->set_sea_state(random(6));
         set.mutable_world()->set_wind_from_deg(random(360));
+        set.mutable_world()->set_visibility_nm(number % 20 == 3 ? 0.3 : 30.0);
         break;
       case 4:
         set.set_transmit(number % 20 != 4);
@@ -204,7 +205,7 @@ own_ships:
 targets:
   - {name: Tanker, position: {lat: 60.445, lon: 5.020}, course_deg: 160, speed_kn: 10,
      length_m: 182, beam_m: 32, height_m: 22}
-  - {name: Ferry, position: {lat: 60.42, lon: 5.03}, course_deg: 80, speed_kn: 11}
+  - {name: Ferry, position: {lat: 60.42, lon: 5.03}, course_deg: 80, speed_kn: 11, gives_way: early}
 )";
 }
 

@@ -137,6 +137,55 @@ TEST(TrackBook, AJumpIsLeftOutUnlessTheShipIsThere) {
   EXPECT_EQ(ships[0].pieces[1].heard, 8u);
 }
 
+TEST(TrackBook, OneFixDatedADayAheadCostsTwoFixesAndNotTheLog) {
+  TrackBook book{TrackRules{}};
+  constexpr double kDay_s = 86'400.0;
+  for (int i = 0; i < 100; ++i) {
+    book.take(fix_at(kShip, 10.0 * i + (i == 40 ? kDay_s : 0.0), 55.0, 11.0));
+  }
+  EXPECT_EQ(book.left_out().of(LeftOut::time_back), 2u);
+  EXPECT_EQ(book.left_out().of(LeftOut::single), 1u);
+  const auto ships = book.finish();
+  ASSERT_EQ(ships.size(), 1u);
+  ASSERT_EQ(ships[0].pieces.size(), 2u);
+  EXPECT_EQ(ships[0].heard, 97u);
+  EXPECT_EQ(ships[0].pieces[1].fixes.front().utc_ms, 1000 * (kLogBegin_s + 430));
+  EXPECT_EQ(ships[0].pieces[1].fixes.back().utc_ms, 1000 * (kLogBegin_s + 990));
+}
+
+TEST(TrackBook, TracksThatAreHeardOutOfOrderAreInTheOrderOfTimeAndDoNotOverlap) {
+  TrackBook book{TrackRules{}};
+  const auto sail = [&](double from_s, double to_s) {
+    for (double at = from_s; at <= to_s; at += 10.0) book.take(fix_at(kShip, at, 55.0, 11.0));
+  };
+  sail(0, 100);
+  sail(5000, 5300);  // dated ahead
+  sail(200, 6000);   // and the log goes on, through the time that it had
+  const auto ships = book.finish();
+  ASSERT_EQ(ships.size(), 1u);
+  const auto& pieces = ships[0].pieces;
+  ASSERT_EQ(pieces.size(), 4u);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    EXPECT_LT(pieces[i - 1].fixes.back().utc_ms, pieces[i].fixes.front().utc_ms);
+  }
+  EXPECT_EQ(pieces[1].fixes.front().utc_ms, 1000 * (kLogBegin_s + 220));
+  EXPECT_EQ(pieces[2].fixes.front().utc_ms, 1000 * (kLogBegin_s + 5000));
+  EXPECT_EQ(pieces[3].fixes.back().utc_ms, 1000 * (kLogBegin_s + 6000));
+}
+
+TEST(TrackBook, ALogHeardTwiceIsNoSecondTrack) {
+  TrackBook book{TrackRules{}};
+  for (int station = 0; station < 2; ++station) {
+    for (const double begin : {0.0, 2000.0}) {
+      for (int i = 0; i < 10; ++i) book.take(fix_at(kShip, begin + 10.0 * i, 55.0, 11.0));
+    }
+  }
+  const auto ships = book.finish();
+  ASSERT_EQ(ships[0].pieces.size(), 2u);
+  EXPECT_EQ(ships[0].heard, 20u);
+  EXPECT_EQ(book.left_out().of(LeftOut::time_back), 20u);
+}
+
 TEST(TrackBook, TakesWhatIsInTheTimeAndTheAreaWanted) {
   TrackBook book{TrackRules{.from = log_time(100),
                             .until = log_time(200),

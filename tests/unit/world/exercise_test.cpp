@@ -142,6 +142,7 @@ TEST(Exercise, ARestoredSnapshotHasTheSameFuture) {
 
   Environment storm = *world.environment();
   storm.wind_kn = 60.0;
+  storm.visibility_nm = 0.1;
   world.set_environment(storm);
   world.order(0, 300.0, 3.0);
   run_ticks(world, 400);
@@ -149,6 +150,7 @@ TEST(Exercise, ARestoredSnapshotHasTheSameFuture) {
   EXPECT_EQ(world.tick(), 1333u) << "radars go on";
   run_ticks(world, 600);
   EXPECT_EQ(world.state().exercise, then);
+  EXPECT_EQ(world.environment()->visibility_nm, kClearVisibility_nm);
   EXPECT_TRUE(ship_bits(world.state()) == first);
   ASSERT_EQ(world.state().log->snapshots.size(), 1u);
   EXPECT_EQ(world.state().log->marks.back().text(), "restored \"before the turn\"");
@@ -198,6 +200,7 @@ TEST(Exercise, UndoTakesBackTheLastChange) {
   world.order(fault, "first");
   Environment other = *world.environment();
   other.sea.wind_from_deg = 10.0;
+  other.visibility_nm = 0.5;
   world.set_environment(other);
   wire::ExerciseOrder put;
   put.mutable_own_ship()->set_own_ship(1);
@@ -225,6 +228,7 @@ TEST(Exercise, UndoTakesBackTheLastChange) {
   EXPECT_EQ(world.state().own_ships[0].faults->faults.gyro_bias_deg(), 5.0);
   world.order(undo(), "test");
   EXPECT_EQ(world.environment()->sea.wind_from_deg, wind);
+  EXPECT_EQ(world.environment()->visibility_nm, kClearVisibility_nm);
   world.order(undo(), "test");
   EXPECT_EQ(world.state().own_ships[0].faults, nullptr);
   EXPECT_EQ(world.state().log->can_undo, "");
@@ -267,7 +271,7 @@ TEST(Exercise, ADriftingGyroTurnsAShipWhoseAutopilotKeepsAHeading) {
 TEST(Exercise, EventsHappenByTimeOrderAndPlace) {
   World world = world_of(R"(
 events:
-  - {name: Squall, at_min: 1, weather: {sea_state: 5, wind_kn: 40, rain: [{latitude_deg: 60.02, longitude_deg: 2.0}]}, text: A squall comes}
+  - {name: Squall, at_min: 1, weather: {sea_state: 5, wind_kn: 40, visibility_nm: 0.5, rain: [{latitude_deg: 60.02, longitude_deg: 2.0}]}, text: A squall comes}
   - {name: Later, after: Squall, after_min: 0.5, own_ships: [{own_ship: Alfa, faults: {gyro_lost: true}, text: Your gyro is gone}]}
   - {name: Near, ship: Alfa, within_of: Kilo, within_nm: 4, own_ships: [{own_ship: Bravo, course_deg: 200}]}
   - {name: Inside, ship: Alfa, enters: Box, mark: in the box}
@@ -283,6 +287,7 @@ events:
   run_ticks(world, 1);
   EXPECT_EQ(world.happened("Squall"), std::chrono::seconds(60));
   EXPECT_EQ(world.environment()->sea.state, 5.0);
+  EXPECT_EQ(world.environment()->visibility_nm, 0.5);
   EXPECT_EQ(world.environment()->rain.size(), 2u);
   EXPECT_EQ(world.state().log->texts[1].text, "A squall comes");
   EXPECT_FALSE(world.environment()->artefacts.interference) << "it stays as the scenario has it";
@@ -388,6 +393,7 @@ void give_by_chance(World& world, std::uint64_t n) {
     default: {
       Environment environment = *world.environment();
       environment.wind_kn = 50.0 * share(2);
+      environment.visibility_nm = 0.02 + 5.0 * share(3);
       world.set_environment(std::move(environment));
       return;
     }

@@ -85,6 +85,7 @@ const TAKERS = {
     subscribe();
   },
   settings: (settings) => link.takeSettings(settings),
+  world: (world) => { link.world = world; changed(); },
   ownShip: (ownShip) => link.takeOwnShip(ownShip, seconds()),
   reply: (reply) => {
     link.takeReply(reply);
@@ -141,7 +142,7 @@ function show() {
   showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
   showHolder(view);
   showShip(view);
-  readings.show(view.ship);
+  readings.show(view.ship, link.world);
   texts.show(view.ship);
   const missing = missingSensors(view.ship);
   $('sensors').hidden = missing === '';

@@ -25,8 +25,8 @@ export class Readings {
     this.turn.reset();
   }
 
-  // ship: OwnShip, or null while nothing is known.
-  show(ship) {
+  // ship: OwnShip, or null while nothing is known; world: World, or null before it is told.
+  show(ship, world) {
     const con = ship?.con ?? null;
     const motion = ship && !ship.noMotion ? ship : null;
     const place = ship && !ship.noPosition ? ship : null;
@@ -43,6 +43,7 @@ export class Readings {
     write('cog', moves ? format.bearing(motion.courseOverGroundDeg) : NONE);
     write('latitude', format.position(place?.latitudeDeg, 'N', 'S', 2));
     write('longitude', format.position(place?.longitudeDeg, 'E', 'W', 3));
+    write('visibility', ship && world ? format.visibility(world.visibilityNm) : NONE);
     write('utc', ship ? format.utcClock(ship.utcNs / 1e6).slice(11, 19) || NONE : NONE);
     write('ordered-course', format.bearing(ship?.orderedCourseDeg));
     write('ordered-speed', format.fixed(ship?.orderedSpeedKn, 1));

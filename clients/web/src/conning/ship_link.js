@@ -25,7 +25,7 @@ export class ShipLink {
 
   // Another ship, or the same after a break.
   forget() {
-    this.ownShip = null;
+    this.ownShip = this.world = null;
     this.heardS = -Infinity;
     this.locked = [];
     this.takes = null;  // the request that takes or gives away the con

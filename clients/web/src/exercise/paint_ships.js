@@ -1,6 +1,7 @@
 // Ships on the chart: outline or symbol, name, vector, track and route. Own ships are round, targets pointed.
 import { keyOf } from './exercise.js';
 import { after } from './place.js';
+import { byRank, placeNames } from './ship_names.js';
 
 const OUTLINE_PX = 16; // a shorter ship is a symbol
 const RAD = Math.PI / 180;
@@ -132,30 +133,36 @@ export function paintRoute(context, view, from, waypoints, colour, { first = 1, 
   });
 }
 
-// Names that would lie over others are left out, but those of selected ships.
+const NAME_PX = 14; // high
+
+function nameOf(ship) {
+  const marks = [
+    ship.givesWayNow && 'gives way',
+    ship.removed && 'removed',
+    ship.sart && 'SART',
+    ship.aisOff && 'no AIS',
+  ].filter(Boolean);
+  return [ship.name, ...marks].join(' · ');
+}
+
+// Names that would lie over those of a higher rank are left out.
 function paintNames(context, placed, view, colours) {
   context.font = FONT;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.lineWidth = 3;
   context.strokeStyle = colours.halo;
-  const taken = [];
-  for (const { ship, at, chosen } of placed) {
-    const marks = [
-      ship.givesWayNow && 'gives way',
-      ship.removed && 'removed',
-      ship.sart && 'SART',
-      ship.aisOff && 'no AIS',
-    ].filter(Boolean);
-    const text = [ship.name, ...marks].join(' · ');
+  const byShip = new Map(placed.map((each) => [each.ship, each]));
+  const names = byRank([...byShip.keys()], (ship) => byShip.get(ship).chosen).map((ship) => {
+    const { at, chosen } = byShip.get(ship);
     const clear = Math.max(ship.givesWayNow ? 21 : chosen ? 17 : 13, ship.beamM / view.metresPerPixel / 2 + 6);
-    const box = { x: at.x + clear, y: at.y + 9, width: context.measureText(text).width, height: 14 };
-    const hit = taken.some(
-      (t) => box.x < t.x + t.width && t.x < box.x + box.width && box.y < t.y + t.height && t.y < box.y + box.height,
-    );
-    if (hit && !chosen && !ship.givesWayNow) continue;
-    taken.push(box);
-    context.strokeText(text, box.x, box.y);
+    const text = nameOf(ship);
+    return { ship, chosen, text, at, clear, width: context.measureText(text).width, height: NAME_PX };
+  });
+  placeNames(names).forEach((box, i) => {
+    if (!box) return;
+    const { ship, chosen, text } = names[i];
+    context.strokeText(text, box.x, box.y + NAME_PX / 2);
     context.fillStyle = chosen
       ? colours.chosen
       : ship.givesWayNow
@@ -163,8 +170,8 @@ function paintNames(context, placed, view, colours) {
         : ship.own
           ? colours.own
           : colours.label;
-    context.fillText(text, box.x, box.y);
-  }
+    context.fillText(text, box.x, box.y + NAME_PX / 2);
+  });
 }
 
 // options: { colours, vectorMin, trackS, moved: Map of key to the place where a ship is being dragged }.
@@ -195,7 +202,7 @@ export function paintShips(context, view, exercise, { colours, vectorMin, trackS
   placed.sort((a, b) => a.chosen - b.chosen || a.ship.own - b.ship.own);
   for (const { ship, at } of placed) paintVector(context, view, ship, at, vectorMin, colours);
   for (const { ship, at, chosen } of placed) paintShip(context, view, ship, at, { colours, chosen });
-  paintNames(context, [...placed].reverse(), view, colours);
+  paintNames(context, placed, view, colours);
   for (const [key, place] of moved) {
     const ship = exercise.byKey.get(key);
     if (!ship) continue;

@@ -111,8 +111,9 @@ function weather(world, artefacts) {
   );
   if (world.depthM >= 2) sea.push(`depth_m: ${number(world.depthM, 1)}`);
   const lines = [`sea: {${sea.join(', ')}}`];
-  if (world.kFactor >= 0.8)
-    lines.push(`atmosphere: {k_factor: ${number(world.kFactor, 4)}, ducting: ${number(world.ducting, 3)}}`);
+  const air = world.kFactor >= 0.8 ? [`k_factor: ${number(world.kFactor, 4)}`, `ducting: ${number(world.ducting, 3)}`] : [];
+  if (world.visibilityNm >= 0.02) air.push(`visibility_nm: ${number(world.visibilityNm, 3)}`);
+  if (air.length > 0) lines.push(`atmosphere: {${air.join(', ')}}`);
   if (world.rain.length > 0) {
     lines.push(
       'rain:',

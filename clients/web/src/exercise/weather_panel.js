@@ -1,5 +1,5 @@
-// Weather: sea, wind, swell, current, depth and rain, for all.
-import { bearing, fixed } from '../format.js';
+// Weather: sea, wind, swell, current, depth, visibility and rain, for all.
+import { bearing, CLEAR_NM, fixed } from '../format.js';
 import { $ } from '../widgets.js';
 import { LiveField } from './live_field.js';
 import { RAIN_KINDS } from './tool_forms.js';
@@ -14,6 +14,7 @@ const FIELDS = {
   currentSetDeg: 'current',
   currentKn: 'current',
   depthM: 'depth',
+  visibilityNm: 'visibility',
 };
 
 export class WeatherPanel {
@@ -31,7 +32,8 @@ export class WeatherPanel {
   show() {
     const { world } = this.exercise;
     if (!world) return;
-    for (const [name, field] of Object.entries(this.fields)) field.take(world[name]);
+    const told = { ...world, visibilityNm: world.visibilityNm ?? CLEAR_NM };
+    for (const [name, field] of Object.entries(this.fields)) field.take(told[name]);
     $('rain-clear').disabled = world.rain.length === 0;
     const text = JSON.stringify(world.rain);
     if (text === this.rain) return;

@@ -295,14 +295,14 @@ test('weather: each field is an order, rain comes and goes', async () => {
   const { page, sets, until, middle } = kit;
   await page.locator('#to-weather').click();
   const worlds = () => sets().filter((set) => set.world).map((set) => set.world);
-  const values = { seaState: 4, depthM: 25, windFromDeg: 250, windKn: 30, swellFromDeg: 260, swellHeightM: 2, swellPeriodS: 9, currentSetDeg: 45, currentKn: 2.5 };
+  const values = { seaState: 4, depthM: 25, windFromDeg: 250, windKn: 30, swellFromDeg: 260, swellHeightM: 2, swellPeriodS: 9, currentSetDeg: 45, currentKn: 2.5, visibilityNm: 0.5 };
   for (const [name, value] of Object.entries(values)) {
     await page.locator(`#weather-${name}`).fill(String(value));
     await page.locator(`#weather-${name}`).press('Enter');
     await until(`s.world.${name} === value`, value);
     assert.equal(worlds().at(-1)[name], value);
   }
-  assert.equal(worlds().length, 9);
+  assert.equal(worlds().length, 10);
   await page.locator('#weather-seaState').fill('9');
   await page.locator('#weather-seaState').press('Enter');
   assert.equal(await page.locator('#weather-seaState').inputValue(), '4', 'out of range');

@@ -6,7 +6,9 @@ import { Coast, decodeLine } from '../../../../clients/web/src/exercise/coast.js
 import { after, fromTo, parseLatitude, parseLongitude } from '../../../../clients/web/src/exercise/place.js';
 import { Orders } from '../../../../clients/web/src/exercise/orders.js';
 import { scenarioYaml } from '../../../../clients/web/src/exercise/scenario_yaml.js';
+import { byRank, placeNames } from '../../../../clients/web/src/exercise/ship_names.js';
 import { Tracks } from '../../../../clients/web/src/exercise/tracks.js';
+import { visibility } from '../../../../clients/web/src/format.js';
 import {
   decodeFrames,
   encodeGetCoastline,
@@ -16,6 +18,7 @@ import {
 } from '../../../../clients/web/src/messages.js';
 import { WireError } from '../../../../clients/web/src/protobuf.js';
 import { coastlineAt, MockExercise } from '../mock_exercise.mjs';
+import { random as seeded } from '../random.mjs';
 import { ClientMessage, CONTROLS, schema, ServerMessage } from '../mock_server.mjs';
 
 useControls(CONTROLS);
@@ -71,6 +74,12 @@ test('the World tells its wind only where it is given', () => {
     [world.windKn, world.currentSetDeg, world.currentKn, world.depthM, world.exerciseS, world.frozen, world.rate],
     [0, 90, 2, 30, 5, true, 2],
   );
+});
+
+test('the World tells the visibility only in fog, and 30 NM is taken for clear', () => {
+  assert.equal(decode({ world: { seaState: 2 } }).world.visibilityNm, undefined);
+  assert.equal(decode({ world: { visibilityNm: 0.5 } }).world.visibilityNm, 0.5);
+  assert.deepEqual([undefined, 30, 0.5, 0.054, 12.3456, NaN].map(visibility), ['clear', 'clear', '0.5 NM', '0.054 NM', '12.3 NM', '–']);
 });
 
 test('orders are written as protobuf reads them', () => {
@@ -289,5 +298,39 @@ test('the scenario that is saved names every ship once, and what it leaves out',
   assert.match(text, /route_end: back/);
   assert.match(text, /kind: squall_line/);
   assert.doesNotMatch(text, /wind_kn/, 'it follows the sea state');
+  assert.doesNotMatch(text, /visibility_nm/, 'it is clear');
+  assert.match(scenarioYaml(state, { ...world, visibilityNm: 0.5 }, hello, CONTROLS.artefacts), /^atmosphere: \{.*visibility_nm: 0.5\}$/m);
   assert.doesNotMatch(text, /NaN|undefined|null/);
+});
+
+test('names: own ships first, then selected ones, those that give way or come close, and the nearest', () => {
+  const ship = (name, north, more = {}) => ({
+    name, latitudeDeg: 60 + north / 60, longitudeDeg: 5, courseOverGroundDeg: 0, speedKn: 0, own: false, removed: false,
+    givesWayNow: false, ...more,
+  });
+  const ships = [
+    ship('far', 9), ship('near', -2), ship('chosen', 20), ship('gives way', 15, { givesWayNow: true }),
+    ship('meets', 4, { courseOverGroundDeg: 180, speedKn: 20 }), ship('later', 12, { courseOverGroundDeg: 180, speedKn: 20 }),
+    ship('own', 0, { own: true, speedKn: 10 }), ship('gone', 0.1, { removed: true }), ship('leaves', 3, { speedKn: 20 }),
+  ];
+  const order = byRank(ships, ({ name }) => name === 'chosen').map(({ name }) => name);
+  assert.deepEqual(order, ['own', 'chosen', 'meets', 'gives way', 'gone', 'near', 'leaves', 'far', 'later']);
+  assert.deepEqual(byRank([ships[0], ships[1]], () => false).map(({ name }) => name), ['far', 'near'], 'without own ships as listed');
+});
+
+test('names: none lies over another, and no lower rank moves or hides a higher one', () => {
+  const random = seeded(5);
+  const labels = Array.from({ length: 400 }, () => ({
+    at: { x: 900 * random(), y: 600 * random() }, clear: 13 + 8 * random(), width: 30 + 90 * random(), height: 14,
+  }));
+  const boxes = placeNames(labels);
+  const shown = boxes.filter(Boolean);
+  for (const [i, a] of shown.entries())
+    for (const b of shown.slice(i + 1))
+      assert.ok(a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height || b.y >= a.y + a.height);
+  assert.ok(shown.length > 100 && shown.length < 400, `${shown.length} of 400 are shown`);
+  for (const most of [1, 10, 100]) assert.deepEqual(placeNames(labels.slice(0, most)), boxes.slice(0, most));
+  const one = { at: { x: 100, y: 100 }, clear: 13, width: 40, height: 14 };
+  const five = placeNames([one, one, one, one, one]);
+  assert.deepEqual(five.map((box) => box && [box.x, box.y]), [[113, 102], [113, 84], [47, 102], [47, 84], null]);
 });
