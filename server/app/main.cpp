@@ -200,8 +200,8 @@ int run(const Options& options, LogTap& tap) {
 }
 
 // What radars allocate the network frees, on other threads.  With glibc's arena for each thread and
-// its threshold for mmap that grows with what is freed, a server held a sixth more than it used, and
-// more for a quarter of an hour (class_check --open-sea).
+// its threshold for mmap that grows with what is freed, a server held a sixth more than it used,
+// and more for a quarter of an hour (class_check --open-sea).
 void keep_memory_flat() {
   mallopt(M_ARENA_MAX, 2);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
