@@ -40,7 +40,7 @@ struct Environment {
   std::optional<double> wind_kn;  // absent: the wind that raises the sea state
   double current_set_deg = 0.0;   // whither; besides the tidal streams
   double current_kn = 0.0;
-  double depth_m = 1000.0;  // besides the tide
+  double depth_m = 1000.0;                     // besides the tide
   double visibility_nm = kClearVisibility_nm;  // by eye: for traffic and people, not for radars
   std::shared_ptr<const Waters> waters = std::make_shared<const Waters>(scenario::Scenario());
   std::shared_ptr<const Banks> banks;  // null: there are none

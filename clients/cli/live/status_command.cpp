@@ -190,10 +190,10 @@ std::string world(const wire::Status& status) {
   const wire::World& world = status.world();
   std::string out = with_degree_signs(fmt::format(
       "WORLD  sea state {:g}, wind from {}, swell {:g} m, {:g} s from {}, waves ashore {:g} m\n"
-      "       {}k factor {:.3g}, ducting {:g}, artefacts switched off: {}\n",
+      "       visibility {}, k factor {:.3g}, ducting {:g}, artefacts switched off: {}\n",
       world.sea_state(), bearing_text(world.wind_from_deg()), world.swell_height_m(),
       world.swell_period_s(), bearing_text(world.swell_from_deg()), world.wave_height_m(),
-      world.has_visibility_nm() ? fmt::format("visibility {:.3g} NM, ", world.visibility_nm()) : "",
+      world.has_visibility_nm() ? fmt::format("{:.3g} NM", world.visibility_nm()) : "clear",
       world.k_factor(), world.ducting(), switched_off(world)));
   for (const auto& rain : world.rain()) {
     out += with_degree_signs(fmt::format(
