@@ -64,11 +64,11 @@ RecordedTurns::RecordedTurns(const RecordingReader& reader, const RecordedPart& 
   }
   if (!part.from) return;
   cursor_.seek(*part.from);
-  if (const auto bytes = reader.last_before({Kind::settings, part.radar, part.view}, *part.from)) {
-    labels_.settings = parsed<wire::Settings>(*bytes);
+  if (const auto last = reader.last_before({Kind::settings, part.radar, part.view}, *part.from)) {
+    labels_.settings = parsed<wire::Settings>(last->bytes);
   }
-  if (const auto bytes = reader.last_before({Kind::own_ship, part.radar, 0}, *part.from)) {
-    labels_.own_ship = parsed<wire::OwnShip>(*bytes);
+  if (const auto last = reader.last_before({Kind::own_ship, part.radar, 0}, *part.from)) {
+    labels_.own_ship = parsed<wire::OwnShip>(last->bytes);
   }
 }
 

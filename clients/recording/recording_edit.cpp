@@ -73,8 +73,8 @@ Result<EditReport, RecordingError> cut_recording(const RecordingReader& source, 
   for (const recording::Attachment& each : summary.attachments) writer.attach(each);
   for (const auto& [topic, count] : summary.items) {
     if (rule_of(topic) != EditRule::state) continue;
-    const auto bytes = source.last_before(topic, from);
-    if (bytes) copier.add(Item{topic, from, *bytes});
+    const auto last = source.last_before(topic, from);
+    if (last) copier.add(Item{topic, from, last->bytes});
   }
   for (const auto& [topic, count] : summary.items) {
     if (rule_of(topic) != EditRule::cumulated) continue;

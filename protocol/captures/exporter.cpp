@@ -114,7 +114,7 @@ Result<ExportReport, RecordingError> export_capture(
   ExportReport report;
   // The settings in force before the first spoke.
   if (const auto before = reader.last_before(settings, begin)) {
-    if (const auto message = parsed<wire::Settings>(*before)) sink.set(*message);
+    if (const auto message = parsed<wire::Settings>(before->bytes)) sink.set(*message);
   }
   recording::ItemCursor cursor = reader.items({spokes, settings, own_ship});
   if (options.from) cursor.seek(begin);

@@ -33,8 +33,11 @@ void ChunkBuilder::count(const Topic& topic, std::uint64_t last_time_ns, std::ui
   contents_.last_time = std::max(contents_.last_time, last_time_ns);
 }
 
-void ChunkBuilder::mark(std::uint64_t time_ns, std::string name) {
-  contents_.marks.emplace_back(time_ns, std::move(name));
+void ChunkBuilder::mark(std::uint64_t time_ns, const Event& event) {
+  Contents::Mark& mark = contents_.marks.emplace_back();
+  mark.set_utc_ns(time_ns);
+  mark.set_name(event.text());
+  mark.set_kind(event.mark_kind());
 }
 
 std::vector<std::pair<std::uint16_t, std::uint64_t>> ChunkBuilder::append_indexes(

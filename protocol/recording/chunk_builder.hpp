@@ -10,14 +10,15 @@
 #include <vector>
 
 #include "protocol/recording/item.hpp"
+#include "protocol/recording/recording.pb.h"
 #include "protocol/wire/wire_error.hpp"
 
 namespace skerry::recording {
 
 // The content of a chunk, of use only once it is written.
 struct ChunkContents {
-  std::map<Topic, std::uint64_t> items;                      // a packed spoke counts as one
-  std::vector<std::pair<std::uint64_t, std::string>> marks;  // time in ns, name
+  std::map<Topic, std::uint64_t> items;  // a packed spoke counts as one
+  std::vector<Contents::Mark> marks;
   std::map<std::uint16_t, std::uint64_t> channel_messages;
   std::uint64_t all_items = 0;
   std::uint64_t spokes = 0;
@@ -36,7 +37,8 @@ class ChunkBuilder {
                                       std::uint64_t time_ns, std::size_t size);
   // `count` items of the topic, the last of them at that time.
   void count(const Topic& topic, std::uint64_t last_time_ns, std::uint64_t count = 1);
-  void mark(std::uint64_t time_ns, std::string name);
+  // A MARK.
+  void mark(std::uint64_t time_ns, const Event& event);
 
   bool empty() const { return messages_ == 0; }
   std::span<const std::uint8_t> records() const { return records_; }

@@ -27,11 +27,9 @@ void FileBuilder::count(const ChunkBuilder& chunk) {
   const ChunkContents& contents = chunk.contents();
   const bool first = items_.empty();
   for (const auto& [topic, number] : contents.items) items_[topic] += number;
-  for (const auto& [time, name] : contents.marks) {
+  for (const Contents::Mark& mark : contents.marks) {
     if (static_cast<std::size_t>(contents_.marks_size()) >= kMaxMarks) break;
-    Contents::Mark& mark = *contents_.add_marks();
-    mark.set_utc_ns(time);
-    mark.set_name(name);
+    *contents_.add_marks() = mark;
   }
   contents_.set_begin_utc_ns(
       first ? chunk.start() : std::min<std::uint64_t>(contents_.begin_utc_ns(), chunk.start()));

@@ -20,9 +20,10 @@ enum class Kind : std::uint8_t {
   traffic,
   event,
   log,
-  input,  // what an exercise was given; those of all radars in one order
+  input,     // what an exercise was given; those of all radars in one order
+  exercise,  // the exercise as instructors are told it: truth
 };
-inline constexpr std::size_t kKinds = 9;
+inline constexpr std::size_t kKinds = 10;
 
 struct Topic {
   Kind kind = Kind::event;

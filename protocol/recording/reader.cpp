@@ -79,15 +79,13 @@ ItemCursor RecordingReader::items(const std::vector<Topic>& topics) const {
       impl_->recording, std::set<Topic>(topics.begin(), topics.end())));
 }
 
-std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topic& topic,
-                                                                      UtcTime time) const {
+std::optional<LastItem> RecordingReader::last_before(const Topic& topic, UtcTime time) const {
   const OpenRecording& recording = *impl_->recording;
   // Items later than kLatestTime get that time.
   const std::int64_t until =
       (time < kLatestTime ? time : UtcTime::max()).time_since_epoch().count();
   const std::set<Topic> topics{topic};
-  std::optional<std::vector<std::uint8_t>> last;
-  std::int64_t last_time = 0;
+  std::optional<Last> last;
   const auto& by_start = recording.by_start;
   const auto later = std::upper_bound(by_start.begin(), by_start.end(), until,
                                       [&](std::int64_t t, std::uint32_t number) {
@@ -95,17 +93,17 @@ std::optional<std::vector<std::uint8_t>> RecordingReader::last_before(const Topi
                                       });
   for (auto i = static_cast<std::size_t>(later - by_start.begin()); i-- > 0;) {
     // No item before this one is later than the last one known.
-    if (last && recording.reaches[i] < last_time) break;
+    if (last && recording.reaches[i] < last->time) break;
     const std::uint32_t number = by_start[i];
-    if ((last && recording.reach(number) < last_time) || !recording.has(number, topics)) continue;
+    if ((last && recording.reach(number) < last->time) || !recording.has(number, topics)) continue;
     const auto chunk = recording.chunk(number, topics);
     if (!chunk) continue;
-    if (auto found = last_of(**chunk, until); found && (!last || found->time > last_time)) {
-      last = std::move(found->bytes);
-      last_time = found->time;
+    if (auto found = last_of(**chunk, until); found && (!last || found->time > last->time)) {
+      last = std::move(found);
     }
   }
-  return last;
+  if (!last) return std::nullopt;
+  return LastItem{std::min(UtcTime(Duration(last->time)), kLatestTime), std::move(last->bytes)};
 }
 
 }  // namespace skerry::recording

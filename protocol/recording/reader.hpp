@@ -18,6 +18,7 @@ namespace skerry::recording {
 struct Mark {
   UtcTime time{};
   std::string name;
+  std::string kind;  // Event.mark_kind
 };
 
 // All that is known without reading every item.
@@ -34,6 +35,12 @@ struct Summary {
   bool compact = false;
   // Not finished, or damaged: what was wrong first.  What can be read is offered all the same.
   std::optional<RecordingError> damage;
+};
+
+// An item by itself.
+struct LastItem {
+  UtcTime time{};  // its own
+  std::vector<std::uint8_t> bytes;
 };
 
 // Reads items from a place in time on.  Of damaged chunks nothing is given; how many were passed
@@ -86,9 +93,9 @@ class RecordingReader {
 
   // A cursor at the begin, over `topics` only, or over all if none is given.
   ItemCursor items(const std::vector<Topic>& topics = {}) const;
-  // The last item of the topic before or at `time`, as bytes: what was in force then.
+  // The last item of the topic before or at `time`: what was in force then.
   // Cost: chunks back to it are looked for by the index.
-  std::optional<std::vector<std::uint8_t>> last_before(const Topic& topic, UtcTime time) const;
+  std::optional<LastItem> last_before(const Topic& topic, UtcTime time) const;
 
  private:
   class Impl;

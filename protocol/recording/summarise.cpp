@@ -63,7 +63,7 @@ void take(const Contents& contents, Summary& summary) {
   }
   for (const Contents::Mark& mark : contents.marks()) {
     if (summary.marks.size() >= kMaxMarks) break;
-    summary.marks.push_back({clamped_utc(mark.utc_ns()), mark.name()});
+    summary.marks.push_back({clamped_utc(mark.utc_ns()), mark.name(), mark.kind()});
   }
   summary.begin = clamped_utc(contents.begin_utc_ns());
   summary.end = std::max(clamped_utc(contents.end_utc_ns()), summary.begin);
@@ -132,7 +132,8 @@ class Counting {
     if (summary_.marks.size() < kMaxMarks && bytes.size() <= kMaxMarkBytes &&
         event.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) &&
         event.kind() == Event::MARK) {
-      summary_.marks.push_back({clamped_utc(static_cast<std::uint64_t>(time)), event.text()});
+      summary_.marks.push_back(
+          {clamped_utc(static_cast<std::uint64_t>(time)), event.text(), event.mark_kind()});
     }
   }
 

@@ -55,6 +55,8 @@ const std::array<KindRow, kKinds>& kind_rows() {
       {Kind::event, "events", "events", Scope::recording, copied, false, empty<Event>},
       {Kind::log, "log", "log lines", Scope::recording, copied, false, empty<Log>},
       {Kind::input, "inputs", "inputs", Scope::recording, cumulated, false, empty<Input>},
+      {Kind::exercise, "exercise", "exercise states", Scope::recording, state, true,
+       empty<wire::ExerciseState>},
   }};
   return kRows;
 }

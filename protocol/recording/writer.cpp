@@ -146,7 +146,7 @@ class RecordingWriter::Impl {
     Event event;
     if (event.ParseFromArray(item.bytes.data(), static_cast<int>(item.bytes.size())) &&
         event.kind() == Event::MARK) {
-      chunk_.mark(ns_of(item.time), event.text());
+      chunk_.mark(ns_of(item.time), event);
     }
   }
 

@@ -20,6 +20,7 @@
 #include "server/app/joined_host.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
+#include "server/app/played_coast.hpp"
 #include "server/app/radar_server.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
@@ -137,10 +138,12 @@ int run_playback(const Options& options, LogTap& tap) {
     std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
     return 0;
   }
+  const auto coast = PlayedCoast::of(*playback, {options.charts, options.elevation});
   const sigset_t signals = block_signals();
   LoggingRecorder logging(*playback, options.recorder, tap);
   playback->set_recording(&logging.recorder);
   NetServer net(*playback, options.net, web_files());
+  if (coast) coast->start();
   net.start();
   playback->start();
   logging.recorder.start();
@@ -148,6 +151,7 @@ int run_playback(const Options& options, LogTap& tap) {
   await(signals);
   playback->stop();
   logging.recorder.stop();
+  if (coast) coast->stop();
   net.stop();
   return 0;
 }

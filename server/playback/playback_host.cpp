@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "protocol/wire/spoke_message.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/playback/play_request.hpp"
+#include "server/relay/relayed_exercise.hpp"
 #include "server/relay/sendable_text.hpp"
 #include "server/relay/values_in_range.hpp"
 
@@ -20,6 +22,7 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kMostMarks = 1000;
+constexpr std::ptrdiff_t kMarksTold = 100;                         // as exercise.proto says
 constexpr std::size_t kLongestMark = 100, kLongestProblem = 1000;  // bytes
 
 RecordedRadars radars_or_throw(const recording::RecordingReader& reader) {
@@ -52,7 +55,11 @@ PlaybackHost::PlaybackHost(RecordedRadars radars, recording::RecordingReader&& r
       radars_(std::move(radars)),
       server_(std::move(server)),
       current_timestamps_(options.current_timestamps),
-      player_(reader_, radars_, views_, state_, options) {}
+      player_(reader_, radars_, views_, state_, options) {
+  const auto exercises = summary().items.find({recording::Kind::exercise});
+  holds_truth_ = (exercises != summary().items.end() && exercises->second > 0) ||
+                 !exercise_of_traffic(traffic(), 0.0).ships().empty();
+}
 
 PlaybackHost::~PlaybackHost() { stop(); }
 
@@ -72,12 +79,12 @@ wire::Reply PlaybackHost::change(const wire::Set&, const std::string& origin) {
   spdlog::debug("{}: a change of a playback was refused", origin);
   return reply_of(
       wire::Reply::REFUSED,
-      "this is a playback: what was recorded cannot be changed; play, pause, seek, rate "
+      "a recording is played: what was recorded cannot be changed; play, pause, seek, rate "
       "and steps are asked for with Playback (skerry play, the console's bar)");
 }
 
 std::optional<std::string> PlaybackHost::drive(std::uint32_t, const OwnShipFix&) {
-  return "this is a playback: her own ship sails as recorded";
+  return "a recording is played: her own ship sails as recorded";
 }
 
 wire::Status PlaybackHost::status() const {
@@ -93,7 +100,13 @@ wire::Status PlaybackHost::status() const {
 wire::Reply PlaybackHost::control(const wire::Playback& playback, const std::string& origin) {
   const auto order = play_order(playback, summary());
   if (!order) return order.error();
-  player_.order(*order);
+  {
+    // Of two orders at once the one that comes last is the one that is told.
+    const std::lock_guard lock(mutex_);
+    player_.order(*order);
+    last_by_ = origin;
+    ++orders_;
+  }
   const PlayerStanding now = player_.standing();
   spdlog::info("playback: {} at {}, rate {:g}{}{}, asked for by {}",
                now.playing ? "plays" : "stands", place_text(now.place - summary().begin), now.rate,
@@ -118,6 +131,8 @@ wire::PlaybackState PlaybackHost::state() const {
   state.set_rate(standing.rate);
   state.set_loop(standing.loop);
   for (const recording::Mark& mark : about.marks) {
+    // Trainees have this too: what happened in the exercise is for instructors.
+    if (!mark.kind.empty()) continue;
     if (static_cast<std::size_t>(state.marks_size()) == kMostMarks) break;
     wire::PlaybackState::Mark& said = *state.add_marks();
     said.set_position_s(std::clamp(seconds(mark.time), 0.0, seconds(about.end)));
@@ -125,7 +140,54 @@ wire::PlaybackState PlaybackHost::state() const {
   }
   state.set_current_timestamps(current_timestamps_);
   state.set_problem(problem(standing.problem));
+  state.set_truth(holds_truth_);
+  const std::lock_guard lock(mutex_);
+  state.set_last_by(last_by_);
+  state.set_orders(orders_);
   return state;
+}
+
+std::optional<wire::ExerciseState> PlaybackHost::exercise_state() const {
+  if (!holds_truth_) return std::nullopt;
+  const UtcTime now = place();
+  auto state = state_.exercise(now);
+  if (!state) {
+    state = exercise_of_traffic(traffic(), in_seconds(now - summary().begin));
+    tell_marks_until(now, *state);
+  }
+  for (const recording::Mark& mark : summary().marks) {
+    if (static_cast<std::size_t>(state->played_marks_size()) == kMostMarks) break;
+    *state->add_played_marks() = played_mark(mark);
+  }
+  return state;
+}
+
+wire::PlayedMark PlaybackHost::played_mark(const recording::Mark& mark) const {
+  wire::PlayedMark told;
+  const recording::Summary& about = summary();
+  told.set_position_s(in_seconds(std::clamp(mark.time, about.begin, about.end) - about.begin));
+  told.set_text(sendable(mark.name, kLongestText));
+  told.set_kind(mark.kind.empty() ? "mark" : sendable(mark.kind, kLongestMark));
+  return told;
+}
+
+void PlaybackHost::tell_marks_until(UtcTime now, wire::ExerciseState& state) const {
+  const auto& marks = summary().marks;
+  const auto later =
+      std::upper_bound(marks.begin(), marks.end(), now,
+                       [](UtcTime at, const recording::Mark& mark) { return at < mark.time; });
+  const auto until = later - marks.begin();
+  for (auto i = std::max<std::ptrdiff_t>(0, until - kMarksTold); i < until; ++i) {
+    const wire::PlayedMark mark = played_mark(marks[static_cast<std::size_t>(i)]);
+    wire::ExerciseMark& told = *state.add_marks();
+    told.set_exercise_s(mark.position_s());
+    told.set_text(mark.text());
+    told.set_kind(mark.kind());
+  }
+}
+
+void PlaybackHost::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
+  coastline_ ? coastline_(place, std::move(done)) : done(std::nullopt);
 }
 
 std::string PlaybackHost::problem(const std::string& playing) const {

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/recording/reader.hpp"
@@ -30,17 +32,26 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
 
   void start() { player_.start(); }
   void stop() { player_.stop(); }
+  // Makes coastlines for instructors, as RadarHost::find_coastline() does; without it there are
+  // none.  Before the NetServer is made.
+  using CoastlineMaker = std::function<void(const wire::GetCoastline&, CoastlineDone)>;
+  void set_coastline(CoastlineMaker maker) { coastline_ = std::move(maker); }
   // A playback can be recorded, too.  Before the NetServer is made.
   void set_recording(RecordingPort* port) { recording_ = port; }
 
   const recording::Summary& summary() const { return reader_.summary(); }
   const RecordedRadars& radars() const { return radars_; }
+  // Whether there is anything in it that instructors can be told: states of the exercise, or at
+  // least traffic.
+  bool holds_truth() const { return holds_truth_; }
 
   wire::Hello hello() const override;
   RecordingPort* recording() override { return recording_; }
   PlaybackPort* playback() override { return this; }
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   wire::Status status() const override;
+  std::optional<wire::ExerciseState> exercise_state() const override;
+  void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override;
 
  private:
   PlaybackHost(RecordedRadars radars, recording::RecordingReader&& reader,
@@ -56,12 +67,21 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
   std::uint64_t version() const override { return player_.version(); }
 
   std::string problem(const std::string& playing) const;
+  wire::PlayedMark played_mark(const recording::Mark& mark) const;
+  // The newest, of a recording whose exercise is told by its traffic.
+  void tell_marks_until(UtcTime now, wire::ExerciseState& state) const;
 
   const recording::RecordingReader reader_;
   const RecordedRadars radars_;
   const std::string server_;
   const bool current_timestamps_;
   RecordingPort* recording_ = nullptr;
+  CoastlineMaker coastline_;
+  bool holds_truth_ = false;
+  // Of the last order that was obeyed.
+  mutable std::mutex mutex_;
+  std::string last_by_;
+  std::uint64_t orders_ = 0;
   Player player_;  // last: plays into what stands above
 };
 

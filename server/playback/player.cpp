@@ -27,6 +27,10 @@ constexpr double kHeaderBytes = 100.0;
 // The most of all makes: 2048 spokes of 536 octets, and the frames' headers.
 constexpr double kEmulatedTurnBytes = 1.2e6;
 
+// Ships as they really were: while the turn before a place is played quickly, they are those of
+// that place already.
+bool is_truth(Kind kind) { return kind == Kind::exercise || kind == Kind::traffic; }
+
 std::vector<OwnSpokePtr> copies_of(const std::vector<OwnSpokePtr>& spokes) {
   std::vector<OwnSpokePtr> copies;
   copies.reserve(spokes.size());
@@ -188,6 +192,9 @@ void Player::jump(UtcTime place) {
   UtcTime from = place;
   for (TurnFinder& finder : turns_) from = std::min(from, finder.turn_before(place));
   begin_at(from);
+  for (const auto& [topic, first] : first_) {
+    if (is_truth(topic.kind)) take_last(topic, place);
+  }
   joins_seen_ = joins();
   joined_at_ = UtcTime::min();
   const std::lock_guard lock(mutex_);
@@ -203,16 +210,19 @@ void Player::jump(UtcTime place) {
 void Player::begin_at(UtcTime from) {
   next_.reset();
   pieces_.seek(from);
-  for (const auto& [topic, first] : first_) {
-    const auto found = reader_.last_before(topic, from);
-    Topic played = topic;
-    if (is_of_a_radar(topic.kind)) played.radar = radars_.played.at(topic.radar);
-    state_.take(played, from, found ? *found : first, radars_.played);
-  }
+  for (const auto& [topic, first] : first_) take_last(topic, from);
   for (const auto& radar : views_) {
     const auto views = radar->get();
     for (const RelayedViewPtr& view : *views) view->begin_anew();
   }
+}
+
+void Player::take_last(const Topic& topic, UtcTime place) {
+  const auto found = reader_.last_before(topic, place);
+  Topic played = topic;
+  if (is_of_a_radar(topic.kind)) played.radar = radars_.played.at(topic.radar);
+  const auto& bytes = found ? found->bytes : first_.at(topic);
+  state_.take(played, found ? found->time : place, bytes, radars_.played);
 }
 
 void Player::advance(const std::stop_token& stop) {
@@ -240,7 +250,7 @@ void Player::advance(const std::stop_token& stop) {
     lock.unlock();
     const bool soon = rate > kFast && due - now < kEarly;
     if (!soon && !wait_until(due, stop)) return;
-    play(*next_);
+    if (!goal || !is_truth(next_->topic.kind)) play(*next_);
     if (const std::uint64_t readers = joins(); readers != joins_seen_) {
       joins_seen_ = readers;
       joined_at_ = next_->time;

@@ -56,7 +56,8 @@ struct PlayerOptions {
 // or a machine that is too slow for the rate) goes on from there, and says so: nothing is left out.
 //
 // After a seek or a step the turn before it is played quickly (kCatchUp), so that consoles have
-// the picture as of then; and once more when a reader joins a playback that stands still.
+// the picture as of then; and once more when a reader joins a playback that stands still.  Ships as
+// they really were are those of the place itself at once.
 // Thread: its own, "playback"; all functions are any thread's.
 class Player {
  public:
@@ -108,6 +109,7 @@ class Player {
   void jump(UtcTime place);  // with the turn before it
   void step(int turns);
   void begin_at(UtcTime from);  // what is in force there, and the first item next
+  void take_last(const recording::Topic& topic, UtcTime place);
   void reach(UtcTime goal);
   void reach_end();
 

@@ -126,7 +126,11 @@ Result<RecordedRadars, std::string> radars_of(const recording::RecordingReader& 
       std::any_of(out.radars.begin(), out.radars.end(),
                   [](const RecordedRadar& radar) { return !radar.views.empty(); });
   if (!has_video) {
-    return Failure{fmt::format("{}: there are no spokes in it to play{}{}{}", summary.file,
+    const bool has_inputs = summary.items.contains({Kind::input});
+    return Failure{fmt::format("{}: there are no spokes in it to play{}{}{}{}", summary.file,
+                               has_inputs ? "; of its inputs skerryd --verify FILE --video OUT "
+                                            "makes the video, skerry exercise report a debrief"
+                                          : "",
                                out.problem.empty() ? "" : "; ", out.problem,
                                summary.damage ? "; " + summary.damage->to_string() : "")};
   }

@@ -195,6 +195,22 @@ void RecordingSession::add_ships() {
     add({Kind::own_ship, radar}, item_time(), host_.own_ship(radar));
   }
   add({Kind::traffic}, item_time(), traffic_message(host_.traffic()));
+  if (auto exercise = host_.exercise_state()) {
+    exercise->clear_played_marks();  // of the recording that is recorded anew: its, not this one's
+    add_exercise(*exercise);
+  }
+}
+
+void RecordingSession::add_exercise(const wire::ExerciseState& exercise) {
+  add({Kind::exercise}, item_time(), exercise);
+  for (const wire::ExerciseMark& mark : exercise_marks_.take(exercise)) {
+    Event event;
+    event.set_kind(Event::MARK);
+    event.set_text(mark.text());
+    event.set_mark_kind(mark.kind());
+    event.SerializeToString(&bytes_);
+    writer_.keep({{Kind::event}, item_time(), bytes_of(bytes_)});
+  }
 }
 
 void RecordingSession::add_event(Event::Kind kind, std::string text, const RingReader* of,

@@ -1,18 +1,18 @@
 #include "server/relay/relayed_state.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
 #include "protocol/video/range_scale.hpp"
+#include "server/relay/relayed_exercise.hpp"
+#include "server/relay/sailed_on.hpp"
 #include "server/relay/values_in_range.hpp"
 
 namespace skerry::server {
 namespace {
 
-constexpr double kMetresPerDegree = 60.0 * Length::kMetresPerNauticalMile;
 constexpr std::uint32_t kLastMmsi = 999'999'999;
 
 template <typename Message>
@@ -20,16 +20,6 @@ bool parse(std::span<const std::uint8_t> bytes, Message& message) {
   if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
   bring_into_range(message);
   return true;
-}
-
-// A straight line on a sphere of one minute a mile: for some seconds.
-GeoPoint moved(GeoPoint from, double course_deg, double distance_m) {
-  const double course = degrees(course_deg).in_radians();
-  const double north_deg = distance_m * std::cos(course) / kMetresPerDegree;
-  const double parallel = std::max(0.01, std::cos(degrees(from.latitude_deg).in_radians()));
-  const double east_deg = distance_m * std::sin(course) / (kMetresPerDegree * parallel);
-  return {std::clamp(from.latitude_deg + north_deg, -90.0, 90.0),
-          wrapped_longitude(from.longitude_deg + east_deg)};
 }
 
 // How long a ship has sailed on since an item.
@@ -126,6 +116,14 @@ bool RelayedState::take(const recording::Topic& topic, UtcTime time,
       traffic_ = {time, std::move(items)};
       return true;
     }
+    case recording::Kind::exercise: {
+      wire::ExerciseState exercise;
+      if (!parse(bytes, exercise)) return false;
+      make_tellable(exercise, radars);
+      const std::lock_guard lock(mutex_);
+      exercise_ = {time, std::move(exercise)};
+      return true;
+    }
     default:
       return false;
   }
@@ -207,6 +205,16 @@ std::vector<TrafficItem> RelayedState::traffic(UtcTime now) const {
         wrapped_degrees(item.heading_deg + item.rate_of_turn_deg_min / 60.0 * since_s);
   }
   return items;
+}
+
+std::optional<wire::ExerciseState> RelayedState::exercise(UtcTime now) const {
+  std::unique_lock lock(mutex_);
+  if (!exercise_) return std::nullopt;
+  wire::ExerciseState state = exercise_->value;
+  const double since_s = sailed_s(exercise_->time, now);
+  lock.unlock();
+  sail_on(state, since_s);
+  return state;
 }
 
 std::uint64_t RelayedState::settings_version() const {

@@ -18,11 +18,10 @@
 
 namespace skerry::server {
 
-// Settings, own ships, world and traffic as the last items said, brought into range.  Between items
-// ships sail on as they did, for at most kSailsOn.
-// If a file has no own ships or no settings, position, heading and range scale come from its
-// spokes. Radars are the playback's (they are numbered anew), views the recording's. Thread: one
-// writes (the playback), any read.
+// Settings, own ships, world, traffic and the exercise as the last items said, brought into range.
+// Between items ships sail on as they did, for at most kSailsOn. If a file has no own ships or no
+// settings, position, heading and range scale come from its spokes. Radars are the playback's (they
+// are numbered anew), views the recording's. Thread: one writes (the playback), any read.
 class RelayedState {
  public:
   static constexpr Duration kSailsOn = std::chrono::seconds(3);
@@ -38,6 +37,8 @@ class RelayedState {
   wire::OwnShip own_ship(std::uint32_t radar, UtcTime now, std::optional<UtcTime> utc) const;
   wire::World world() const;
   std::vector<TrafficItem> traffic(UtcTime now) const;
+  // Truth, for instructors; nothing before the first state of the exercise.
+  std::optional<wire::ExerciseState> exercise(UtcTime now) const;
 
   std::uint64_t settings_version() const;
   std::uint64_t world_version() const;
@@ -56,6 +57,7 @@ class RelayedState {
   std::map<std::uint32_t, Timed<wire::OwnShip>> own_ships_;
   wire::World world_;
   Timed<std::vector<TrafficItem>> traffic_;
+  std::optional<Timed<wire::ExerciseState>> exercise_;
   std::uint64_t settings_version_ = 1, world_version_ = 1;
 };
 

@@ -22,8 +22,9 @@ struct Range {
   double min, max;
 };
 
-// The numbers of Settings, OwnShip, ConState, World, Traffic and RadarInfo that are no controls; as
-// in a Set, and wider where radars and ships of other makers are.
+// The numbers of Settings, OwnShip, ConState, World, Traffic, RadarInfo and ExerciseState that are
+// no controls; as in a Set, and wider where radars and ships of other makers are.  Those of faults
+// and waypoints have their rules in the schema.
 constexpr double kLast = 359.999999;  // [0, 360)
 constexpr Range kRanges[] = {
     {"radar_range_nm", 0.0, 96.0},
@@ -87,16 +88,24 @@ constexpr Range kRanges[] = {
     {"rudder_limit_deg", 0.0, 90.0},
     {"waypoint_m", 0.0, 2e7},
     {"cross_track_m", -2e7, 2e7},
+    // Of the exercise.
+    {"gyro_error_deg", -360.0, 360.0},
+    {"gnss_error_m", 0.0, 2e7},
+    {"position_s", 0.0, 1e10},
 };
 
 // Controls may be 0 as well: of radars of other makers they are not known.
-std::optional<Range> range_of(const std::string& field) {
+std::optional<Range> range_of(const FieldDescriptor& described) {
+  const std::string& field = described.name();
   const auto found = std::find_if(std::begin(kRanges), std::end(kRanges),
                                   [&](const Range& range) { return range.field == field; });
   if (found != std::end(kRanges)) return *found;
   const auto* const control = wire::Controls::descriptor()->FindFieldByName(field);
-  if (control == nullptr) return std::nullopt;
-  const config::FieldRule& rule = wire::rule_of(*control);
+  const config::FieldRule& rule = wire::rule_of(control != nullptr ? *control : described);
+  if (control == nullptr) {
+    return rule.has_min() && rule.has_max() ? std::optional(Range{field, rule.min(), rule.max()})
+                                            : std::nullopt;
+  }
   if (rule.one_of_size() > 0) {
     return Range{field, 0.0, *std::max_element(rule.one_of().begin(), rule.one_of().end())};
   }
@@ -105,7 +114,7 @@ std::optional<Range> range_of(const std::string& field) {
 }
 
 double in_range(const FieldDescriptor& field, double value) {
-  const auto range = range_of(field.name());
+  const auto range = range_of(field);
   if (!range) return std::isfinite(value) ? value : 0.0;
   // A NaN too fails the first comparison.
   return value > range->min ? std::min(value, range->max) : range->min;
@@ -164,6 +173,6 @@ void bring_into_range(Message& message) {
   }
 }
 
-bool has_range(const std::string& field) { return range_of(field).has_value(); }
+bool has_range(const FieldDescriptor& field) { return range_of(field).has_value(); }
 
 }  // namespace skerry::server

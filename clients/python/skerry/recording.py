@@ -12,7 +12,8 @@ Item = collections.namedtuple("Item", "time_ns topic message")
 
 _KINDS = {"hello": "skerry.wire.Hello", "settings": "skerry.wire.Settings", "own_ship": "skerry.wire.OwnShip",
           "world": "skerry.wire.World", "traffic": "skerry.recording.Traffic", "events": "skerry.recording.Event",
-          "log": "skerry.recording.Log", "inputs": "skerry.recording.Input", "spokes": "skerry.wire.Spoke"}
+          "log": "skerry.recording.Log", "inputs": "skerry.recording.Input", "exercise": "skerry.wire.ExerciseState",
+          "spokes": "skerry.wire.Spoke"}
 
 
 class Recording:

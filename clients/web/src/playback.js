@@ -1,4 +1,4 @@
-// Playback: what comes was recorded; where in it we are, and how it is played.
+// Playback: what comes was recorded; where in it we are, and how it is played. Of the console and the instructor's page.
 import { $ } from './widgets.js';
 import { duration, utcClock } from './format.js';
 
@@ -18,6 +18,7 @@ export class Playback {
     this.seconds = seconds;
     this.state = null;
     this.pending = null;  // the last request, until it is answered
+    this.on = false;
     $('playback-play').addEventListener('click', () => this.toggle());
     $('playback-back').addEventListener('click', () => this.step(-1));
     $('playback-forward').addEventListener('click', () => this.step(1));
@@ -28,7 +29,7 @@ export class Playback {
     slider.addEventListener('input', () => { this.dragged = slider.valueAsNumber; this.showPosition(); });
     slider.addEventListener('change', () => {
       this.dragged = null;
-      this.#seek(slider.valueAsNumber);
+      this.seek(slider.valueAsNumber);
     });
     this.dragged = null;  // where the operator holds the slider, seconds
   }
@@ -49,7 +50,7 @@ export class Playback {
     if (this.state) this.#ask({ stepTurns: turns });
   }
 
-  #seek(positionS) {
+  seek(positionS) {
     this.#ask({ positionS });
     if (this.state && this.pending !== null) {
       this.state = { ...this.state, positionS };
@@ -62,7 +63,7 @@ export class Playback {
   #toMark() {
     const mark = this.state?.marks[Number($('playback-mark').value)];
     $('playback-mark').value = '';
-    if (mark) this.#seek(mark.positionS);
+    if (mark) this.seek(mark.positionS);
   }
 
   #ask(change) {
@@ -80,6 +81,7 @@ export class Playback {
 
   // Another server, or the same one after a break.
   greet(isPlayback) {
+    this.on = isPlayback;
     this.state = null;
     this.pending = this.dragged = null;
     document.documentElement.toggleAttribute('data-playback', isPlayback);

@@ -128,6 +128,7 @@ export class MockExercise {
         orders: 0,
         refuse: null,
         coastAsked: [],
+        playedMarks: [],
       },
       options,
     );
@@ -136,8 +137,8 @@ export class MockExercise {
   }
 
   state() {
-    const { exerciseS, frozen, rate, ships, snapshots, marks, canUndo, lastBy, lastOrder, orders } = this;
-    return { exerciseS, frozen, rate, ships, snapshots, marks, canUndo, lastBy, lastOrder, orders };
+    const { exerciseS, frozen, rate, ships, snapshots, marks, canUndo, lastBy, lastOrder, orders, playedMarks } = this;
+    return { exerciseS, frozen, rate, ships, snapshots, marks, canUndo, lastBy, lastOrder, orders, playedMarks };
   }
 
   // Ships go where they head; called as often as states are sent.

@@ -69,6 +69,7 @@ void write_second(const RecordedScene& scene, int second, RecordingWriter& write
   target.set_longitude_deg(5.0 + second * 0.01);
   target.add_radars(scene.radars.back());
   if (scene.traffic) add(writer, {Kind::traffic, 0, 0}, time, traffic);
+  if (scene.exercise) add(writer, {Kind::exercise}, time, recorded_exercise(scene, second));
 }
 
 void write_scene(const RecordedScene& scene, RecordingWriter& writer) {
@@ -84,6 +85,7 @@ void write_scene(const RecordedScene& scene, RecordingWriter& writer) {
       recording::Event event;
       event.set_kind(recording::Event::MARK);
       event.set_text(mark->second);
+      event.set_mark_kind(scene.mark_kind);
       add(writer, {Kind::event, 0, 0}, kRecordedAt + mark->first, event);
     }
     for (const std::uint32_t radar : scene.radars) {
@@ -118,6 +120,29 @@ Spoke recorded_spoke(const RecordedScene& scene, std::uint32_t radar, std::uint3
     spoke.cells[cell] = static_cast<std::uint8_t>(n * 31 + cell * 7 + radar * 3 + view);
   }
   return spoke;
+}
+
+wire::ExerciseState recorded_exercise(const RecordedScene& scene, int second) {
+  wire::ExerciseState state;
+  state.set_exercise_s(2.0 * second);
+  state.set_rate(2.0);
+  state.set_can_undo("put");
+  state.add_snapshots("before");
+  state.set_last_order("put");
+  wire::ExerciseShip& own = *state.add_ships();
+  own.set_own(true);
+  own.set_name("own");
+  own.set_latitude_deg(60.0 + second * 0.001);
+  own.set_longitude_deg(5.0);
+  own.add_radars(scene.radars.back());
+  own.add_radars(77);  // not in the recording
+  wire::ExerciseShip& target = *state.add_ships();
+  target.set_number(1);
+  target.set_name("target");
+  target.set_latitude_deg(60.0 + second / 3600.0);
+  target.set_longitude_deg(5.0);
+  target.set_speed_kn(30.0);  // 30 miles in an hour of the exercise, which is half an hour
+  return state;
 }
 
 RecordedFile::RecordedFile(const RecordedScene& scene, const recording::WriterOptions& options)

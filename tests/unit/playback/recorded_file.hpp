@@ -25,14 +25,20 @@ struct RecordedScene {
   std::uint32_t first_scan = 1000;
   std::uint64_t first_sequence = 5'000'000;
   bool hello = true, settings = true, own_ship = true, traffic = true;
+  bool exercise = false;  // recorded_exercise() once a second
   // Changes a spoke before it is written; false: it is left out.
   std::function<bool(Spoke&)> change = {};
   std::vector<std::pair<Duration, std::string>> marks = {};
+  std::string mark_kind = {};  // of all of them
 };
 
 // The n-th spoke of a radar and view as the scene has it.
 Spoke recorded_spoke(const RecordedScene& scene, std::uint32_t radar, std::uint32_t view,
                      std::uint64_t n);
+
+// The exercise at a second of the recording: its clock goes twice as fast, and the places of an own
+// ship and a target tell which second it is.
+wire::ExerciseState recorded_exercise(const RecordedScene& scene, int second);
 
 // A file of it in a folder of its own, gone with this object.
 class RecordedFile {

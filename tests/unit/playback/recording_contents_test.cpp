@@ -336,11 +336,14 @@ TEST(RecordedValues, EveryNumberHasARange) {
   for (const google::protobuf::Descriptor* message :
        {wire::Settings::descriptor(), wire::OwnShip::descriptor(), wire::ConState::descriptor(),
         wire::World::descriptor(), wire::RainCell::descriptor(), wire::RadarInfo::descriptor(),
-        wire::BlankedSectors::Sector::descriptor(), recording::Traffic::Item::descriptor()}) {
+        wire::BlankedSectors::Sector::descriptor(), recording::Traffic::Item::descriptor(),
+        wire::ExerciseState::descriptor(), wire::ExerciseShip::descriptor(),
+        wire::ExerciseMark::descriptor(), wire::PlayedMark::descriptor(),
+        wire::Waypoint::descriptor(), wire::Faults::descriptor()}) {
     for (int i = 0; i < message->field_count(); ++i) {
       const auto& field = *message->field(i);
       if (field.cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_DOUBLE) continue;
-      EXPECT_TRUE(has_range(field.name())) << message->name() << "." << field.name();
+      EXPECT_TRUE(has_range(field)) << message->name() << "." << field.name();
     }
   }
 }
@@ -369,7 +372,7 @@ class Request : public testing::Test {
   Request() {
     summary_.begin = kRecordedAt;
     summary_.end = kRecordedAt + 100s;
-    summary_.marks = {{kRecordedAt + 10s, "departure"}, {kRecordedAt + 90s, "departure"}};
+    summary_.marks = {{kRecordedAt + 10s, "departure", ""}, {kRecordedAt + 90s, "departure", ""}};
   }
   PlayOrder order() const {
     auto order = play_order(request_, summary_);

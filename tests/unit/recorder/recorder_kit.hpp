@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -59,11 +60,26 @@ class RecordedHost : public FakeHost {
   explicit RecordedHost(std::uint32_t radars = 1, std::size_t ring_sectors = 64);
   const ExerciseInputs* exercise() const override { return has_exercise ? &inputs : nullptr; }
 
+  std::optional<wire::ExerciseState> exercise_state() const override {
+    const std::lock_guard lock(told_mutex_);
+    ++asked;
+    return told_;
+  }
+  mutable std::atomic<int> asked = 0;  // for the exercise's state
+  void tell(const wire::ExerciseState& state) {
+    const std::lock_guard lock(told_mutex_);
+    told_ = state;
+  }
+
   FakeExercise inputs;
   bool has_exercise = false;
 
   // The bytes of the wire::Spoke that publish() gives.
   std::string spoke_bytes(std::uint32_t radar, std::uint64_t sequence) const;
+
+ private:
+  mutable std::mutex told_mutex_;
+  std::optional<wire::ExerciseState> told_;
 };
 
 // Waits until `done`; false if it never comes.

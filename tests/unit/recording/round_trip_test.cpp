@@ -148,7 +148,7 @@ TEST(Recording, GivesOfOneTopicWhatWasInForce) {
         const auto last = reader->last_before(topic, kit::at(seconds));
         ASSERT_EQ(last.has_value(), expected.has_value()) << seconds;
         if (!last) continue;
-        EXPECT_EQ(std::string(last->begin(), last->end()), *expected);
+        EXPECT_EQ(std::string(last->bytes.begin(), last->bytes.end()), *expected);
       }
     }
     EXPECT_FALSE(reader->last_before({Kind::settings, 3}, kit::at(100)));

@@ -49,8 +49,8 @@ recording::Summary recorded() {
   summary.file = "exercise.mcap";
   summary.begin = UtcTime(std::chrono::seconds(1000));
   summary.end = UtcTime(std::chrono::seconds(1100));
-  summary.marks = {{summary.begin + std::chrono::seconds(5), "start"},
-                   {summary.begin + std::chrono::seconds(50), "contact"},
+  summary.marks = {{summary.begin + std::chrono::seconds(5), "start", ""},
+                   {summary.begin + std::chrono::seconds(50), "contact", ""},
                    {summary.begin + std::chrono::seconds(60), "contact"}};
   return summary;
 }

@@ -16,7 +16,8 @@ export class Exercise {
     this.tracks = new Tracks();
   }
 
-  take(state) {
+  // leapt: so much lies between this and the state before that nobody knows where ships sailed.
+  take(state, leapt = false) {
     this.state = state;
     this.byKey = new Map(state.ships.map((ship) => [keyOf(ship), ship]));
     const known = this.selection.filter((key) => this.byKey.has(key));
@@ -26,6 +27,7 @@ export class Exercise {
       state.ships
         .filter((ship) => !ship.removed)
         .map((ship) => ({ key: keyOf(ship), latitudeDeg: ship.latitudeDeg, longitudeDeg: ship.longitudeDeg })),
+      leapt,
     );
     this.changed();
   }

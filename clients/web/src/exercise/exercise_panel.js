@@ -4,7 +4,7 @@ import { $, write } from '../widgets.js';
 import { LiveField } from './live_field.js';
 
 const SURE_MS = 4000;
-const KINDS = {
+export const KINDS = {
   mark: 'Mark',
   event: 'Event',
   text: 'Text',

@@ -14,6 +14,7 @@ import { Exercise } from './exercise.js';
 import { ExercisePanel } from './exercise_panel.js';
 import { FaultsPanel } from './faults_panel.js';
 import { Orders } from './orders.js';
+import { Replay } from './replay.js';
 import { scenarioYaml } from './scenario_yaml.js';
 import { ShipList } from './ship_list.js';
 import { ShipsPanel } from './ships_panel.js';
@@ -55,7 +56,13 @@ function changed() {
   });
 }
 
+const PLAYED = 'A recording is played: orders change nothing in it';
+
 function send(values, what, radar = hello?.radars[0]?.radar ?? 0) {
+  if (replay.on) {
+    notify(PLAYED);
+    return null;
+  }
   const request = connection.set(radar, 0, { ...values, instructor: true }, token);
   if (request === null) {
     notify('Not connected: the order was not sent');
@@ -67,6 +74,7 @@ function send(values, what, radar = hello?.radars[0]?.radar ?? 0) {
 }
 
 const exercise = new Exercise(() => changed());
+const replay = new Replay((change) => connection.playback(change, token), notify);
 const orders = new Orders(send);
 const forms = new ToolForms();
 const tools = new Tools({ exercise, orders, forms, notify, changed: () => changed() });
@@ -128,12 +136,15 @@ const TAKERS = {
   hello: (message) => {
     hello = message;
     write('scenario', hello.scenario);
+    replay.greet(hello.playback);
+    if (replay.on) tools.cancel();
+    for (const part of document.querySelectorAll('#tab-weather .fields, #fault-table')) part.inert = replay.on;
     trainee.greet(hello.radars);
     subscribe();
   },
   exercise: (state) => {
     heardMs = performance.now();
-    exercise.take(state);
+    exercise.take(state, replay.takeExercise(state));
     forms.addClasses(new Set(state.ships.filter((ship) => !ship.own).map((ship) => ship.shipClass)));
     if (!chart.fitted) chart.fitAll();
   },
@@ -141,10 +152,12 @@ const TAKERS = {
     exercise.world = world;
     changed();
   },
+  playback: (state) => replay.take(state),
   coastline: (coastline) => coast.take(coastline),
   reply: (reply) => {
     const what = orderedBy.get(reply.request);
     orderedBy.delete(reply.request);
+    replay.takeReply(reply);
     if (coast.takeReply(reply)) notify(`No coast: ${reply.text}`);
     else if (reply.code !== 0) {
       const why = reply.text || REPLY_CODES[reply.code] || `code ${reply.code}`;
@@ -178,9 +191,11 @@ function look() {
   const silent = connection.state === 'live' && performance.now() - heardMs > SILENCE_MS;
   if (connection.state === 'waiting' || connection.state === 'connecting')
     alarm(hello ? 'Connection lost' : 'No connection to the server');
-  else if (silent && hello?.playback) alarm('A recording is played: there is no exercise to lead');
+  else if (replay.state && !replay.state.truth) alarm('This recording holds no truth: there are no ships to show');
+  else if (silent && replay.on) alarm('No news of the recording');
   else if (silent) alarm(exercise.state ? 'No news of the exercise' : 'This server tells nothing of an exercise');
   else alarm('');
+  replay.playback.showPosition();
   document.body.dataset.fresh = String(connection.state === 'live' && exercise.state !== null && !silent);
 }
 setInterval(look, LOOK_MS);
@@ -224,7 +239,7 @@ $('token').addEventListener('change', () => {
   if (hello && connection.state === 'live') subscribe();
 });
 
-const tool = (name) => () => tools.take(name);
+const tool = (name) => () => (replay.on && name !== 'look' ? notify(PLAYED) : tools.take(name));
 bindKeys({
   l: tool('look'),
   m: tool('move'),
@@ -237,6 +252,11 @@ bindKeys({
   '=': () => toolbar.zoom(1),
   '-': () => toolbar.zoom(-1),
   f: () => clock.toggleFreeze(),
+  k: () => replay.playback.toggle(),
+  ',': () => replay.playback.step(-1),
+  '.': () => replay.playback.step(1),
+  '[': () => replay.toMark(-1),
+  ']': () => replay.toMark(1),
   z: () => {
     if (exercise.state?.canUndo) orders.exercise({ undo: true }, 'undo');
   },
@@ -267,6 +287,13 @@ window.skerry = {
     connection: connection.state,
     garbage: connection.garbage,
     exercise: exercise.state,
+    playback: replay.state,
+    tracks: [...exercise.tracks.of].map(([key, track]) => ({
+      key,
+      fromS: track[0]?.s,
+      toS: track.at(-1)?.s,
+      parts: exercise.tracks.partsOf(key, Infinity).length,
+    })),
     world: exercise.world,
     selection: exercise.selection,
     tool: tools.name,

@@ -14,8 +14,9 @@ export class Tracks {
     this.nowS = 0;
   }
 
-  // ships: { key, latitudeDeg, longitudeDeg } of all that are on the water.
-  take(nowS, ships) {
+  // ships: { key, latitudeDeg, longitudeDeg } of all that are on the water.  leapt: all tracks begin anew here, as
+  // after a seek.
+  take(nowS, ships, leapt = false) {
     // Back to a snapshot: what came after it has not been.
     if (nowS < this.nowS) {
       for (const [key, track] of this.of)
@@ -31,7 +32,7 @@ export class Tracks {
       const last = track.at(-1);
       const { latitudeDeg, longitudeDeg } = ship;
       const metres = last ? fromTo(last, ship).metres : 0;
-      const leap = last !== undefined && metres > LEAP_M + LEAP_MPS * (nowS - last.s);
+      const leap = last !== undefined && (leapt || metres > LEAP_M + LEAP_MPS * (nowS - last.s));
       if (last && !leap && nowS - last.s < EVERY_S) continue;
       track.push({ s: nowS, latitudeDeg, longitudeDeg, leap });
       while (track.length > MOST || track[0].s < nowS - KEPT_S) track.shift();

@@ -43,6 +43,7 @@ const SHIP_FIELDS = {
   29: ['aground', 'bool'],
 };
 const ExerciseMark = message({ 1: ['exerciseS', 'double'], 2: ['text', 'string'], 3: ['kind', 'string'] });
+const PlayedMark = message({ 1: ['positionS', 'double'], 2: ['text', 'string'], 3: ['kind', 'string'] });
 const CoastLine = message({ 1: ['points', ['sint32']], 2: ['closed', 'bool'], 3: ['water', 'bool'] });
 export const Coastline = message({
   1: ['latitudeDeg', 'double'],
@@ -69,6 +70,7 @@ export function exerciseState(faults) {
     8: ['lastBy', 'string'],
     9: ['lastOrder', 'string'],
     10: ['orders', 'uint64'],
+    11: ['playedMarks', [PlayedMark]],
   });
 }
 

@@ -53,14 +53,17 @@ test('ExerciseState is read as protobuf wrote it, field by field', () => {
     route: [filled('Waypoint'), { lat: 1, lon: 2 }],
     faults: filled('Faults'),
   };
-  const want = { ...filled('ExerciseState'), ships: [ship], marks: [filled('ExerciseMark')] };
+  const want = { ...filled('ExerciseState'), ships: [ship], marks: [filled('ExerciseMark')], playedMarks: [filled('PlayedMark')] };
   const { exercise } = decode({ exercise: want });
   assert.deepEqual({ ...exercise.ships[0].route[0] }, ship.route[0]);
   assert.equal(exercise.ships[0].route[1].speedKn, undefined, 'absent is not 0');
   assert.deepEqual({ ...exercise.ships[0].faults }, ship.faults);
   assert.deepEqual({ ...exercise.ships[0], route: [], faults: null }, { ...ship, route: [], faults: null });
   assert.deepEqual({ ...exercise.marks[0] }, want.marks[0]);
-  assert.deepEqual({ ...exercise, ships: [], marks: [] }, { ...want, ships: [], marks: [] });
+  assert.deepEqual({ ...exercise.playedMarks[0] }, want.playedMarks[0]);
+  const lists = { ships: [], marks: [], playedMarks: [] };
+  assert.deepEqual({ ...exercise, ...lists }, { ...want, ...lists });
+  assert.throws(() => decode({ exercise: { playedMarks: [{ positionS: NaN }] } }), WireError);
   assert.throws(() => decode({ exercise: { ships: [{ latitudeDeg: NaN }] } }), WireError);
   assert.throws(() => decode({ exercise: { ships: [{ route: [{ lat: Infinity, lon: 0 }] }] } }), WireError);
 });

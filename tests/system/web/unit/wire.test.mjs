@@ -215,7 +215,8 @@ test('states of recorder and playback are read as protobuf wrote them', () => {
   const recorder = { phase: 2, file: 'a.mcap', folder: '/var', fileBytes: 5e12, totalBytes: 6e12, seconds: 1.5, bytesPerSecond: 2e6,
     freeBytes: 7, spokes: 8, spokesLost: 9, marks: 10, problem: 'full', inputsOnly: true, allViews: true };
   const playback = { file: 'b.mcap', beginUtcNs: protobuf.util.Long.fromString('1790000000000000000'), lengthS: 60, positionS: 12.5, playing: true, rate: 10,
-    loop: true, marks: [{ positionS: 3, name: 'first' }, { positionS: 4, name: '' }], currentTimestamps: true, problem: 'byte 7' };
+    loop: true, marks: [{ positionS: 3, name: 'first' }, { positionS: 4, name: '' }], currentTimestamps: true, problem: 'byte 7',
+    truth: true, lastBy: 'console a', orders: 3 };
   const [first, second] = decode(Buffer.concat([frame({ recorder }), frame({ playback })]));
   assert.deepEqual({ ...first.recorder }, recorder);
   assert.deepEqual({ ...second.playback, beginUtcNs: null, marks: second.playback.marks.map((m) => ({ ...m })) }, { ...playback, beginUtcNs: null });
