@@ -129,7 +129,7 @@ TEST_F(Playback, WhatWasRecordedCannotBeSetAndWhatIsNonsenseIsRefused) {
   set.set_gain(70.0);
   const auto refused = console.set(set, kAnswerTime);
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().text, HasSubstr("playback"));
+  EXPECT_THAT(refused.error().text, HasSubstr("a recording is played"));
   const auto beyond = console.playback(seek_to(1e6), kAnswerTime);
   ASSERT_FALSE(beyond);
   EXPECT_THAT(beyond.error().text, HasSubstr("s long"));

@@ -105,14 +105,16 @@ async function open(path = 'instructor', options = TABLET) {
   return page;
 }
 
-// Where the file has a ship at a place in the recording: between its states on a straight line.
+// Where the file has a ship at a place in the recording: as its last state says, and on from there on a straight line.
 function recordedAt(positionS, name) {
-  const next = truth.findIndex((each) => each.positionS > positionS);
-  const [a, b] = [truth[next - 1], truth[next]];
-  const [from, to] = [a, b].map(({ ships }) => ships.find((ship) => ship.name === name));
-  const part = (positionS - a.positionS) / (b.positionS - a.positionS);
-  const between = (field) => from[field] + part * (to[field] - from[field]);
-  return { latitudeDeg: between('latitudeDeg'), longitudeDeg: between('longitudeDeg') };
+  const last = truth.findLast((each) => each.positionS <= positionS);
+  const { latitudeDeg, longitudeDeg, courseOverGroundDeg, speedKn } = last.ships.find((ship) => ship.name === name);
+  const course = (courseOverGroundDeg * Math.PI) / 180;
+  const minutes = (speedKn * last.rate * (positionS - last.positionS)) / 3600;
+  return {
+    latitudeDeg: latitudeDeg + (minutes * Math.cos(course)) / 60,
+    longitudeDeg: longitudeDeg + (minutes * Math.sin(course)) / 60 / Math.cos((latitudeDeg * Math.PI) / 180),
+  };
 }
 const metres = (a, b) => Math.hypot((a.latitudeDeg - b.latitudeDeg) * 111120,
   (a.longitudeDeg - b.longitudeDeg) * 111120 * Math.cos((a.latitudeDeg * Math.PI) / 180));
@@ -145,12 +147,12 @@ test('ships stand where the recording has them, wherever it is sought by touch a
     const { positionS } = (await state(page)).playback;
     found.push(positionS);
     // At four times the pace 18 kn are 37 m in a second of the recording.
-    for (const name of ['Tern', 'Ferry', 'Lyngen']) await shows(page, positionS, name, 2);
+    for (const name of ['Tern', 'Ferry', 'Lyngen']) await shows(page, positionS, name, 0.5);
   }
   await slider.focus();
   await page.keyboard.press('ArrowLeft');
   await until(page, 's.playback.positionS < value - 4', found.at(-1));
-  await shows(page, (await state(page)).playback.positionS, 'Tern', 2);
+  await shows(page, (await state(page)).playback.positionS, 'Tern', 0.5);
   assert.ok(metres(recordedAt(found[1], 'Tern'), recordedAt(found[2], 'Tern')) > 100, 'she sails');
   if (process.env.SHOTS) {
     await page.locator('#ship-list [data-key=own-0]').click();
@@ -208,7 +210,7 @@ test('of two instructors the last seek counts, and the other is told', async () 
   await other.locator('#playback-position').press('Home');
   await until(page, 's.playback.positionS === 0');
   await page.locator('.notice', { hasText: 'The recording was moved by' }).waitFor();
-  await shows(page, 0.2, 'Tern', 40);
+  await shows(page, 0, 'Tern', 40);
 });
 
 test('the command line has the same truth, and orders are refused with the reason', async () => {
@@ -216,7 +218,7 @@ test('the command line has the same truth, and orders are refused with the reaso
   const page = await open();
   const shown = JSON.parse(await at(server, 'exercise', 'show', '--json'));
   assert.deepEqual(shown.ships.map(({ name }) => name), ['Tern', 'Plain', 'Lyngen', 'Ferry']);
-  await shows(page, 6, 'Tern', 2);
+  await shows(page, 6, 'Tern', 0.5);
   await assert.rejects(at(server, 'exercise', 'mark', 'now'), /a recording is played/);
   await assert.rejects(at(server, 'play', '--server', 'seek', '9:00:00'), /out of range/);
   await page.keyboard.press('f');
@@ -235,7 +237,7 @@ test('a file that was cut is shown as far as it goes; inputs alone are refused w
   await until(page, 's.playback.positionS === s.playback.lengthS');
   await page.locator('#playback-position').press('ArrowLeft');
   await until(page, 'Math.abs(s.playback.positionS - value) < 0.1', lengthS - 5);
-  await shows(page, (await state(page)).playback.positionS, 'Tern', 2);
+  await shows(page, (await state(page)).playback.positionS, 'Tern', 0.5);
 
   const live = await startSkerryd(['--scenario', join(folder, 'debrief.yaml'), '--record-folder', folder]);
   await at(live, 'record', 'start', 'inputs', '--inputs-only');

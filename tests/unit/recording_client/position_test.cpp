@@ -51,7 +51,7 @@ recording::Summary recorded() {
   summary.end = UtcTime(std::chrono::seconds(1100));
   summary.marks = {{summary.begin + std::chrono::seconds(5), "start", ""},
                    {summary.begin + std::chrono::seconds(50), "contact", ""},
-                   {summary.begin + std::chrono::seconds(60), "contact"}};
+                   {summary.begin + std::chrono::seconds(60), "contact", ""}};
   return summary;
 }
 
