@@ -23,7 +23,7 @@ export class LiveField {
   #change() {
     const { element } = this;
     if (this.isNumber && (element.value === '' || !element.validity.valid)) {
-      this.#show(this.server, true);
+      this.#refuse();
       return;
     }
     const value = this.isNumber
@@ -37,6 +37,16 @@ export class LiveField {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.#settle(), WAIT_MS);
     this.send(value);
+  }
+
+  // What the server says stands again; the page hears what was wrong ("refused", a text).
+  #refuse() {
+    const { element } = this;
+    const name = element.ariaLabel ?? element.labels?.[0]?.textContent.trim() ?? 'This';
+    const range = element.min && element.max ? ` from ${element.min} to ${element.max}` : '';
+    const typed = element.value === '' ? '' : `, not ${element.value}`;
+    element.dispatchEvent(new CustomEvent('refused', { bubbles: true, detail: `${name}: a number${range}${typed}` }));
+    this.#show(this.server, true);
   }
 
   #settle() {

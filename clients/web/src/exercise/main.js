@@ -38,6 +38,7 @@ useControls(table);
 
 const notices = new Notices($('notices'));
 const notify = (text, kind) => notices.show(text, kind);
+document.addEventListener('refused', ({ detail }) => notify(detail));
 const picture = new PictureSettings();
 let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection = null,

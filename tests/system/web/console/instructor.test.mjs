@@ -306,6 +306,7 @@ test('weather: each field is an order, rain comes and goes', async () => {
   await page.locator('#weather-seaState').fill('9');
   await page.locator('#weather-seaState').press('Enter');
   assert.equal(await page.locator('#weather-seaState').inputValue(), '4', 'out of range');
+  assert.equal(await page.locator('#notices li').first().textContent(), 'Sea state: a number from 0 to 6, not 9');
   await page.locator('#rain-tool').click();
   await page.locator('#rain-radius').fill('1.5');
   await page.locator('#rain-rate').fill('20');
