@@ -24,10 +24,11 @@ struct BankPull {
 //   Her section areas S(x) are a line of sources U S'(x) (twice that for her and her mirror image
 //   in the surface).  Bank and bottom are plane mirrors.  R^2 = (x - y)^2 + 4 a^2 + 4 k^2 h^2:
 //   Lagally: Y / U^2 = rho / 2pi  int int S'(x) S'(y)  sum over all k of 2a / R^3  dx dy
-//   Flow across her stern, towards the bank: v / U = 1 / 2pi  int S'(y) sum of 2a / R^3 dy, x =
-//   -L/2 Her stern sheds the momentum m U v of that flow, m = -(4 rho h^2 / pi) ln cos(pi T / 2h),
-//   the added mass of a plate of her draught over a flat bottom (deep: rho pi T^2 / 2, the wing of
-//   R. T. Jones).  That force acts half a length astern: the moment that turns her bow out.
+//   Flow across her stern (x = -L/2), towards the bank:
+//            v / U = 1 / 2pi  int S'(y)  sum over all k of 2a / R^3  dy
+//   Her stern sheds the momentum m U v of that flow, half a length astern: the moment that turns
+//   her bow out.  m = -(4 rho h^2 / pi) ln cos(pi T / 2h): the added mass of a plate of her
+//   draught over a flat bottom (deep: rho pi T^2 / 2, the wing of R. T. Jones).
 // Assumed: parabolic ends and a parallel middle, alike fore and aft, with S = B T amidships where
 // the block coefficient is 2/3 or more; the flow leaves her stern as it leaves a wing's edge, over
 // all of her draught (astern: her bow); no waves (way well below sqrt(g h)).
