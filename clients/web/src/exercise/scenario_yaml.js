@@ -5,8 +5,9 @@ import { GIVE_WAY, ROUTE_END } from './wire.js';
 
 const RAIN_KIND_WORDS = ['cell', 'even', 'shower', 'squall_line'];
 const HEAD = `# Left out, because the server does not tell it: the settings and changes of radars (each has those of its set),
-# how a ship without a class answers, tide, coast, buoys, racons, turbines and cables, what a target shall begin later,
-# events and areas, faults, and all that a ship has done.  A ship that follows, fishes or lies at anchor keeps her course.
+# how a ship without a class answers, wind models, tide, streams, banks, coast, buoys, racons, turbines and cables, what a
+# target shall begin later, events, areas, the sheet and its checks, faults, and all that a ship has done.  A ship that
+# follows, fishes or lies at anchor keeps her course.
 `;
 
 // Quoted as JSON has it, which YAML reads; at most so many characters.
