@@ -20,7 +20,6 @@ namespace {
 constexpr double kMostTarget_mps = knots_in_mps(kMostLoggedSpeed_kn), kMostDriven_mps = 100.0,
                  kMoreWay_mps = 3.0;
 constexpr double kSearchSeconds = 5.0, kMargin_m = 30.0;
-constexpr double kLeastDegree_m = 110'000.0;  // of latitude
 
 PlanePoint plane_way(GeoPoint from, GeoPoint to) {
   const ShortWay way = short_way_between(from, to);

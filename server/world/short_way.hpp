@@ -5,6 +5,9 @@
 
 namespace skerry::server {
 
+// No degree of latitude, and none of the equator, is shorter: for what may be near.
+inline constexpr double kLeastDegree_m = 110'000.0;
+
 // Metres to the north and to the east.
 struct ShortWay {
   double north_m = 0.0, east_m = 0.0;

@@ -10,7 +10,6 @@
 namespace skerry::server {
 namespace {
 
-constexpr double kLeastDegree_m = 110'000.0;  // of latitude, or of the equator
 constexpr double kSame_m = 1e-6;
 
 PlanePoint plane_way_to(GeoPoint from, GeoPoint to) {
