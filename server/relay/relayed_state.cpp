@@ -121,7 +121,8 @@ bool RelayedState::take(const recording::Topic& topic, UtcTime time,
       if (!parse(bytes, exercise)) return false;
       make_tellable(exercise, radars);
       const std::lock_guard lock(mutex_);
-      exercise_ = {time, std::move(exercise)};
+      exercise_ = std::move(exercise);
+      exercise_time_ = time;
       return true;
     }
     default:
@@ -209,12 +210,11 @@ std::vector<TrafficItem> RelayedState::traffic(UtcTime now) const {
 
 std::optional<wire::ExerciseState> RelayedState::exercise(UtcTime now) const {
   std::unique_lock lock(mutex_);
-  if (!exercise_) return std::nullopt;
-  wire::ExerciseState state = exercise_->value;
-  const double since_s = sailed_s(exercise_->time, now);
+  std::optional<wire::ExerciseState> told = exercise_;
+  const double since_s = sailed_s(exercise_time_, now);
   lock.unlock();
-  sail_on(state, since_s);
-  return state;
+  if (told) sail_on(*told, since_s);
+  return told;
 }
 
 std::uint64_t RelayedState::settings_version() const {

@@ -57,7 +57,8 @@ class RelayedState {
   std::map<std::uint32_t, Timed<wire::OwnShip>> own_ships_;
   wire::World world_;
   Timed<std::vector<TrafficItem>> traffic_;
-  std::optional<Timed<wire::ExerciseState>> exercise_;
+  std::optional<wire::ExerciseState> exercise_;
+  UtcTime exercise_time_{};
   std::uint64_t settings_version_ = 1, world_version_ = 1;
 };
 
