@@ -66,7 +66,7 @@ Player::Player(const recording::RecordingReader& reader, const RecordedRadars& r
       first_[topic] = {item->bytes.begin(), item->bytes.end()};
     }
   }
-  begin_at(begin_);
+  begin_at(begin_, begin_);
   orders_.seek = paused_at_;
 }
 
@@ -191,10 +191,7 @@ void Player::step(int turns) {
 void Player::jump(UtcTime place) {
   UtcTime from = place;
   for (TurnFinder& finder : turns_) from = std::min(from, finder.turn_before(place));
-  begin_at(from);
-  for (const auto& [topic, first] : first_) {
-    if (is_truth(topic.kind)) take_last(topic, place);
-  }
+  begin_at(from, place);
   joins_seen_ = joins();
   joined_at_ = UtcTime::min();
   const std::lock_guard lock(mutex_);
@@ -207,10 +204,11 @@ void Player::jump(UtcTime place) {
   }
 }
 
-void Player::begin_at(UtcTime from) {
+void Player::begin_at(UtcTime from, UtcTime place) {
   next_.reset();
   pieces_.seek(from);
-  for (const auto& [topic, first] : first_) take_last(topic, from);
+  // Truth goes from where it was to the place: whoever asks meanwhile gets one or the other.
+  for (const auto& [topic, first] : first_) take_last(topic, is_truth(topic.kind) ? place : from);
   for (const auto& radar : views_) {
     const auto views = radar->get();
     for (const RelayedViewPtr& view : *views) view->begin_anew();
@@ -323,7 +321,7 @@ void Player::reach_end() {
   SteadyTime again = std::max(clock_.due(end_), now - kGiveUp / 2);
   if (clock_.due(end_) - clock_.due(begin_) < kShortestRound) again = now + kShortestRound;
   lock.unlock();
-  begin_at(begin_);
+  begin_at(begin_, begin_);
   lock.lock();
   clock_.set(begin_, again, rate_);
 }

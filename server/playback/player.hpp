@@ -108,7 +108,8 @@ class Player {
 
   void jump(UtcTime place);  // with the turn before it
   void step(int turns);
-  void begin_at(UtcTime from);  // what is in force there, and the first item next
+  // What is in force there, and the first item next; truth is that of `place`.
+  void begin_at(UtcTime from, UtcTime place);
   void take_last(const recording::Topic& topic, UtcTime place);
   void reach(UtcTime goal);
   void reach_end();
