@@ -1,11 +1,9 @@
 #include "server/app/shore_thread.hpp"
 
-#include <pthread.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
 #include "server/world/short_way.hpp"
@@ -24,27 +22,15 @@ ShoreThread::ShoreThread(Timeline& timeline, CoastService& coast, InputLog& inpu
           [this](std::size_t own_ship, GeoPoint at) { ground(own_ship, at); }) {}
 
 void ShoreThread::start() {
-  thread_ = std::jthread([this](const std::stop_token& stop) {
-    pthread_setname_np(pthread_self(), "shore");
-    work(stop);
-  });
+  thread_.start("shore", kPause, [this](const std::stop_token& stop) { look(stop); });
 }
 
-void ShoreThread::stop() { thread_ = {}; }
-
-void ShoreThread::work(const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any stopped;
-  std::unique_lock lock(mutex);
-  ScenarioTime next{};
-  while (!stop.stop_requested()) {
-    const ScenarioTime now = now_();
-    // After a long halt of the machine: what is still kept.
-    next = std::max(next, now - World::kTick * static_cast<std::int64_t>(Timeline::kKept - 1));
-    for (; next <= now && !stop.stop_requested(); next += World::kTick) {
-      watch_.look(*timeline_.at(next));
-    }
-    stopped.wait_for(lock, stop, kPause, [&] { return stop.stop_requested(); });
+void ShoreThread::look(const std::stop_token& stop) {
+  const ScenarioTime now = now_();
+  // After a long halt of the machine: what is still kept.
+  next_ = std::max(next_, now - World::kTick * static_cast<std::int64_t>(Timeline::kKept - 1));
+  for (; next_ <= now && !stop.stop_requested(); next_ += World::kTick) {
+    watch_.look(*timeline_.at(next_));
   }
 }
 

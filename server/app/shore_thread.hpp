@@ -2,9 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <thread>
+#include <stop_token>
 
 #include "server/app/shore_watch.hpp"
+#include "server/core/paced_thread.hpp"
 #include "server/radar/coast_service.hpp"
 #include "server/replay/input_log.hpp"
 #include "server/world/timeline.hpp"
@@ -24,17 +25,18 @@ class ShoreThread {
               std::function<ScenarioTime()> now);
   void start();
   // Ends the thread.  Before the coast's.
-  void stop();
+  void stop() { thread_.stop(); }
 
  private:
-  void work(const std::stop_token& stop);
+  void look(const std::stop_token& stop);
   void ground(std::size_t own_ship, GeoPoint at);
 
   Timeline& timeline_;
   InputLog& inputs_;
   std::function<ScenarioTime()> now_;
   ShoreWatch watch_;
-  std::jthread thread_;
+  ScenarioTime next_{};  // to be looked at
+  PacedThread thread_;
 };
 
 }  // namespace skerry::server

@@ -1,11 +1,7 @@
 #include "server/radar/rain_ahead.hpp"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
 #include "server/radar/laid_fixtures.hpp"
@@ -37,22 +33,8 @@ RainAhead::RainAhead(Timeline& timeline, std::uint64_t seed, std::function<Scena
     : timeline_(timeline), seed_(seed), now_(std::move(now)) {}
 
 void RainAhead::start() {
-  thread_ = std::jthread([this](const std::stop_token& stop) {
-    pthread_setname_np(pthread_self(), "rain");
-    work(stop);
-  });
-}
-
-void RainAhead::stop() { thread_ = {}; }
-
-void RainAhead::work(const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any stopped;
-  std::unique_lock lock(mutex);
-  while (!stop.stop_requested()) {
-    make(*timeline_.latest(), seed_, now_());
-    stopped.wait_for(lock, stop, kPause, [&] { return stop.stop_requested(); });
-  }
+  thread_.start("rain", kPause,
+                [this](const std::stop_token&) { make(*timeline_.latest(), seed_, now_()); });
 }
 
 }  // namespace skerry::server

@@ -4,11 +4,10 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <stop_token>
-#include <thread>
 #include <vector>
 
 #include "echo/rain/rain_map.hpp"
+#include "server/core/paced_thread.hpp"
 #include "server/world/timeline.hpp"
 
 namespace skerry::server {
@@ -34,15 +33,13 @@ class RainAhead {
   // The timeline must outlive it.  `now`: the scenario's time.
   RainAhead(Timeline& timeline, std::uint64_t seed, std::function<ScenarioTime()> now);
   void start();
-  void stop();
+  void stop() { thread_.stop(); }
 
  private:
-  void work(const std::stop_token& stop);
-
   Timeline& timeline_;
   std::uint64_t seed_;
   std::function<ScenarioTime()> now_;
-  std::jthread thread_;
+  PacedThread thread_;
 };
 
 }  // namespace skerry::server

@@ -49,6 +49,13 @@ std::int64_t begin_of(const LoggedPiece& piece) { return piece.fixes.front().utc
 
 }  // namespace
 
+bool TrackBook::Doubted::agree_with(const LogFix& fix) {
+  const bool agrees = count > 0 && fix.utc_ms - last.utc_ms >= kLeast_ms && can_sail(last, fix);
+  count = agrees ? count + 1 : 1;
+  last = fix;
+  return count >= kStraysThatAgree;
+}
+
 bool TrackBook::Ship::has_finished(std::int64_t utc_ms) const {
   // Nearly always the time is after all of them.
   for (auto each = pieces.rbegin(); each != pieces.rend(); ++each) {
@@ -113,17 +120,13 @@ void TrackBook::take(const HeardFix& heard) {
   if (!ship.last) return begin_piece(ship, fix, heard);
   if (ship.has_finished(fix.utc_ms)) return left_out_.add(LeftOut::time_back);
   if (fix.utc_ms - ship.last->utc_ms < kLeast_ms) return take_earlier(ship, fix, heard);
-  ship.backs = 0;
+  ship.backs.count = 0;
   if (!can_sail(*ship.last, fix)) {
-    const bool agrees =
-        ship.strays > 0 && fix.utc_ms - ship.stray.utc_ms >= kLeast_ms && can_sail(ship.stray, fix);
-    ship.strays = agrees ? ship.strays + 1 : 1;
-    ship.stray = fix;
-    if (ship.strays < kStraysThatAgree) return left_out_.add(LeftOut::jump);
+    if (!ship.strays.agree_with(fix)) return left_out_.add(LeftOut::jump);
     end_piece(ship);
     return begin_piece(ship, fix, heard);
   }
-  ship.strays = 0;
+  ship.strays.count = 0;
   if (Duration(std::chrono::milliseconds(fix.utc_ms - ship.last->utc_ms)) > rules_.gap ||
       ship.has_begun_since_last(fix.utc_ms)) {
     end_piece(ship);
@@ -138,11 +141,7 @@ void TrackBook::take(const HeardFix& heard) {
 
 void TrackBook::take_earlier(Ship& ship, const LogFix& fix, const HeardFix& heard) {
   if (fix.utc_ms >= ship.piece.fixes.front().utc_ms) return left_out_.add(LeftOut::time_back);
-  const bool agrees =
-      ship.backs > 0 && fix.utc_ms - ship.back.utc_ms >= kLeast_ms && can_sail(ship.back, fix);
-  ship.backs = agrees ? ship.backs + 1 : 1;
-  ship.back = fix;
-  if (ship.backs < kStraysThatAgree) return left_out_.add(LeftOut::time_back);
+  if (!ship.backs.agree_with(fix)) return left_out_.add(LeftOut::time_back);
   end_piece(ship);
   begin_piece(ship, fix, heard);
 }
@@ -154,7 +153,7 @@ void TrackBook::begin_piece(Ship& ship, const LogFix& fix, const HeardFix& heard
   ship.piece.heard = 1;
   ship.block.assign(1, fix);
   ship.last = fix;
-  ship.strays = ship.backs = 0;
+  ship.strays.count = ship.backs.count = 0;
   ++used_;
 }
 

@@ -68,16 +68,21 @@ class TrackBook {
   std::vector<LoggedShip> finish();
 
  private:
+  // Fixes in turn that do not fit the track.
+  struct Doubted {
+    LogFix last;
+    unsigned count = 0;  // that agree with each other
+    // Whether so many do, with this one, that they are right.
+    bool agree_with(const LogFix& fix);
+  };
   struct Ship {
     HeardIdentity identity;
     std::vector<LoggedPiece> pieces;  // in the order of time, none within another's
     LoggedPiece piece;                // being made
     std::vector<LogFix> block;        // begins with the piece's last fix, once it has one
     std::optional<LogFix> last;       // used
-    LogFix stray;
-    unsigned strays = 0;
-    LogFix back;  // the last of those before the piece being made
-    unsigned backs = 0;
+    Doubted strays;                   // too far away
+    Doubted backs;                    // before the piece being made
 
     bool has_finished(std::int64_t utc_ms) const;
     // Whether a finished piece begins after the last fix and not after that time.

@@ -21,11 +21,6 @@ constexpr double kMostTarget_mps = knots_in_mps(kMostLoggedSpeed_kn), kMostDrive
                  kMoreWay_mps = 3.0;
 constexpr double kSearchSeconds = 5.0, kMargin_m = 30.0;
 
-PlanePoint plane_way(GeoPoint from, GeoPoint to) {
-  const ShortWay way = short_way_between(from, to);
-  return {way.east_m, way.north_m};
-}
-
 double half_size_m(const ShipState& ship) { return 0.5 * (ship.length_m + ship.beam_m); }
 
 double most_mps(const ShipState& own) {
@@ -45,7 +40,7 @@ PlanePoint plane_velocity(const ShipState& ship) {
 bool may_meet(const ShipState& own, const ShipState& other, double reach_m) {
   const double north_deg = other.position.latitude_deg - own.position.latitude_deg;
   if (std::fabs(north_deg) * kLeastDegree_m > reach_m) return false;
-  const PlanePoint way = plane_way(own.position, other.position);
+  const PlanePoint way = plane_way_between(own.position, other.position);
   return dot(way, way) <= reach_m * reach_m;
 }
 
@@ -80,7 +75,7 @@ void Contacts::search(const std::vector<ShipState>& own_ships,
 }
 
 bool Contacts::look(Pair& pair, const ShipState& own, const ShipState& other, double& share) {
-  const PlanePoint way = plane_way(own.position, other.position);
+  const PlanePoint way = plane_way_between(own.position, other.position);
   PlanePoint from = pair.looked ? pair.way : way;
   const PlanePoint moved = way - from;
   if (dot(moved, moved) > kMostStep_m * kMostStep_m) from = way;

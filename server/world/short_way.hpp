@@ -22,5 +22,9 @@ inline constexpr double kShortWay_m = 50.0, kShortWayLatitude_deg = 80.0;
 // The way from one place to another along a rhumb line, the shorter way round.  Off by 1e-4 of its
 // length at 100 NM in 60 deg of latitude, less when shorter: for steering by.
 ShortWay short_way_between(GeoPoint from, GeoPoint to);
+inline PlanePoint plane_way_between(GeoPoint from, GeoPoint to) {
+  const ShortWay way = short_way_between(from, to);
+  return {way.east_m, way.north_m};
+}
 
 }  // namespace skerry::server

@@ -81,7 +81,8 @@ const PlaybackMark = message({ 1: ['positionS', 'double'], 2: ['name', 'string']
 const PlaybackState = message({
   1: ['file', 'string'], 2: ['beginUtcNs', 'fixed64'], 3: ['lengthS', 'double'], 4: ['positionS', 'double'],
   5: ['playing', 'bool'], 6: ['rate', 'double'], 7: ['loop', 'bool'], 8: ['marks', [PlaybackMark]],
-  9: ['currentTimestamps', 'bool'], 10: ['problem', 'string'], 11: ['truth', 'bool'], 12: ['lastBy', 'string'], 13: ['orders', 'uint64'],
+  9: ['currentTimestamps', 'bool'], 10: ['problem', 'string'],
+  11: ['truth', 'bool'], 12: ['lastBy', 'string'], 13: ['orders', 'uint64'],
 });
 let ServerMessage, setFields, worldFields, faultTable;
 
@@ -144,7 +145,8 @@ export function decodeFrames(bytes, take) {
 
 function partsOf(exercise) {
   if (!exercise) return [];
-  return [exercise, ...exercise.ships, ...exercise.marks, ...exercise.playedMarks, ...exercise.ships.flatMap((ship) => [ship.faults, ...ship.route])];
+  const { ships, marks, playedMarks } = exercise;
+  return [exercise, ...ships, ...marks, ...playedMarks, ...ships.flatMap((ship) => [ship.faults, ...ship.route])];
 }
 
 function checkHello(hello, at) {

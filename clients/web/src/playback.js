@@ -1,4 +1,5 @@
-// Playback: what comes was recorded; where in it we are, and how it is played. Of the console and the instructor's page.
+// Playback: what comes was recorded; where in it we are, and how it is played. Of the console and the instructor's
+// page.
 import { $ } from './widgets.js';
 import { duration, utcClock } from './format.js';
 

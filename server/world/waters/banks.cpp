@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kSame_m = 1e-6;
 
-PlanePoint plane_way_to(GeoPoint from, GeoPoint to) {
-  const ShortWay way = short_way_between(from, to);
-  return {way.east_m, way.north_m};
-}
-
 double east_of(GeoPoint from, GeoPoint to) {
   return wrapped_longitude(to.longitude_deg - from.longitude_deg);
 }
@@ -55,9 +50,9 @@ std::vector<NearWall> Banks::near(GeoPoint at, double reach_m) const {
   std::vector<NearWall> all;
   for (const Line& line : lines_) {
     if (!may_reach(line, at, reach_m)) continue;
-    PlanePoint from = plane_way_to(at, line.points.front());
+    PlanePoint from = plane_way_between(at, line.points.front());
     for (std::size_t i = 1; i < line.points.size(); ++i) {
-      const PlanePoint to = plane_way_to(at, line.points[i]), part = to - from;
+      const PlanePoint to = plane_way_between(at, line.points[i]), part = to - from;
       const double along = std::clamp(-dot(from, part) / dot(part, part), 0.0, 1.0);
       const PlanePoint way = from + part * along;
       const double square = dot(way, way);
@@ -81,9 +76,9 @@ const std::string* Banks::touched_by(GeoPoint at, const HullOutline& hull) const
   for (const PlanePoint corner : hull) reach_m = std::max(reach_m, length_of(corner));
   for (const Line& line : lines_) {
     if (!may_reach(line, at, reach_m)) continue;
-    PlanePoint from = plane_way_to(at, line.points.front());
+    PlanePoint from = plane_way_between(at, line.points.front());
     for (std::size_t i = 1; i < line.points.size(); ++i) {
-      const PlanePoint to = plane_way_to(at, line.points[i]);
+      const PlanePoint to = plane_way_between(at, line.points[i]);
       // An outline without an inside.
       if (outlines_touch(hull, {from, to, to, to, from}, {})) return &line.name;
       from = to;

@@ -271,7 +271,8 @@ TEST(Exercise, ADriftingGyroTurnsAShipWhoseAutopilotKeepsAHeading) {
 TEST(Exercise, EventsHappenByTimeOrderAndPlace) {
   World world = world_of(R"(
 events:
-  - {name: Squall, at_min: 1, weather: {sea_state: 5, wind_kn: 40, visibility_nm: 0.5, rain: [{latitude_deg: 60.02, longitude_deg: 2.0}]}, text: A squall comes}
+  - {name: Squall, at_min: 1, text: A squall comes,
+     weather: {sea_state: 5, wind_kn: 40, visibility_nm: 0.5, rain: [{latitude_deg: 60.02, longitude_deg: 2.0}]}}
   - {name: Later, after: Squall, after_min: 0.5, own_ships: [{own_ship: Alfa, faults: {gyro_lost: true}, text: Your gyro is gone}]}
   - {name: Near, ship: Alfa, within_of: Kilo, within_nm: 4, own_ships: [{own_ship: Bravo, course_deg: 200}]}
   - {name: Inside, ship: Alfa, enters: Box, mark: in the box}

@@ -13,16 +13,6 @@ namespace {
 
 const std::string kDenseFog = "atmosphere: {visibility_nm: 0.1}\n";
 
-std::string fog_ship(const std::string& name, double north_nm, double east_nm, double course,
-                     double speed, const std::string& rest = "gives_way: early",
-                     const std::string& ship_class = "coaster") {
-  const GeoPoint at = advanced({60.0, 5.0}, ShortWay{north_nm * kMile, east_nm * kMile});
-  return "  - {name: " + name + ", ship_class: " + ship_class +
-         ", position: {lat: " + std::to_string(at.latitude_deg) +
-         ", lon: " + std::to_string(at.longitude_deg) + "}, course_deg: " + std::to_string(course) +
-         ", speed_kn: " + std::to_string(speed) + ", " + rest + "}\n";
-}
-
 // Of one ship: the most that she was off her course, to either side, deg.
 struct Turned {
   double to_starboard = 0.0, to_port = 0.0;
@@ -102,7 +92,7 @@ TEST(Fog, SafeSpeedFallsEvenlyToHalfAndKeepsSteerageWay) {
 
 TEST(Fog, HeadOnBothTurnToStarboard) {
   const FogMeeting meeting = meet_in_fog(
-      kDenseFog + "targets:\n" + fog_ship("A", -5, 0, 0, 12) + fog_ship("B", 5, 0, 180, 12), 0,
+      kDenseFog + "targets:\n" + ship_line("A", -5, 0, 0, 12) + ship_line("B", 5, 0, 180, 12), 0,
       180);
   tell_meeting("head on in fog", meeting);
   EXPECT_GT(meeting.nearest_nm, 0.4);
@@ -115,11 +105,11 @@ TEST(Fog, HeadOnBothTurnToStarboard) {
 }
 
 TEST(Fog, CrossingBothAlterToStarboardAlsoWhoWouldStandOn) {
-  const std::string ships = "targets:\n" + fog_ship("A", -5, 0, 0, 12);
+  const std::string ships = "targets:\n" + ship_line("A", -5, 0, 0, 12);
   // She is on A's starboard side, and then on her port side.
-  const FogMeeting right = meet_in_fog(kDenseFog + ships + fog_ship("B", 0, 5, 270, 12), 0, 270);
+  const FogMeeting right = meet_in_fog(kDenseFog + ships + ship_line("B", 0, 5, 270, 12), 0, 270);
   tell_meeting("crossing in fog from starboard", right);
-  const FogMeeting left = meet_in_fog(kDenseFog + ships + fog_ship("B", 0, -5, 90, 12), 0, 90);
+  const FogMeeting left = meet_in_fog(kDenseFog + ships + ship_line("B", 0, -5, 90, 12), 0, 90);
   tell_meeting("crossing in fog from port", left);
   for (const FogMeeting& meeting : {right, left}) {
     EXPECT_GT(meeting.nearest_nm, 0.4);
@@ -130,14 +120,14 @@ TEST(Fog, CrossingBothAlterToStarboardAlsoWhoWouldStandOn) {
     EXPECT_TRUE(meeting.first.back_on_course);
     EXPECT_TRUE(meeting.second.back_on_course);
   }
-  const FogMeeting seen = meet_in_fog(ships + fog_ship("B", 0, 5, 270, 12), 0, 270);
+  const FogMeeting seen = meet_in_fog(ships + ship_line("B", 0, 5, 270, 12), 0, 270);
   EXPECT_LT(seen.second.to_starboard, 1e-6) << "rule 17: in sight she stands on";
 }
 
 // She acts alone: the other knows no rules.
 TEST(Fog, WhoWouldStandOnKeepsClearAlone) {
-  const FogMeeting meeting = meet_in_fog(kDenseFog + "targets:\n" + fog_ship("A", -5, 0, 0, 6) +
-                                             fog_ship("B", 0, -5, 90, 6, "gives_way: never"),
+  const FogMeeting meeting = meet_in_fog(kDenseFog + "targets:\n" + ship_line("A", -5, 0, 0, 6) +
+                                             ship_line("B", 0, -5, 90, 6, "gives_way: never"),
                                          0, 90);
   tell_meeting("one from port in fog that does nothing", meeting);
   EXPECT_GT(meeting.nearest_nm, 0.4);
@@ -149,8 +139,8 @@ TEST(Fog, WhoWouldStandOnKeepsClearAlone) {
 TEST(Fog, OvertakingBothKeepClearAndNobodyTurnsTowardsTheOther) {
   // Astern of B by 3 NM, a little to her starboard.
   const FogMeeting meeting = meet_in_fog(
-      kDenseFog + "targets:\n" + fog_ship("A", -3, 0.35, 0, 20, "gives_way: early", "container") +
-          fog_ship("B", 0, 0, 0, 6),
+      kDenseFog + "targets:\n" + ship_line("A", -3, 0.35, 0, 20, "gives_way: early", "container") +
+          ship_line("B", 0, 0, 0, 6),
       0, 0);
   tell_meeting("overtaking in fog", meeting);
   EXPECT_GT(meeting.nearest_nm, 0.4);
@@ -161,20 +151,20 @@ TEST(Fog, OvertakingBothKeepClearAndNobodyTurnsTowardsTheOther) {
 }
 
 TEST(Fog, WhoIsOvertakenTurnsAwayFromOneWhoDoesNothing) {
-  const std::string overtaker = fog_ship("A", -3, 0.2, 0, 20, "gives_way: never", "container");
+  const std::string overtaker = ship_line("A", -3, 0.2, 0, 20, "gives_way: never", "container");
   const FogMeeting meeting =
-      meet_in_fog(kDenseFog + "targets:\n" + overtaker + fog_ship("B", 0, 0, 0, 6), 0, 0);
+      meet_in_fog(kDenseFog + "targets:\n" + overtaker + ship_line("B", 0, 0, 0, 6), 0, 0);
   tell_meeting("overtaken in fog from starboard", meeting);
   EXPECT_GT(meeting.nearest_nm, 0.4);
   EXPECT_GT(meeting.second.to_port, 25.0);
   EXPECT_LT(meeting.second.to_starboard, 1.0);
-  const FogMeeting seen = meet_in_fog("targets:\n" + overtaker + fog_ship("B", 0, 0, 0, 6), 0, 0);
+  const FogMeeting seen = meet_in_fog("targets:\n" + overtaker + ship_line("B", 0, 0, 0, 6), 0, 0);
   EXPECT_LT(seen.second.to_port, 1e-6) << "rule 17: in sight she stands on";
 }
 
 TEST(Fog, SlowsThoseWhoObeyTheRulesUnlessTheyAreOrdered) {
-  TrafficRun run(kDenseFog + "targets:\n" + fog_ship("A", 0, 0, 0, 12) +
-                 fog_ship("B", 20, 0, 0, 12, "gives_way: never"));
+  TrafficRun run(kDenseFog + "targets:\n" + ship_line("A", 0, 0, 0, 12) +
+                 ship_line("B", 20, 0, 0, 12, "gives_way: never"));
   run.step_to(1200.0);
   EXPECT_NEAR(run.ship(0).speed_mps / knots_in_mps(1.0), 12.0 * (0.5 + 0.5 * 0.1 / 3.0), 0.01);
   EXPECT_NEAR(run.ship(1).speed_mps / knots_in_mps(1.0), 12.0, 1e-6);

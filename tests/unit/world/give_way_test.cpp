@@ -11,16 +11,6 @@
 namespace skerry::server {
 namespace {
 
-std::string ship(const std::string& name, double north_nm, double east_nm, double course,
-                 double speed, const std::string& rest = "gives_way: early",
-                 const std::string& ship_class = "coaster") {
-  const GeoPoint at = advanced({60.0, 5.0}, ShortWay{north_nm * kMile, east_nm * kMile});
-  return "  - {name: " + name + ", ship_class: " + ship_class +
-         ", position: {lat: " + std::to_string(at.latitude_deg) +
-         ", lon: " + std::to_string(at.longitude_deg) + "}, course_deg: " + std::to_string(course) +
-         ", speed_kn: " + std::to_string(speed) + ", " + rest + "}\n";
-}
-
 struct Meeting {
   double nearest_m = 1e9;
   double most_altered_first = 0.0, most_altered_second = 0.0;  // deg, either way
@@ -81,7 +71,7 @@ TEST(GiveWay, FindsTheNearestPoint) {
 
 TEST(GiveWay, CrossingTheOneWithTheOtherToStarboardGoesAstern) {
   // They would meet in the middle after half an hour.
-  const std::string a = ship("A", -6, 0, 0, 12), b = ship("B", 0, 6, 270, 12);
+  const std::string a = ship_line("A", -6, 0, 0, 12), b = ship_line("B", 0, 6, 270, 12);
   const Meeting meeting = meet(a, b, 0.0, 270.0);
   std::printf("crossing: %.2f NM, altered by %.0f deg\n", meeting.nearest_m / kMile,
               meeting.most_altered_first);
@@ -93,7 +83,8 @@ TEST(GiveWay, CrossingTheOneWithTheOtherToStarboardGoesAstern) {
 }
 
 TEST(GiveWay, HeadOnBothTurnToStarboard) {
-  const Meeting meeting = meet(ship("A", -6, 0, 0, 12), ship("B", 6, 0, 180, 12), 0.0, 180.0);
+  const Meeting meeting =
+      meet(ship_line("A", -6, 0, 0, 12), ship_line("B", 6, 0, 180, 12), 0.0, 180.0);
   std::printf("head on: %.2f NM\n", meeting.nearest_m / kMile);
   EXPECT_GT(meeting.nearest_m, 0.4 * kMile);
   EXPECT_GT(meeting.most_altered_first, 10.0);
@@ -103,8 +94,8 @@ TEST(GiveWay, HeadOnBothTurnToStarboard) {
 }
 
 TEST(GiveWay, TheOvertakerKeepsClear) {
-  const Meeting meeting = meet(ship("A", -3, 0, 0, 16, "gives_way: early", "container"),
-                               ship("B", 0, 0, 0, 8), 0.0, 0.0);
+  const Meeting meeting = meet(ship_line("A", -3, 0, 0, 16, "gives_way: early", "container"),
+                               ship_line("B", 0, 0, 0, 8), 0.0, 0.0);
   std::printf("overtaking: %.2f NM\n", meeting.nearest_m / kMile);
   EXPECT_GT(meeting.nearest_m, 0.4 * kMile);
   EXPECT_GT(meeting.most_altered_first, 10.0);
@@ -115,7 +106,7 @@ TEST(GiveWay, TheOvertakerKeepsClear) {
 TEST(GiveWay, LateIsLaterAndCloser) {
   const std::string late = "gives_way: late";
   const Meeting meeting =
-      meet(ship("A", -6, 0, 0, 12, late), ship("B", 0, 6, 270, 12, late), 0.0, 270.0);
+      meet(ship_line("A", -6, 0, 0, 12, late), ship_line("B", 0, 6, 270, 12, late), 0.0, 270.0);
   std::printf("late: %.2f NM\n", meeting.nearest_m / kMile);
   EXPECT_GT(meeting.nearest_m, 0.1 * kMile);
   EXPECT_LT(meeting.nearest_m, 0.45 * kMile);
@@ -123,9 +114,11 @@ TEST(GiveWay, LateIsLaterAndCloser) {
 
 TEST(GiveWay, ThoseWhoNeverDoCollideAsSetUp) {
   const std::string never = "gives_way: never";
-  EXPECT_LT(meet(ship("A", -6, 0, 0, 12, never), ship("B", 0, 6, 270, 12, never), 0, 270).nearest_m,
+  EXPECT_LT(meet(ship_line("A", -6, 0, 0, 12, never), ship_line("B", 0, 6, 270, 12, never), 0, 270)
+                .nearest_m,
             30.0);
-  EXPECT_LT(meet(ship("A", -6, 0, 0, 12, never), ship("B", 6, 0, 180, 12, never), 0, 180).nearest_m,
+  EXPECT_LT(meet(ship_line("A", -6, 0, 0, 12, never), ship_line("B", 6, 0, 180, 12, never), 0, 180)
+                .nearest_m,
             30.0);
 }
 
@@ -138,7 +131,7 @@ TEST(GiveWay, ReturnsToHerRoute) {
       std::to_string(begin.latitude_deg) +
       ", lon: 5}, waypoints: "
       "[{lat: " +
-      std::to_string(end.latitude_deg) + ", lon: 5}]}\n" + ship("B", 0, 6, 270, 12));
+      std::to_string(end.latitude_deg) + ", lon: 5}]}\n" + ship_line("B", 0, 6, 270, 12));
   double nearest = 1e9, widest = 0.0;
   for (int tick = 0; tick < 54'000; ++tick) {
     run.step();
@@ -152,7 +145,7 @@ TEST(GiveWay, ReturnsToHerRoute) {
 }
 
 TEST(GiveWay, KeepsClearOfAnOwnShip) {
-  TrafficRun run("targets:\n" + ship("A", -6, 0, 0, 12));
+  TrafficRun run("targets:\n" + ship_line("A", -6, 0, 0, 12));
   ShipState own;
   own.position = advanced({60.0, 5.0}, ShortWay{0.0, 6.0 * kMile});
   own.heading_deg = own.course_over_ground_deg = 270.0;

@@ -62,4 +62,16 @@ inline double metres_apart(GeoPoint a, GeoPoint b) {
 
 inline double off_deg(double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); }
 
+// A target so far from 60 N 5 E, as a line of a scenario.
+inline std::string ship_line(const std::string& name, double north_nm, double east_nm,
+                             double course, double speed,
+                             const std::string& rest = "gives_way: early",
+                             const std::string& ship_class = "coaster") {
+  const GeoPoint at = advanced({60.0, 5.0}, ShortWay{north_nm * kMile, east_nm * kMile});
+  return "  - {name: " + name + ", ship_class: " + ship_class +
+         ", position: {lat: " + std::to_string(at.latitude_deg) +
+         ", lon: " + std::to_string(at.longitude_deg) + "}, course_deg: " + std::to_string(course) +
+         ", speed_kn: " + std::to_string(speed) + ", " + rest + "}\n";
+}
+
 }  // namespace skerry::server

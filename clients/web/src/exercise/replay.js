@@ -85,7 +85,8 @@ export class Replay {
 
   #key(event) {
     // The browser's own End stops at its last whole step.
-    const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 1, PageDown: -1, End: 1 }[event.key];
+    const signs = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 1, PageDown: -1, End: 1 };
+    const sign = signs[event.key];
     if (!sign || !this.state || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
@@ -102,7 +103,9 @@ export class Replay {
     this.marks = marks;
     $('replay-mark').replaceChildren(
       new Option(marks.length > 0 ? `Marks (${marks.length})` : 'No marks', ''),
-      ...marks.map((mark, i) => new Option(`${duration(mark.positionS)}  ${KINDS[mark.kind] ?? mark.kind}: ${mark.text}`, i)),
+      ...marks.map(
+        ({ positionS, kind, text }, i) => new Option(`${duration(positionS)}  ${KINDS[kind] ?? kind}: ${text}`, i),
+      ),
     );
     for (const id of ['replay-mark', 'replay-before', 'replay-after']) $(id).disabled = marks.length === 0;
     $('replay-ticks').replaceChildren(...marks.map((mark) => this.#tick(mark)));

@@ -5,9 +5,9 @@ import { GIVE_WAY, ROUTE_END } from './wire.js';
 
 const RAIN_KIND_WORDS = ['cell', 'even', 'shower', 'squall_line'];
 const HEAD = `# Left out, because the server does not tell it: the settings and changes of radars (each has those of its set),
-# how a ship without a class answers, wind models, tide, streams, banks, coast, buoys, racons, turbines and cables, what a
-# target shall begin later, events, areas, the sheet and its checks, faults, and all that a ship has done.  A ship that
-# follows, fishes or lies at anchor keeps her course.
+# how a ship without a class answers, wind models, tide, streams, banks, coast, buoys, racons, turbines and cables,
+# what a target shall begin later, events, areas, the sheet and its checks, faults, and all that a ship has done.
+# A ship that follows, fishes or lies at anchor keeps her course.
 `;
 
 // Quoted as JSON has it, which YAML reads; at most so many characters.
@@ -112,7 +112,8 @@ function weather(world, artefacts) {
   );
   if (world.depthM >= 2) sea.push(`depth_m: ${number(world.depthM, 1)}`);
   const lines = [`sea: {${sea.join(', ')}}`];
-  const air = world.kFactor >= 0.8 ? [`k_factor: ${number(world.kFactor, 4)}`, `ducting: ${number(world.ducting, 3)}`] : [];
+  const air =
+    world.kFactor >= 0.8 ? [`k_factor: ${number(world.kFactor, 4)}`, `ducting: ${number(world.ducting, 3)}`] : [];
   if (world.visibilityNm >= 0.02) air.push(`visibility_nm: ${number(world.visibilityNm, 3)}`);
   if (air.length > 0) lines.push(`atmosphere: {${air.join(', ')}}`);
   if (world.rain.length > 0) {

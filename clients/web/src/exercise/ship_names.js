@@ -40,12 +40,14 @@ export function byRank(ships, isChosen) {
     const rank = ship.own ? 0 : isChosen(ship) ? 1 : ship.givesWayNow || isClose ? 2 : 3;
     return { ship, rank, metres };
   });
-  return ranked.sort((a, b) => a.rank - b.rank || (a.metres === b.metres ? 0 : a.metres - b.metres)).map(({ ship }) => ship);
+  const nearer = (a, b) => (a.metres === b.metres ? 0 : a.metres - b.metres);
+  return ranked.sort((a, b) => a.rank - b.rank || nearer(a, b)).map(({ ship }) => ship);
 }
 
 const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-// labels: { at, clear, width, height }, highest rank first; `clear`: room that the ship's own mark takes, to either side.
+// labels: { at, clear, width, height }, highest rank first; `clear`: room that the ship's own mark takes, to either
+// side.
 // Gives the box of each: below to the right, above to the right, below to the left or above to the left of the ship,
 // whichever is the first that no box before it overlaps; null where there is none.
 export function placeNames(labels) {
