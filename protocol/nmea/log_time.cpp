@@ -69,9 +69,11 @@ class TimeText {
 };
 
 std::optional<LogTime> within(std::int64_t seconds, std::int64_t ns, std::size_t length) {
-  const std::chrono::seconds since_1970(seconds);
-  if (since_1970 < kFirstLogTime.time_since_epoch() ||
-      since_1970 >= kAfterLogTimes.time_since_epoch()) {
+  // In whole seconds: a year before 1678 or after 2262 has no nanoseconds since 1970.
+  constexpr auto seconds_of = [](UtcTime utc) {
+    return std::chrono::floor<std::chrono::seconds>(utc.time_since_epoch()).count();
+  };
+  if (seconds < seconds_of(kFirstLogTime) || seconds >= seconds_of(kAfterLogTimes)) {
     return std::nullopt;
   }
   return LogTime{UtcTime(Duration(seconds * kSecond_ns + ns)), length};

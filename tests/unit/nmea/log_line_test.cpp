@@ -37,7 +37,11 @@ TEST(LogTime, ReadsTheFormsOfLogsAndTables) {
 TEST(LogTime, RefusesWhatIsNone) {
   for (const char* text : {"", "now", "2021-02-30T00:00:00Z", "2021-13-01T00:00:00Z", "12345",
                            "2021-01-05", "2021-01-05T25:00:00Z", "31/02/2021 00:00:00",
-                           "99999999999999", "2021-01-05T01:51:55Zulu", "1609811515x"}) {
+                           "99999999999999", "2021-01-05T01:51:55Zulu", "1609811515x",
+                           // Seconds that have no nanoseconds since 1970, then the first and last
+                           // second out of range.
+                           "0000-01-01T00:00:00Z", "1013-01-05T00:04:00Z", "9999-12-31T23:59:59Z",
+                           "1989-12-31T23:59:59Z", "2100-01-01T00:00:00Z"}) {
     EXPECT_FALSE(log_time_of(text)) << text;
   }
   EXPECT_EQ(read_log_time("1609811515,x")->length, 10u);

@@ -206,6 +206,10 @@ show();
 
 // window.skerry: what a test may ask of the page.
 window.skerry = {
-  state: () => ({ connection: connection.state, bytes: connection.bytes, garbage: connection.garbage, radar: link.radar,
-                  you: link.hello?.you, ...link.view(seconds()) }),
+  // What the page shows: whatever waits for the next picture of the screen is shown first.
+  state: () => {
+    if (shown) show();
+    return { connection: connection.state, bytes: connection.bytes, garbage: connection.garbage, radar: link.radar,
+             you: link.hello?.you, ...link.view(seconds()) };
+  },
 };

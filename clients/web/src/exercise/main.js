@@ -284,24 +284,28 @@ show();
 
 // window.skerry: what a test may ask of the page.
 window.skerry = {
-  state: () => ({
-    connection: connection.state,
-    garbage: connection.garbage,
-    exercise: exercise.state,
-    playback: replay.state,
-    tracks: [...exercise.tracks.of].map(([key, track]) => ({
-      key,
-      fromS: track[0]?.s,
-      toS: track.at(-1)?.s,
-      parts: exercise.tracks.partsOf(key, Infinity).length,
-    })),
-    world: exercise.world,
-    selection: exercise.selection,
-    tool: tools.name,
-    waypoints: tools.waypoints,
-    coast: { ...coast.shown, lines: coast.lines, points: coast.points },
-    drawn: chart.drawn,
-  }),
+  // What the page shows: whatever waits for the next picture of the screen is shown first.
+  state: () => {
+    if (shown) show();
+    return {
+      connection: connection.state,
+      garbage: connection.garbage,
+      exercise: exercise.state,
+      playback: replay.state,
+      tracks: [...exercise.tracks.of].map(([key, track]) => ({
+        key,
+        fromS: track[0]?.s,
+        toS: track.at(-1)?.s,
+        parts: exercise.tracks.partsOf(key, Infinity).length,
+      })),
+      world: exercise.world,
+      selection: exercise.selection,
+      tool: tools.name,
+      waypoints: tools.waypoints,
+      coast: { ...coast.shown, lines: coast.lines, points: coast.points },
+      drawn: chart.drawn,
+    };
+  },
   view: () => {
     const { latitudeDeg, longitudeDeg, metresPerPixel, width, height } = chart.view;
     return { latitudeDeg, longitudeDeg, metresPerPixel, width, height };

@@ -443,7 +443,11 @@ for (const [width, height] of [[1180, 820], [820, 1180]]) {
     kit = await openInstructor(browser, { exercise: { frozen: true }, page: { viewport: { width, height }, hasTouch: true, isMobile: true } });
     const { page, pixel, until, ordered, orders } = kit;
     const finger = await page.context().newCDPSession(page);
-    const touch = (type, ...points) => finger.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    // It rests before it lifts: after a finger that lifts in full flight Chromium makes no click of the next tap.
+    const touch = async (type, ...points) => {
+      if (type === 'touchEnd') await page.waitForTimeout(150);
+      await finger.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    };
     const small = await page.evaluate(() => [...document.querySelectorAll('button, select, .button, input[type=number], input[type=text]')]
       .filter((element) => element.offsetParent && element.getBoundingClientRect().height < 39.5).map((element) => element.id || element.textContent));
     assert.deepEqual(small, []);
