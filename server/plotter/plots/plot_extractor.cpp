@@ -1,0 +1,117 @@
+#include "server/plotter/plots/plot_extractor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "server/plotter/plots/blob_split.hpp"
+
+namespace skerry::server {
+namespace {
+
+// Weighted mean and standard deviation of one coordinate.
+struct Spread {
+  double mean = 0.0, sigma = 0.0;
+  std::uint16_t first = 0xffff, last = 0;
+};
+
+template <typename Line>
+Spread spread_of(const std::vector<BlobCell>& cells, Line&& line) {
+  // Integers, so that the order of cells does not matter.
+  std::uint64_t weight = 0, sum = 0, squares = 0;
+  Spread spread;
+  for (const BlobCell& cell : cells) {
+    const std::uint64_t at = line(cell);
+    weight += cell.over;
+    sum += cell.over * at;
+    squares += cell.over * at * at;
+    spread.first = std::min<std::uint16_t>(spread.first, line(cell));
+    spread.last = std::max<std::uint16_t>(spread.last, line(cell));
+  }
+  spread.mean = static_cast<double>(sum) / static_cast<double>(weight);
+  const double square = static_cast<double>(squares) / static_cast<double>(weight);
+  spread.sigma = std::sqrt(std::max(square - spread.mean * spread.mean, 0.0));
+  return spread;
+}
+
+// A coordinate is as uncertain as a cell (uniform), and as the echo's own spread over the root of
+// the lines that it has: fading makes each line's strength a draw of its own.
+double uncertainty(const Spread& spread, double line) {
+  const double lines = spread.last - spread.first + 1.0;
+  return line * std::sqrt(1.0 / 12.0 + spread.sigma * spread.sigma / lines);
+}
+
+}  // namespace
+
+PlotExtractor::PlotExtractor(const Rule& rule)
+    : rule_(rule), rows_(rule.grain), threshold_(rule.threshold) {
+  if (!(rule.beam_deg >= 0.1 && rule.beam_deg <= 10.0))
+    throw std::invalid_argument("beam_deg: must be 0.1 to 10");
+  if (!(rule.pulse_m >= 0.0 && rule.pulse_m <= 500.0))
+    throw std::invalid_argument("pulse_m: must be 0 to 500");
+}
+
+void PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
+  if (rows_.add(spoke)) take_row(out);
+}
+
+void PlotExtractor::flush(std::vector<Plot>& out) {
+  if (rows_.flush()) take_row(out);
+  builder_.flush(blobs_);
+  take_blobs(out);
+}
+
+PlotExtractor::Counts PlotExtractor::counts() const {
+  Counts counts = counts_;
+  counts.spokes_left_out = rows_.left_out();
+  counts.runs_left_out = builder_.left_out();
+  return counts;
+}
+
+void PlotExtractor::take_row(std::vector<Plot>& out) {
+  const VideoRow& row = rows_.row();
+  runs_.clear();
+  threshold_.find(row.levels, runs_);
+  ++counts_.rows;
+  counts_.runs += runs_.size();
+  builder_.add(row, runs_, threshold_.thresholds(), blobs_);
+  if (!blobs_.empty()) take_blobs(out);
+}
+
+void PlotExtractor::take_blobs(std::vector<Plot>& out) {
+  counts_.blobs += blobs_.size();
+  const std::size_t before = out.size();
+  for (const Blob& blob : blobs_) {
+    for (const std::vector<BlobCell>& cells : split(blob, rule_.valley)) {
+      if (cells.size() < rule_.least_cells) continue;
+      const Spread across = spread_of(cells, [](const BlobCell& cell) { return cell.row; });
+      const Spread along = spread_of(cells, [](const BlobCell& cell) { return cell.cell; });
+      const double beam = rule_.beam_deg * kRadiansPerTurn / 360.0;
+      const double width_rad = (across.last - across.first + 1.0) * blob.row_width_rad;
+      if (width_rad < rule_.least_width * beam) continue;
+      const auto middle = static_cast<std::size_t>(across.mean + 0.5);
+      const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
+      Plot plot;
+      plot.time = at.time;
+      plot.utc = at.utc;
+      plot.own_ship = at.own_ship;
+      plot.bearing =
+          at.bearing + radians((across.mean - static_cast<double>(middle)) * blob.row_width_rad);
+      plot.range_m = (along.mean + 0.5) * blob.cell_m;
+      plot.bearing_sigma_rad = uncertainty(across, blob.row_width_rad);
+      plot.range_sigma_m = uncertainty(along, blob.cell_m);
+      plot.length_m = std::max((along.last - along.first + 1.0) * blob.cell_m - rule_.pulse_m, 0.0);
+      plot.width_m = std::max((width_rad - beam) * plot.range_m, 0.0);
+      for (const BlobCell& cell : cells) plot.greatest = std::max(plot.greatest, cell.level);
+      plot.cells = static_cast<std::uint32_t>(cells.size());
+      plot.extended =
+          blob.extended || plot.length_m > rule_.most_size_m || plot.width_m > rule_.most_size_m;
+      out.push_back(plot);
+    }
+  }
+  blobs_.clear();
+  counts_.plots += out.size() - before;
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,62 @@
+// PlotExtractor: spokes of a radar in, plots out, while the turn goes on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "protocol/video/spoke.hpp"
+#include "server/plotter/plots/blob_builder.hpp"
+#include "server/plotter/plots/local_threshold.hpp"
+#include "server/plotter/plots/plot.hpp"
+#include "server/plotter/plots/video_row.hpp"
+
+namespace skerry::server {
+
+// Knows nothing of a radar but its spokes, of whichever source.  The same spokes give the same
+// plots, bit for bit, on every machine.
+//
+// Thread: one at a time.
+class PlotExtractor {
+ public:
+  struct Rule {
+    RowMaker::Grain grain;
+    LocalThreshold::Rule threshold;
+    // What the set adds to an echo: deducted from its size, and the scale of its errors.
+    double beam_deg = 1.2;  // 0.1 to 10
+    double pulse_m = 20.0;  // 0 to 500
+    // Fewer cells of rows, or an echo narrower than this share of the beam, is noise.
+    std::uint32_t least_cells = 3;
+    double least_width = 0.25;
+    // Longer or wider than this, after the deduction, is land or rain: an extended plot.
+    double most_size_m = 500.0;
+    double valley = 0.6;  // of echoes that lie together (blob_split.hpp)
+  };
+  PlotExtractor() : PlotExtractor(Rule{}) {}
+  // Errors: std::invalid_argument, says which value is out of its range.
+  explicit PlotExtractor(const Rule& rule);
+
+  // Appends the plots that this spoke completes: those which the beam passed a row or two ago.
+  void add(const Spoke& spoke, std::vector<Plot>& out);
+  // Those of what has come so far; the spokes stop here.
+  void flush(std::vector<Plot>& out);
+
+  struct Counts {
+    std::uint64_t rows = 0, runs = 0, blobs = 0, plots = 0;
+    std::uint64_t spokes_left_out = 0, runs_left_out = 0;
+  };
+  Counts counts() const;
+
+ private:
+  void take_row(std::vector<Plot>& out);
+  void take_blobs(std::vector<Plot>& out);
+
+  Rule rule_;
+  RowMaker rows_;
+  LocalThreshold threshold_;
+  BlobBuilder builder_;
+  std::vector<Run> runs_;
+  std::vector<Blob> blobs_;
+  Counts counts_;
+};
+
+}  // namespace skerry::server

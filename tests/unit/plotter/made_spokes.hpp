@@ -1,0 +1,79 @@
+// Spokes of a made-up radar: noise, sea and echoes of known places, with beams and pulses.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "protocol/quantity/angle.hpp"
+#include "protocol/video/spoke.hpp"
+
+namespace skerry::server {
+
+struct MadeEcho {
+  double bearing_deg = 0.0, range_m = 0.0;
+  double level = 200.0;
+  double length_m = 0.0, width_m = 0.0;  // a block of this size
+};
+
+struct MadeRadar {
+  ScanGeometry geometry{2048, 1024, 8};
+  double range_nm = 3.0;
+  double beam_deg = 1.2, pulse_m = 20.0;
+  double noise_mean = 12.0, noise_sigma = 6.0;
+  double heading_deg = 0.0, turn_deg_s = 0.0;
+  double rpm = 24.0;
+  std::vector<MadeEcho> echoes;
+
+  // Spoke `n` since the beginning; the same n, the same spoke.  The bow is at `heading_deg` at n =
+  // 0.
+  Spoke spoke(std::uint64_t n) const {
+    const double turn_s = 60.0 / rpm, spoke_s = turn_s / geometry.spokes_per_turn;
+    Spoke spoke;
+    spoke.header.geometry = geometry;
+    spoke.header.range_scale = *RangeScale::find(range_nm);
+    spoke.header.scan = static_cast<std::uint32_t>(n / geometry.spokes_per_turn);
+    spoke.header.index = static_cast<std::uint32_t>(n % geometry.spokes_per_turn);
+    spoke.header.sequence = n;
+    const double t = spoke_s * static_cast<double>(n);
+    spoke.header.scenario_time =
+        ScenarioTime(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(t)));
+    spoke.header.heading = TrueBearing::from(degrees(heading_deg + turn_deg_s * t));
+    spoke.header.own_ship = {50.0, 3.0};
+    const double bearing = spoke.header.bearing().in_degrees();
+    const double cell_m = spoke.header.cell_size().in_metres();
+    std::mt19937 random(static_cast<std::uint32_t>(n) * 2654435761u + 17u);
+    std::normal_distribution<double> noise(noise_mean, noise_sigma);
+    std::vector<double> levels(geometry.cells);
+    for (double& level : levels) level = noise_mean > 0.0 ? noise(random) : 0.0;
+    for (const MadeEcho& echo : echoes) {
+      const double width_deg = echo.width_m / echo.range_m * kDegreesPerRadian;
+      double off = std::fabs(std::remainder(bearing - echo.bearing_deg, 360.0)) - width_deg / 2.0;
+      off = std::max(off, 0.0);
+      // Logarithmic video: the beam's two-way Gaussian is a parabola in decibels, 8 levels a dB.
+      const double fall = 8.0 * 24.0 * (off / beam_deg) * (off / beam_deg);
+      const double level = echo.level - fall;
+      if (level <= 0.0) continue;
+      const double from = echo.range_m - echo.length_m / 2.0 - pulse_m / 2.0;
+      const double to = echo.range_m + echo.length_m / 2.0 + pulse_m / 2.0;
+      for (auto i = static_cast<std::int64_t>(from / cell_m); static_cast<double>(i) * cell_m < to;
+           ++i) {
+        if (i < 0 || i >= static_cast<std::int64_t>(geometry.cells)) continue;
+        const double middle = (static_cast<double>(i) + 0.5) * cell_m;
+        if (middle < from || middle > to) continue;
+        double& cell = levels[static_cast<std::size_t>(i)];
+        cell = std::max(cell, level);
+      }
+    }
+    const double most = geometry.bits == 4 ? 15.0 : 255.0;
+    for (const double level : levels) {
+      const double value = geometry.bits == 4 ? level / 17.0 : level;
+      spoke.cells.push_back(static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, most)));
+    }
+    return spoke;
+  }
+};
+
+}  // namespace skerry::server
