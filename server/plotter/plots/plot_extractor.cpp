@@ -42,6 +42,10 @@ double uncertainty(const Spread& spread, double line) {
   return line * std::sqrt(1.0 / 12.0 + spread.sigma * spread.sigma / lines);
 }
 
+// How wide a point is that stands so many levels over the threshold: a Gaussian beam falls by 24
+// dB, there and back, a beam width off its middle.
+double point_width(double beam, double over_db) { return 2.0 * beam * std::sqrt(over_db / 24.0); }
+
 }  // namespace
 
 PlotExtractor::PlotExtractor(const Rule& rule)
@@ -50,6 +54,8 @@ PlotExtractor::PlotExtractor(const Rule& rule)
     throw std::invalid_argument("beam_deg: must be 0.1 to 10");
   if (!(rule.pulse_m >= 0.0 && rule.pulse_m <= 500.0))
     throw std::invalid_argument("pulse_m: must be 0 to 500");
+  if (!(rule.levels_per_db >= 0.5 && rule.levels_per_db <= 20.0))
+    throw std::invalid_argument("levels_per_db: must be 0.5 to 20");
 }
 
 void PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
@@ -102,8 +108,13 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
       plot.bearing_sigma_rad = uncertainty(across, blob.row_width_rad);
       plot.range_sigma_m = uncertainty(along, blob.cell_m);
       plot.length_m = std::max((along.last - along.first + 1.0) * blob.cell_m - rule_.pulse_m, 0.0);
-      plot.width_m = std::max((width_rad - beam) * plot.range_m, 0.0);
-      for (const BlobCell& cell : cells) plot.greatest = std::max(plot.greatest, cell.level);
+      std::uint8_t over = 0;
+      for (const BlobCell& cell : cells) {
+        plot.greatest = std::max(plot.greatest, cell.level);
+        over = std::max(over, cell.over);
+      }
+      const double point = point_width(beam, over / rule_.levels_per_db) + blob.row_width_rad;
+      plot.width_m = std::max((width_rad - point) * plot.range_m, 0.0);
       plot.cells = static_cast<std::uint32_t>(cells.size());
       plot.extended =
           blob.extended || plot.length_m > rule_.most_size_m || plot.width_m > rule_.most_size_m;

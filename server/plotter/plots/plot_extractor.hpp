@@ -22,8 +22,10 @@ class PlotExtractor {
     RowMaker::Grain grain;
     LocalThreshold::Rule threshold;
     // What the set adds to an echo: deducted from its size, and the scale of its errors.
-    double beam_deg = 1.2;  // 0.1 to 10
+    double beam_deg = 1.2;  // 0.1 to 10; between its points of -3 dB, one way
     double pulse_m = 20.0;  // 0 to 500
+    double levels_per_db =
+        4.0;  // of the video, 0.5 to 20: a strong point is seen by more than the beam
     // Fewer cells of rows, or an echo narrower than this share of the beam, is noise.
     std::uint32_t least_cells = 3;
     double least_width = 0.25;

@@ -104,7 +104,9 @@ bool RowMaker::close() {
     levels_[i] = static_cast<std::uint8_t>(std::min((sums_[i] * scale) >> 16, 255u));
     sums_[i] = 0;
   }
-  row_.bearing = middle_.bearing();
+  // From the spoke that stands for the row to the row's middle.
+  const double spokes = 0.5 * (spokes_a_row_ - 1.0) - middle_.index % spokes_a_row_;
+  row_.bearing = middle_.bearing() + degrees(spokes * 360.0 / geometry_.spokes_per_turn);
   row_.own_ship = middle_.own_ship;
   row_.time = middle_.scenario_time;
   row_.utc = middle_.utc;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "protocol/quantity/angle.hpp"
@@ -17,6 +16,18 @@ struct MadeEcho {
   double level = 200.0;
   double length_m = 0.0, width_m = 0.0;  // a block of this size
 };
+
+// Of zero mean and a variance of 1, nearly Gaussian: four bytes of a hash (splitmix64).
+inline double next_draw(std::uint64_t& state) {
+  state += 0x9E3779B97F4A7C15u;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  z ^= z >> 31;
+  const double sum =
+      static_cast<double>((z & 255) + (z >> 8 & 255) + (z >> 16 & 255) + (z >> 24 & 255));
+  return (sum - 510.0) / 147.8;
+}
 
 struct MadeRadar {
   ScanGeometry geometry{2048, 1024, 8};
@@ -44,16 +55,17 @@ struct MadeRadar {
     spoke.header.own_ship = {50.0, 3.0};
     const double bearing = spoke.header.bearing().in_degrees();
     const double cell_m = spoke.header.cell_size().in_metres();
-    std::mt19937 random(static_cast<std::uint32_t>(n) * 2654435761u + 17u);
-    std::normal_distribution<double> noise(noise_mean, noise_sigma);
     std::vector<double> levels(geometry.cells);
-    for (double& level : levels) level = noise_mean > 0.0 ? noise(random) : 0.0;
+    if (noise_mean > 0.0) {
+      std::uint64_t state = n * 0x9E3779B97F4A7C15u + 0x1234567u;
+      for (double& level : levels) level = noise_mean + noise_sigma * next_draw(state);
+    }
     for (const MadeEcho& echo : echoes) {
       const double width_deg = echo.width_m / echo.range_m * kDegreesPerRadian;
       double off = std::fabs(std::remainder(bearing - echo.bearing_deg, 360.0)) - width_deg / 2.0;
       off = std::max(off, 0.0);
-      // Logarithmic video: the beam's two-way Gaussian is a parabola in decibels, 8 levels a dB.
-      const double fall = 8.0 * 24.0 * (off / beam_deg) * (off / beam_deg);
+      // Logarithmic video: the beam's two-way Gaussian is a parabola in decibels, 4 levels a dB.
+      const double fall = 4.0 * 24.0 * (off / beam_deg) * (off / beam_deg);
       const double level = echo.level - fall;
       if (level <= 0.0) continue;
       const double from = echo.range_m - echo.length_m / 2.0 - pulse_m / 2.0;

@@ -38,12 +38,15 @@ TEST(PlotExtractor, FindsAnEchoWhereItIsOnEveryGeometry) {
       radar.beam_deg = std::max(1.2, 3.0 * 360.0 / geometry.spokes_per_turn);
       for (const double bearing_deg : {0.0, 47.3, 180.0, 359.9}) {
         radar.echoes = {{bearing_deg, range_m, 220.0}};
-        const auto plots = plots_of(radar, 0, 2 * geometry.spokes_per_turn);
-        ASSERT_GE(plots.size(), 1u) << geometry.spokes_per_turn << " spokes, " << range_nm;
-        ASSERT_LE(plots.size(), 3u) << "twice, or thrice at the beginning";
+        const std::uint64_t turn = geometry.spokes_per_turn;
+        PlotExtractor::Rule rule;
+        rule.beam_deg = radar.beam_deg;
+        rule.pulse_m = radar.pulse_m;
+        const auto plots = plots_of(radar, turn / 4, 2 * turn + turn / 4, rule);
+        ASSERT_GE(plots.size(), 2u) << geometry.spokes_per_turn << " spokes, " << range_nm;
+        ASSERT_LE(plots.size(), 2u);
         for (const Plot& plot : plots) {
-          EXPECT_LE(off_deg(plot, bearing_deg),
-                    360.0 / geometry.spokes_per_turn + 0.5 * radar.beam_deg);
+          EXPECT_LE(off_deg(plot, bearing_deg), 0.15 + 0.25 * 360.0 / geometry.spokes_per_turn);
           EXPECT_NEAR(plot.range_m, range_m, 2.0 * range_nm * 1852.0 / geometry.cells + 7.5);
           EXPECT_FALSE(plot.extended);
         }
