@@ -58,14 +58,18 @@ PlotExtractor::PlotExtractor(const Rule& rule)
     throw std::invalid_argument("levels_per_db: must be 0.5 to 20");
 }
 
-void PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
-  if (rows_.add(spoke)) take_row(out);
+bool PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
+  if (!rows_.add(spoke)) return false;
+  take_row(out);
+  return true;
 }
 
-void PlotExtractor::flush(std::vector<Plot>& out) {
-  if (rows_.flush()) take_row(out);
+bool PlotExtractor::flush(std::vector<Plot>& out) {
+  const bool any = rows_.flush();
+  if (any) take_row(out);
   builder_.flush(blobs_);
   take_blobs(out);
+  return any;
 }
 
 PlotExtractor::Counts PlotExtractor::counts() const {

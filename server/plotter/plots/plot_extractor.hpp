@@ -38,9 +38,11 @@ class PlotExtractor {
   explicit PlotExtractor(const Rule& rule);
 
   // Appends the plots that this spoke completes: those which the beam passed a row or two ago.
-  void add(const Spoke& spoke, std::vector<Plot>& out);
+  // True if it completes a row, which is row() then.
+  bool add(const Spoke& spoke, std::vector<Plot>& out);
   // Those of what has come so far; the spokes stop here.
-  void flush(std::vector<Plot>& out);
+  bool flush(std::vector<Plot>& out);
+  const VideoRow& row() const { return rows_.row(); }
 
   struct Counts {
     std::uint64_t rows = 0, runs = 0, blobs = 0, plots = 0;

@@ -33,8 +33,9 @@ struct Track {
   double place_sigma_m = 0.0, velocity_sigma_mps = 0.0;
   double length_m = 0.0, width_m = 0.0;  // of its echo, smoothed
   ScenarioTime first_seen{}, last_seen{};
-  std::uint8_t looks = 0, hits = 0;  // of the last ten turns, those in which it was looked for and seen
-  bool by_hand = false;              // acquired by a mariner
+  std::uint8_t looks = 0,
+               hits = 0;  // of the last ten turns, those in which it was looked for and seen
+  bool by_hand = false;   // acquired by a mariner
 };
 
 // Closest point of approach to own ship, if both keep on.  time_s is negative once it has passed;

@@ -1,0 +1,80 @@
+// Tracker::Book: all targets that are followed, and the plots that have no target yet.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "server/plotter/tracks/false_plots.hpp"
+#include "server/plotter/tracks/ground_plane.hpp"
+#include "server/plotter/tracks/look.hpp"
+#include "server/plotter/tracks/own_motion.hpp"
+#include "server/plotter/tracks/target.hpp"
+#include "server/plotter/tracks/tracker.hpp"
+
+namespace skerry::server {
+
+class Tracker::Book {
+ public:
+  explicit Book(const Rule& rule) : rule_(rule) {}
+
+  void add(const Plot& plot);
+  void pass(const AntennaPass& antenna);
+  std::vector<Track> tracks() const;
+  std::vector<Track> take_lost();
+  std::uint32_t acquire(GeoPoint place, double within_m);
+  bool cancel(std::uint32_t number);
+  Counts counts() const;
+
+ private:
+  static constexpr std::size_t kMostFollowed = 2000, kMostPlots = 4000;
+
+  struct Followed {
+    Target target;
+    Look look;
+    std::uint32_t number = 0;  // 0: not shown
+    bool by_hand = false, refused = false, gone = false;
+    double false_per_m2 = 1e-7;  // where it is
+  };
+  struct Open {
+    PlacedPlot placed;
+    bool taken = false;
+  };
+
+  void begin(const AntennaPass& antenna);
+  void lay_plane_anew(GeoPoint anchor);
+  PlacedPlot place(const Plot& plot) const;
+  double bearing_of(PlanePoint from_own) const;
+  double off_deg(PlanePoint place) const;
+
+  // One step of the antenna: who has been passed, whose plot is whose, which plots are new.
+  void step();
+  void look_for(Followed& followed);
+  void resolve();
+  std::vector<std::size_t> competitors(std::size_t first, std::vector<std::size_t>& plots) const;
+  void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
+  void judge(Followed& followed);
+  bool deserves_a_track(const Followed& followed) const;
+  void show(Followed& followed);
+  void begin_new_ones();
+  bool belongs_to_a_known_one(const PlacedPlot& plot) const;
+  void drop_gone_ones();
+  Track track_of(const Followed& followed, TrackStatus status) const;
+
+  Rule rule_;
+  std::optional<GroundPlane> plane_;
+  OwnMotion own_motion_;
+  AntennaPass antenna_;     // the last one
+  PlanePoint own_place_;    // then
+  double north_deg_ = 0.0;  // true north there, in the plane
+  double stepped_deg_ = 0.0;
+  bool gap_ = false;  // spokes are missing since the last step
+  std::vector<Followed> followed_;
+  std::vector<Open> open_;
+  FalsePlots false_plots_;
+  std::vector<Track> lost_;
+  std::uint32_t numbers_ = 0, shown_ = 0;
+  Counts counts_;
+};
+
+}  // namespace skerry::server

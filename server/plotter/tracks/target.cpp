@@ -1,0 +1,114 @@
+#include "server/plotter/tracks/target.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "echo/kernel/exact_math.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr unsigned kLooks = 10;
+constexpr std::uint16_t kLooksMask = (1u << kLooks) - 1;
+
+double seconds_between(ScenarioTime from, ScenarioTime to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+double larger_sigma(const PlaceMatrix& covariance) {
+  return std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
+}
+
+}  // namespace
+
+Target::Target(const PlacedPlot& plot, double fastest_mps)
+    : time_(plot.plot.time),
+      first_seen_(plot.plot.time),
+      last_seen_(plot.plot.time),
+      first_place_{plot.measured.place(0), plot.measured.place(1)},
+      plot_sigma_m_(larger_sigma(plot.measured.covariance)),
+      length_m_(plot.plot.length_m),
+      width_m_(plot.plot.width_m) {
+  MotionState state;
+  state.mean.head<2>() = plot.measured.place;
+  state.covariance.setZero();
+  state.covariance.topLeftCorner<2, 2>() = plot.measured.covariance;
+  // Any course, most of them slower than half the fastest.
+  state.covariance(2, 2) = state.covariance(3, 3) = 0.0625 * fastest_mps * fastest_mps;
+  state.covariance(4, 4) = 1e-4;
+  imm_.start(state);
+  straight_.start(state);
+}
+
+const MotionState& Target::state() const {
+  return keeps_course() ? straight_.state() : imm_.state();
+}
+
+bool Target::keeps_course() const {
+  return straight_.doubt_bits() < 4.0 && straight_.seconds() > 12.0;
+}
+
+PlanePoint Target::place_at(ScenarioTime time) const {
+  const MotionState& now = state();
+  return now.place() + now.velocity() * seconds_between(time_, time);
+}
+
+void Target::go_on(ScenarioTime time) {
+  const double seconds = seconds_between(time_, time);
+  if (!(seconds > 0.0)) return;
+  imm_.predict(seconds);
+  straight_.predict(seconds);
+  time_ = time;
+}
+
+MeasuredPlace Target::scaled(const PlacedPlot& plot) const {
+  MeasuredPlace measured = plot.measured;
+  measured.covariance *= noise_scale_;
+  // To this state's time.
+  const PlanePoint way = imm_.state().velocity() * seconds_between(plot.plot.time, time_);
+  measured.place += PlaceVector(way.east_m, way.north_m);
+  return measured;
+}
+
+Innovation Target::off(const PlacedPlot& plot) const {
+  return innovation(imm_.state(), scaled(plot));
+}
+
+double Target::gate_m() const {
+  const MotionMatrix& p = imm_.state().covariance;
+  const double variance = std::max(p(0, 0), p(1, 1)) + noise_scale_ * plot_sigma_m_ * plot_sigma_m_;
+  return std::sqrt(kGate * variance);
+}
+
+void Target::see(const PlacedPlot& plot, double false_per_m2) {
+  const MeasuredPlace measured = scaled(plot);
+  const Innovation found = innovation(imm_.state(), measured);
+  const double log2_density = imm_.correct(measured);
+  if (straight_.correct(measured, log2_density)) straight_.start(imm_.state());
+  score_bits_ += echo::exact_log2(kSeen) + log2_density - echo::exact_log2(false_per_m2);
+  if (hits_ever_ >= 3 && keeps_course()) {
+    // A twenty-fifth of the way to what it shows: of 50 plots or so.
+    const double shown = std::min(found.distance2, 9.0) / 2.0;
+    noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) / 25.0), 0.4, 9.0);
+  }
+  plot_sigma_m_ = larger_sigma(plot.measured.covariance);
+  length_m_ += (plot.plot.length_m - length_m_) / 5.0;
+  width_m_ += (plot.plot.width_m - width_m_) / 5.0;
+  last_seen_ = time_;
+  looks_ = std::min(looks_ + 1, kLooks);
+  seen_ = static_cast<std::uint16_t>((seen_ << 1 | 1) & kLooksMask);
+  misses_ = 0;
+  ++hits_ever_;
+}
+
+void Target::miss() {
+  score_bits_ += echo::exact_log2(1.0 - kSeen);
+  looks_ = std::min(looks_ + 1, kLooks);
+  seen_ = static_cast<std::uint16_t>((seen_ << 1) & kLooksMask);
+  ++misses_;
+}
+
+unsigned Target::hits() const { return static_cast<unsigned>(std::popcount(seen_)); }
+
+}  // namespace skerry::server

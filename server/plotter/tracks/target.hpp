@@ -1,0 +1,76 @@
+// Target: one track from its first plot on: how it moves, and how often it was seen.
+#pragma once
+
+#include "server/plotter/motion/imm_filter.hpp"
+#include "server/plotter/motion/straight_filter.hpp"
+#include "server/plotter/plots/plot.hpp"
+#include "server/plotter/tracks/track.hpp"
+
+namespace skerry::server {
+
+// A plot in the plane.
+struct PlacedPlot {
+  Plot plot;
+  MeasuredPlace measured;
+};
+
+class Target {
+ public:
+  // Seen for the first time.  `fastest_mps`: no target is faster.
+  Target(const PlacedPlot& plot, double fastest_mps);
+
+  // Where it is expected at this time.
+  PlanePoint place_at(ScenarioTime time) const;
+  // Its state goes on to this time, which is not before time().
+  void go_on(ScenarioTime time);
+  // How far the plot is from where the target is then, in its own noise's scale.
+  Innovation off(const PlacedPlot& plot) const;
+  // The plot is its echo, or it was looked for and not seen.  Bits that the plot speaks for a
+  // target, against one of `false_per_m2` that are there by chance (Sittler's score).
+  void see(const PlacedPlot& plot, double false_per_m2);
+  void miss();
+
+  // The best of what is known: a straight line, unless it manoeuvres.
+  const MotionState& state() const;
+  bool keeps_course() const;
+  ScenarioTime time() const { return time_; }
+  ScenarioTime first_seen() const { return first_seen_; }
+  ScenarioTime last_seen() const { return last_seen_; }
+  PlanePoint first_place() const { return first_place_; }
+  double score_bits() const { return score_bits_; }
+  unsigned looks() const { return looks_; }  // of the last ten
+  unsigned hits() const;
+  unsigned misses_in_a_row() const { return misses_; }
+  unsigned hits_ever() const { return hits_ever_; }
+  double length_m() const { return length_m_; }
+  double width_m() const { return width_m_; }
+  // Distance from its place within which the next plot is, m: 99.9 % of them.
+  double gate_m() const;
+
+  template <typename Change>
+  void change(Change&& change) {
+    imm_.change(change);
+    straight_.change(change);
+  }
+  void move_first_place(PlanePoint place) { first_place_ = place; }
+
+  static constexpr double kGate = 13.8;  // squared, of two degrees of freedom: 99.9 %
+  static constexpr double kSeen = 0.8;   // probability that a target is seen
+
+ private:
+  MeasuredPlace scaled(const PlacedPlot& plot) const;
+
+  ImmFilter imm_;
+  StraightFilter straight_;
+  ScenarioTime time_{}, first_seen_{}, last_seen_{};
+  PlanePoint first_place_;
+  // What plots of it are off by, in terms of what they say: learnt.
+  double noise_scale_ = 1.0;
+  double plot_sigma_m_ = 30.0;  // of the last plot, the larger axis
+  double score_bits_ = 0.0;
+  unsigned looks_ = 1, misses_ = 0, hits_ever_ = 1;
+  std::uint16_t seen_ = 1;  // a bit for each of the last ten looks, the lowest is the last
+  double length_m_ = 0.0, width_m_ = 0.0;
+};
+
+}  // namespace skerry::server

@@ -1,0 +1,19 @@
+#include "server/plotter/tracks/track.hpp"
+
+#include <cmath>
+
+#include "echo/kernel/exact_math.hpp"
+
+namespace skerry::server {
+
+ClosestApproach closest_approach(const Track& track) {
+  const echo::SinCos direction = echo::sin_cos_degrees(track.bearing.in_degrees());
+  const PlanePoint from = PlanePoint{direction.sin, direction.cos} * track.range_m;
+  const PlanePoint way = track.relative_velocity_mps;
+  constexpr double kStill_mps = 0.05;
+  if (dot(way, way) < kStill_mps * kStill_mps) return {track.range_m, 0.0, false};
+  const double time_s = -dot(from, way) / dot(way, way);
+  return {length_of(from + way * time_s), time_s, true};
+}
+
+}  // namespace skerry::server
