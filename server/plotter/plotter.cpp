@@ -21,7 +21,8 @@ void Plotter::take_row() {
                  .utc = row.utc,
                  .own_ship = row.own_ship,
                  .bearing = row.bearing,
-                 .reach_m = row.cell_m * static_cast<double>(row.levels.size())});
+                 .reach_m = row.cell_m * static_cast<double>(row.levels.size()),
+                 .width_rad = row.width_rad});
 }
 
 }  // namespace skerry::server

@@ -13,102 +13,31 @@ namespace skerry::server {
 namespace {
 
 constexpr double kStep_deg = 5.0;   // of the antenna, between looks around
-constexpr double kGap_deg = 4.0;    // no row of spokes is as wide
 constexpr double kWait_deg = 60.0;  // behind the antenna: by then a plot is a target's or new
 constexpr auto kLongestPause = std::chrono::seconds(60);
-constexpr double kLongestLeap_m = 2000.0;  // of own ship, between two rows
-constexpr double kMps = 1852.0 / 3600.0;   // of a knot
+constexpr auto kLongestBack = std::chrono::seconds(1);  // a clock that is put right
+constexpr double kLongestLeap_m = 2000.0;               // of own ship, between two rows
 
-double wrapped_deg(double degrees) {
-  while (degrees >= 180.0) degrees -= 360.0;
-  while (degrees < -180.0) degrees += 360.0;
-  return degrees;
+bool is_on_earth(GeoPoint point) {
+  return std::fabs(point.latitude_deg) <= 90.0 && std::fabs(point.longitude_deg) <= 180.0;
+}
+
+// Of numbers that can be reckoned with; NaN is none.
+bool is_sound(const Plot& plot) {
+  const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
+  return is_on_earth(plot.own_ship) && within(plot.range_m, 1e6) &&
+         within(plot.range_sigma_m, 1e4) && within(plot.bearing_sigma_rad, 1.0) &&
+         within(plot.length_m, 1e5) && within(plot.width_m, 1e5);
 }
 
 }  // namespace
 
-// --- where things are
-
-void Tracker::Book::begin(const AntennaPass& antenna) {
-  for (const Followed& followed : followed_) {
-    if (followed.number != 0) lost_.push_back(track_of(followed, TrackStatus::lost));
-  }
-  followed_.clear();
-  open_.clear();
-  false_plots_ = {};
-  shown_ = 0;
-  plane_.emplace(antenna.own_ship);
-  own_motion_.start(plane_->to_plane(antenna.own_ship), antenna.time);
-  stepped_deg_ = antenna.bearing.in_degrees();
-  gap_ = true;
-}
-
-void Tracker::Book::lay_plane_anew(GeoPoint anchor) {
-  const GroundPlane before = *plane_;
-  plane_.emplace(anchor);
-  const auto moved = [&](PlanePoint place) { return plane_->to_plane(before.to_geo(place)); };
-  // The new plane's north is turned against the old one's by as much as the meridians converge.
-  const double turn_deg = before.true_less_plane_degrees(anchor);
-  const echo::SinCos turn = echo::sin_cos_degrees(turn_deg);
-  MotionMatrix turning = MotionMatrix::Identity();
-  for (const int at : {0, 2}) {
-    turning(at, at) = turning(at + 1, at + 1) = turn.cos;
-    turning(at, at + 1) = turn.sin;
-    turning(at + 1, at) = -turn.sin;
-  }
-  const auto change = [&](MotionState& state) {
-    const PlanePoint place = moved(state.place());
-    state.mean = turning * state.mean;
-    state.mean(0) = place.east_m;
-    state.mean(1) = place.north_m;
-    state.covariance = turning * state.covariance * turning.transpose();
-  };
-  for (Followed& followed : followed_) {
-    followed.target.change(change);
-    followed.target.move_first_place(moved(followed.target.first_place()));
-  }
-  own_motion_.change(change);
-  for (Open& open : open_) open.placed = place(open.placed.plot);
-}
-
-PlacedPlot Tracker::Book::place(const Plot& plot) const {
-  const PlanePoint own = plane_->to_plane(plot.own_ship);
-  const double plane_deg =
-      plot.bearing.in_degrees() - plane_->true_less_plane_degrees(plot.own_ship);
-  const echo::SinCos along = echo::sin_cos_degrees(plane_deg);
-  PlacedPlot placed{plot, {}};
-  placed.measured.place = {own.east_m + plot.range_m * along.sin,
-                           own.north_m + plot.range_m * along.cos};
-  const double floor_rad = rule_.bearing_sigma_deg / kDegreesPerRadian;
-  // A hull glints along itself: a twelfth of what is seen of it is the variance of anywhere on it.
-  const double range2 = plot.range_sigma_m * plot.range_sigma_m +
-                        rule_.range_sigma_m * rule_.range_sigma_m +
-                        plot.length_m * plot.length_m / 48.0;
-  const double across2 = (plot.bearing_sigma_rad * plot.bearing_sigma_rad + floor_rad * floor_rad) *
-                             plot.range_m * plot.range_m +
-                         rule_.range_sigma_m * rule_.range_sigma_m / 4.0 +
-                         plot.width_m * plot.width_m / 48.0;
-  PlaceMatrix& r = placed.measured.covariance;
-  r(0, 0) = range2 * along.sin * along.sin + across2 * along.cos * along.cos;
-  r(1, 1) = range2 * along.cos * along.cos + across2 * along.sin * along.sin;
-  r(0, 1) = r(1, 0) = (range2 - across2) * along.sin * along.cos;
-  return placed;
-}
-
-// Degrees in the plane.
-double Tracker::Book::bearing_of(PlanePoint from_own) const {
-  const double degrees = echo::exact_atan2(from_own.east_m, from_own.north_m) * kDegreesPerRadian;
-  return degrees < 0.0 ? degrees + 360.0 : degrees;
-}
-
-double Tracker::Book::off_deg(PlanePoint place) const {
-  return wrapped_deg(antenna_.bearing.in_degrees() + north_deg_ - bearing_of(place - own_place_));
-}
-
 // --- what comes
 
 void Tracker::Book::add(const Plot& plot) {
-  if (!plane_ || plot.extended || !(plot.range_m <= rule_.furthest_nm * 1852.0)) return;
+  if (!plane_ || plot.extended || !is_sound(plot) || plot.range_m > rule_.furthest_nm * 1852.0) {
+    return;
+  }
   ++counts_.plots;
   if (open_.size() >= kMostPlots) {
     ++counts_.left_out;
@@ -118,25 +47,28 @@ void Tracker::Book::add(const Plot& plot) {
 }
 
 void Tracker::Book::pass(const AntennaPass& antenna) {
+  if (!is_on_earth(antenna.own_ship)) return;
   const auto pause = antenna.time - antenna_.time;
   const bool leapt =
-      plane_ && (pause < Duration::zero() || pause > kLongestPause ||
+      plane_ && (pause < -kLongestBack || pause > kLongestPause ||
                  length_of(plane_->to_plane(antenna.own_ship) - own_place_) > kLongestLeap_m);
   if (!plane_ || leapt) {
     if (leapt) ++counts_.resets;
     begin(antenna);
   } else {
     const double gone = wrapped_deg((antenna.bearing - antenna_.bearing).in_degrees());
-    if (std::fabs(gone) > kGap_deg) gap_ = true;
+    if (std::fabs(gone) > 2.0 * antenna.width_rad * kDegreesPerRadian + 0.01) gap_ = true;
   }
+  const ScenarioTime reached = leapt || antenna.time > antenna_.time ? antenna.time : antenna_.time;
   antenna_ = antenna;
+  antenna_.time = reached;
   own_place_ = plane_->to_plane(antenna.own_ship);
   if (plane_->is_far(own_place_)) {
     lay_plane_anew(antenna.own_ship);
     own_place_ = plane_->to_plane(antenna.own_ship);
   }
   north_deg_ = -plane_->true_less_plane_degrees(antenna.own_ship);
-  own_motion_.take(own_place_, antenna.time);
+  own_motion_.take(own_place_, reached);
   const double bearing_deg = antenna.bearing.in_degrees();
   if (std::fabs(wrapped_deg(bearing_deg - stepped_deg_)) < kStep_deg) return;
   stepped_deg_ = bearing_deg;
@@ -255,45 +187,6 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
   }
 }
 
-// --- what becomes of a target
-
-void Tracker::Book::judge(Followed& followed) {
-  const Target& target = followed.target;
-  const bool old = target.hits_ever() >= 10 || followed.number != 0;
-  // Held as long as it is seen in five turns of ten (MSC.192(79), 5.25.4.5), and somewhat longer.
-  if (old ? target.looks() == 10 && target.hits() <= 2
-          : target.misses_in_a_row() >= 3 || target.score_bits() < -6.0) {
-    followed.gone = true;
-    return;
-  }
-  if (followed.number == 0 && !followed.refused && deserves_a_track(followed)) show(followed);
-}
-
-bool Tracker::Book::deserves_a_track(const Followed& followed) const {
-  const Target& target = followed.target;
-  if (rule_.acquire == Acquire::none || target.hits_ever() < rule_.least_hits ||
-      2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits) {
-    return false;
-  }
-  if (rule_.acquire == Acquire::all) return true;
-  const MotionState& state = target.state();
-  const double speed = length_of(state.velocity());
-  const double sigma = std::sqrt(std::max(state.covariance(2, 2), state.covariance(3, 3)));
-  const double way = length_of(state.place() - target.first_place());
-  const double place_sigma = std::sqrt(std::max(state.covariance(0, 0), state.covariance(1, 1)));
-  return speed > rule_.least_speed_kn * kMps && speed > 4.0 * sigma &&
-         way > std::max(25.0, 5.0 * place_sigma);
-}
-
-void Tracker::Book::show(Followed& followed) {
-  if (shown_ >= rule_.most_tracks) {
-    ++counts_.left_out;
-    return;
-  }
-  ++shown_;
-  followed.number = ++numbers_;
-}
-
 // Plots that are no target's, and that no target can claim any more.
 void Tracker::Book::begin_new_ones() {
   std::size_t kept = 0;
@@ -315,7 +208,7 @@ void Tracker::Book::begin_new_ones() {
       continue;
     }
     ++counts_.begun;
-    followed_.push_back({.target = Target(open.placed, rule_.fastest_kn * kMps), .look = {}});
+    followed_.push_back({.target = Target(open.placed, rule_.fastest_kn * kKnot), .look = {}});
   }
   open_.resize(kept);
 }
@@ -335,96 +228,6 @@ bool Tracker::Book::belongs_to_a_known_one(const PlacedPlot& plot) const {
     if (east * east + north * north < reach * reach) return true;
   }
   return false;
-}
-
-void Tracker::Book::drop_gone_ones() {
-  for (const Followed& followed : followed_) {
-    if (!followed.gone || followed.number == 0) continue;
-    lost_.push_back(track_of(followed, TrackStatus::lost));
-    --shown_;
-  }
-  std::erase_if(followed_, [](const Followed& followed) { return followed.gone; });
-}
-
-// --- what is asked
-
-std::uint32_t Tracker::Book::acquire(GeoPoint point, double within_m) {
-  if (!plane_) return 0;
-  const PlanePoint place = plane_->to_plane(point);
-  Followed* nearest = nullptr;
-  double least = within_m;
-  for (Followed& followed : followed_) {
-    const double off = length_of(followed.target.place_at(antenna_.time) - place);
-    if (off > least || followed.target.hits_ever() < 2) continue;
-    least = off;
-    nearest = &followed;
-  }
-  if (nearest == nullptr) return 0;
-  if (nearest->number == 0) show(*nearest);
-  nearest->by_hand = nearest->number != 0;
-  return nearest->number;
-}
-
-bool Tracker::Book::cancel(std::uint32_t number) {
-  for (Followed& followed : followed_) {
-    if (number == 0 || followed.number != number) continue;
-    // It is followed on, so that it is not acquired anew at once.
-    followed.number = 0;
-    followed.by_hand = false;
-    followed.refused = true;
-    --shown_;
-    return true;
-  }
-  return false;
-}
-
-std::vector<Track> Tracker::Book::tracks() const {
-  std::vector<Track> tracks;
-  for (const Followed& followed : followed_) {
-    if (followed.number != 0) tracks.push_back(track_of(followed, TrackStatus::tracked));
-  }
-  std::sort(tracks.begin(), tracks.end(),
-            [](const Track& a, const Track& b) { return a.number < b.number; });
-  return tracks;
-}
-
-std::vector<Track> Tracker::Book::take_lost() { return std::exchange(lost_, {}); }
-
-Tracker::Counts Tracker::Book::counts() const {
-  Counts counts = counts_;
-  counts.followed = followed_.size();
-  return counts;
-}
-
-Track Tracker::Book::track_of(const Followed& followed, TrackStatus status) const {
-  const Target& target = followed.target;
-  const MotionState& state = target.state();
-  const PlanePoint place = target.place_at(antenna_.time);
-  const echo::SinCos north = echo::sin_cos_degrees(-north_deg_);
-  const auto truly = [&](PlanePoint v) { return echo::turned(v, north); };
-  Track track;
-  track.number = followed.number;
-  track.status = status;
-  track.time = antenna_.time;
-  track.utc = antenna_.utc;
-  track.place = plane_->to_geo(place);
-  track.velocity_mps = truly(state.velocity());
-  track.own_ship = antenna_.own_ship;
-  const PlanePoint from_own = place - own_place_;
-  track.range_m = length_of(from_own);
-  track.bearing = TrueBearing::from(degrees(bearing_of(from_own) - north_deg_));
-  track.relative_velocity_mps = truly(state.velocity() - own_motion_.velocity_mps());
-  const MotionMatrix& p = state.covariance;
-  track.place_sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));
-  track.velocity_sigma_mps = std::sqrt(std::max(p(2, 2), p(3, 3)));
-  track.length_m = target.length_m();
-  track.width_m = target.width_m();
-  track.first_seen = target.first_seen();
-  track.last_seen = target.last_seen();
-  track.looks = static_cast<std::uint8_t>(target.looks());
-  track.hits = static_cast<std::uint8_t>(target.hits());
-  track.by_hand = followed.by_hand;
-  return track;
 }
 
 }  // namespace skerry::server

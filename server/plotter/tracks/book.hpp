@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "protocol/quantity/speed.hpp"
 #include "server/plotter/tracks/false_plots.hpp"
 #include "server/plotter/tracks/ground_plane.hpp"
 #include "server/plotter/tracks/look.hpp"
@@ -13,6 +14,13 @@
 #include "server/plotter/tracks/tracker.hpp"
 
 namespace skerry::server {
+
+// Within [-180, 180).
+inline double wrapped_deg(double degrees) {
+  while (degrees >= 180.0) degrees -= 360.0;
+  while (degrees < -180.0) degrees += 360.0;
+  return degrees;
+}
 
 class Tracker::Book {
  public:

@@ -17,7 +17,7 @@ class Look {
   bool could_see() const { return !blind_; }
   void done() { over_ = armed_ = blind_ = false; }
 
-  static constexpr double kMostHalf_deg = 75.0;
+  static constexpr double kMostHalf_deg = 45.0;
 
  private:
   bool armed_ = false, over_ = false, blind_ = false;

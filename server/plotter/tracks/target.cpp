@@ -10,6 +10,8 @@ namespace skerry::server {
 namespace {
 
 constexpr unsigned kLooks = 10;
+// What it has earned is gone after so many turns without it: ten.
+constexpr double kMostBits = 24.0;
 constexpr std::uint16_t kLooksMask = (1u << kLooks) - 1;
 
 double seconds_between(ScenarioTime from, ScenarioTime to) {
@@ -86,7 +88,9 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
   const Innovation found = innovation(imm_.state(), measured);
   const double log2_density = imm_.correct(measured);
   if (straight_.correct(measured, log2_density)) straight_.start(imm_.state());
-  score_bits_ += echo::exact_log2(kSeen) + log2_density - echo::exact_log2(false_per_m2);
+  score_bits_ = std::min(
+      score_bits_ + echo::exact_log2(kSeen) + log2_density - echo::exact_log2(false_per_m2),
+      kMostBits);
   if (hits_ever_ >= 3 && keeps_course()) {
     // A twenty-fifth of the way to what it shows: of 50 plots or so.
     const double shown = std::min(found.distance2, 9.0) / 2.0;

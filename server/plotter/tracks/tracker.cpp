@@ -23,7 +23,7 @@ Tracker::Tracker(const Rule& rule) {
   check(rule.least_speed_kn, 0, 20, "least_speed_kn");
   check(rule.fastest_kn, 10, 200, "fastest_kn");
   check(rule.furthest_nm, 0.1, 120, "furthest_nm");
-  check(rule.sure_bits, 3, 40, "sure_bits");
+  check(rule.sure_bits, 3, 24, "sure_bits");
   check(rule.least_hits, 3, 20, "least_hits");
   check(rule.bearing_sigma_deg, 0, 5, "bearing_sigma_deg");
   check(rule.range_sigma_m, 0, 200, "range_sigma_m");

@@ -16,7 +16,9 @@ struct AntennaPass {
   UtcTime utc{};
   GeoPoint own_ship;
   TrueBearing bearing;
-  double reach_m = 0.0;  // of the video: beyond, nothing can be seen
+  double reach_m = 0.0;    // of the video: beyond, nothing can be seen
+  double width_rad = 0.0;  // swept since the pass before; if the bearing has gone on by more than
+                           // twice as much, spokes are missing
 };
 
 // Knows nothing but plots and where the antenna has been.  The same calls give the same tracks, bit

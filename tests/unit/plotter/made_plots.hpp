@@ -107,7 +107,8 @@ inline void sail(const MadeSea& sea, Tracker& tracker, double from_s, double to_
                   .utc = UtcTime(time_of(t).time_since_epoch()),
                   .own_ship = sea.geo(own),
                   .bearing = TrueBearing::from(degrees(antenna_deg)),
-                  .reach_m = sea.reach_m});
+                  .reach_m = sea.reach_m,
+                  .width_rad = 1.0 / kDegreesPerRadian});
     before_deg = antenna_deg;
     if (turn && n % kPasses == kPasses - 1) turn(t);
   }

@@ -1,0 +1,143 @@
+// What becomes of a target, and what is told of it.
+#include "server/plotter/tracks/book.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "echo/kernel/exact_math.hpp"
+#include "protocol/quantity/angle.hpp"
+
+namespace skerry::server {
+namespace {
+
+
+}  // namespace
+
+void Tracker::Book::judge(Followed& followed) {
+  const Target& target = followed.target;
+  const bool old = target.hits_ever() >= 10 || followed.number != 0;
+  // A target that is seen in five turns of ten is held (MSC.192(79), 5.25.4.5): by chance it is not
+  // seen in ten running once in a thousand turns.
+  if (target.score_bits() < (old ? 0.0 : -6.0) ||
+      (old ? target.looks() == 10 && target.hits() == 0 : target.misses_in_a_row() >= 3)) {
+    followed.gone = true;
+    return;
+  }
+  if (followed.number == 0 && !followed.refused && deserves_a_track(followed)) show(followed);
+}
+
+bool Tracker::Book::deserves_a_track(const Followed& followed) const {
+  const Target& target = followed.target;
+  if (rule_.acquire == Acquire::none || target.hits_ever() < rule_.least_hits ||
+      2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits) {
+    return false;
+  }
+  if (rule_.acquire == Acquire::all) return true;
+  const MotionState& state = target.state();
+  const double speed = length_of(state.velocity());
+  const double sigma = std::sqrt(std::max(state.covariance(2, 2), state.covariance(3, 3)));
+  const double way = length_of(state.place() - target.first_place());
+  const double place_sigma = std::sqrt(std::max(state.covariance(0, 0), state.covariance(1, 1)));
+  return speed > rule_.least_speed_kn * kKnot && speed > 4.0 * sigma &&
+         way > std::max(25.0, 5.0 * place_sigma);
+}
+
+void Tracker::Book::show(Followed& followed) {
+  if (shown_ >= rule_.most_tracks) {
+    ++counts_.left_out;
+    return;
+  }
+  ++shown_;
+  followed.number = ++numbers_;
+}
+
+void Tracker::Book::drop_gone_ones() {
+  for (const Followed& followed : followed_) {
+    if (!followed.gone || followed.number == 0) continue;
+    lost_.push_back(track_of(followed, TrackStatus::lost));
+    --shown_;
+  }
+  std::erase_if(followed_, [](const Followed& followed) { return followed.gone; });
+}
+
+std::uint32_t Tracker::Book::acquire(GeoPoint point, double within_m) {
+  if (!plane_) return 0;
+  const PlanePoint place = plane_->to_plane(point);
+  Followed* nearest = nullptr;
+  double least = within_m;
+  for (Followed& followed : followed_) {
+    const double off = length_of(followed.target.place_at(antenna_.time) - place);
+    if (off > least || followed.target.hits_ever() < 2) continue;
+    least = off;
+    nearest = &followed;
+  }
+  if (nearest == nullptr) return 0;
+  if (nearest->number == 0) show(*nearest);
+  nearest->by_hand = nearest->number != 0;
+  return nearest->number;
+}
+
+bool Tracker::Book::cancel(std::uint32_t number) {
+  for (Followed& followed : followed_) {
+    if (number == 0 || followed.number != number) continue;
+    // It is followed on, so that it is not acquired anew at once.
+    followed.number = 0;
+    followed.by_hand = false;
+    followed.refused = true;
+    --shown_;
+    return true;
+  }
+  return false;
+}
+
+std::vector<Track> Tracker::Book::tracks() const {
+  std::vector<Track> tracks;
+  for (const Followed& followed : followed_) {
+    if (followed.number != 0) tracks.push_back(track_of(followed, TrackStatus::tracked));
+  }
+  std::sort(tracks.begin(), tracks.end(),
+            [](const Track& a, const Track& b) { return a.number < b.number; });
+  return tracks;
+}
+
+std::vector<Track> Tracker::Book::take_lost() { return std::exchange(lost_, {}); }
+
+Tracker::Counts Tracker::Book::counts() const {
+  Counts counts = counts_;
+  counts.followed = followed_.size();
+  return counts;
+}
+
+Track Tracker::Book::track_of(const Followed& followed, TrackStatus status) const {
+  const Target& target = followed.target;
+  const MotionState& state = target.state();
+  const PlanePoint place = target.place_at(antenna_.time);
+  const echo::SinCos north = echo::sin_cos_degrees(-north_deg_);
+  const auto truly = [&](PlanePoint v) { return echo::turned(v, north); };
+  Track track;
+  track.number = followed.number;
+  track.status = status;
+  track.time = antenna_.time;
+  track.utc = antenna_.utc;
+  track.place = plane_->to_geo(place);
+  track.velocity_mps = truly(state.velocity());
+  track.own_ship = antenna_.own_ship;
+  const PlanePoint from_own = place - own_place_;
+  track.range_m = length_of(from_own);
+  track.bearing = TrueBearing::from(degrees(bearing_of(from_own) - north_deg_));
+  track.relative_velocity_mps = truly(state.velocity() - own_motion_.velocity_mps());
+  const MotionMatrix& p = state.covariance;
+  track.place_sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));
+  track.velocity_sigma_mps = std::sqrt(std::max(p(2, 2), p(3, 3)));
+  track.length_m = target.length_m();
+  track.width_m = target.width_m();
+  track.first_seen = target.first_seen();
+  track.last_seen = target.last_seen();
+  track.looks = static_cast<std::uint8_t>(target.looks());
+  track.hits = static_cast<std::uint8_t>(target.hits());
+  track.by_hand = followed.by_hand;
+  return track;
+}
+
+}  // namespace skerry::server
