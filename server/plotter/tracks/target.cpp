@@ -92,9 +92,10 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
       score_bits_ + echo::exact_log2(kSeen) + log2_density - echo::exact_log2(false_per_m2),
       kMostBits);
   if (hits_ever_ >= 3 && keeps_course()) {
-    // A twenty-fifth of the way to what it shows: of 50 plots or so.
+    // The mean of what was shown so far, and of the last 25 or so.
     const double shown = std::min(found.distance2, 9.0) / 2.0;
-    noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) / 25.0), 0.4, 9.0);
+    const double share = std::max(1.0 / 25.0, 1.0 / (hits_ever_ + 2.0));
+    noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) * share), 0.4, 9.0);
   }
   plot_sigma_m_ = larger_sigma(plot.measured.covariance);
   length_m_ += (plot.plot.length_m - length_m_) / 5.0;

@@ -23,7 +23,7 @@ inline Way straight_way(PlanePoint from, double course_deg, double speed_kn) {
 
 struct MadeTarget {
   Way way;
-  double seen = 1.0;         // probability of a plot in a turn
+  double seen = 1.0;  // probability of a plot in a turn
   double glint_along_m = 0.0, glint_across_m = 0.0, heading_deg = 0.0;
 };
 
