@@ -48,7 +48,7 @@ const MotionState& Target::state() const {
 }
 
 bool Target::keeps_course() const {
-  return straight_.doubt_bits() < 4.0 && straight_.seconds() > 12.0;
+  return straight_.seconds() > 12.0;
 }
 
 PlanePoint Target::place_at(ScenarioTime time) const {
