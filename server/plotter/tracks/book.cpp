@@ -16,7 +16,12 @@ constexpr double kStep_deg = 5.0;   // of the antenna, between looks around
 constexpr double kWait_deg = 60.0;  // behind the antenna: by then a plot is a target's or new
 constexpr auto kLongestPause = std::chrono::seconds(60);
 constexpr auto kLongestBack = std::chrono::seconds(1);  // a clock that is put right
-constexpr double kLongestLeap_m = 2000.0;               // of own ship, between two rows
+// Beyond, a target is too little known to take a plot.  A plot may be some tenths of a second older
+// than the step: at 75 kn 15 m, of which a gate has several times as much.
+constexpr double kWidestGate_m = 800.0;
+// Competing for plots at once; in clutter chains of rivals would have no end.
+constexpr std::size_t kMostRivals = 48;
+constexpr double kLongestLeap_m = 2000.0;  // of own ship, between two rows
 
 bool is_on_earth(GeoPoint point) {
   return std::fabs(point.latitude_deg) <= 90.0 && std::fabs(point.longitude_deg) <= 180.0;
@@ -80,81 +85,106 @@ void Tracker::Book::pass(const AntennaPass& antenna) {
 
 void Tracker::Book::step() {
   false_plots_.pass(antenna_.bearing.in_degrees());
-  for (Followed& followed : followed_) look_for(followed);
+  sights_.clear();
+  for (Followed& followed : followed_) sights_.push_back(look_for(followed));
+  sort_by_east();
   resolve();
   begin_new_ones();
   drop_gone_ones();
 }
 
-void Tracker::Book::look_for(Followed& followed) {
-  const PlanePoint place = followed.target.place_at(antenna_.time);
-  const PlanePoint from_own = place - own_place_;
-  const double range_m = length_of(from_own);
-  const double off = off_deg(place);
+Tracker::Book::Sight Tracker::Book::look_for(Followed& followed) {
+  Target& target = followed.target;
+  const PlanePoint place = target.place_at(antenna_.time);
+  const double range_m = length_of(place - own_place_);
+  Sight sight{place, std::min(target.gate_m(), kWidestGate_m), off_deg(place)};
   // Until the antenna has passed all of it, and the plot is complete.
-  const double hull_m = 0.5 * std::max(followed.target.length_m(), followed.target.width_m());
+  const double hull_m = 0.5 * std::max(target.length_m(), target.width_m());
   const double across_deg =
-      (followed.target.gate_m() + hull_m) / std::max(range_m, 1.0) * kDegreesPerRadian + 3.0;
+      (sight.gate_m + hull_m) / std::max(range_m, 1.0) * kDegreesPerRadian + 3.0;
   const bool blind = gap_ || range_m > antenna_.reach_m || range_m < 20.0;
-  if (!followed.look.pass(off, std::min(across_deg, Look::kMostHalf_deg), blind)) return;
+  if (!followed.look.pass(sight.off_deg, std::min(across_deg, Look::kMostHalf_deg), blind)) {
+    return sight;
+  }
   // When the antenna was there, or about: plots of it say the time themselves.
-  followed.target.go_on(antenna_.time);
-  const double true_deg = antenna_.bearing.in_degrees() - off;
+  target.go_on(antenna_.time);
+  const double true_deg = antenna_.bearing.in_degrees() - sight.off_deg;
   followed.false_per_m2 =
       false_plots_.density_per_m2(range_m, true_deg - 360.0 * std::floor(true_deg / 360.0));
+  return sight;
 }
 
-// Those whose look is over, with all that compete with them for plots; a competitor that the
-// antenna has not passed yet is waited for.
+void Tracker::Book::sort_by_east() {
+  targets_by_east_.clear();
+  plots_by_east_.clear();
+  widest_gate_m_ = 0.0;
+  for (std::size_t k = 0; k < sights_.size(); ++k) {
+    // One that the antenna will only come to has its own plots ahead.
+    if (!followed_[k].look.is_over() && std::fabs(sights_[k].off_deg) > kWait_deg) continue;
+    targets_by_east_.emplace_back(sights_[k].place.east_m, k);
+    widest_gate_m_ = std::max(widest_gate_m_, sights_[k].gate_m);
+  }
+  for (std::size_t p = 0; p < open_.size(); ++p) {
+    plots_by_east_.emplace_back(open_[p].placed.measured.place(0), p);
+  }
+  std::sort(targets_by_east_.begin(), targets_by_east_.end());
+  std::sort(plots_by_east_.begin(), plots_by_east_.end());
+}
+
+// Those whose look is over, with all that compete with them for plots; a rival that the antenna has
+// not passed yet is waited for.
 void Tracker::Book::resolve() {
-  for (std::size_t i = 0; i < followed_.size(); ++i) {
-    if (!followed_[i].look.is_over()) continue;
-    std::vector<std::size_t> plots;
-    const std::vector<std::size_t> who = competitors(i, plots);
-    const bool waits =
-        std::any_of(who.begin(), who.end(),
-                    [&](std::size_t k) { return !followed_[k].look.is_over(); }) &&
-        off_deg(followed_[i].target.place_at(antenna_.time)) < kWait_deg - 2.0 * kStep_deg;
-    if (waits) continue;
-    std::vector<std::size_t> ready;
-    for (const std::size_t k : who) {
-      if (followed_[k].look.is_over()) ready.push_back(k);
-    }
-    decide(ready, plots);
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    if (!followed_[k].look.is_over()) continue;
+    Rivals rivals = rivals_of(k);
+    if (waits_for_a_rival(k, rivals)) continue;
+    std::erase_if(rivals.targets, [&](std::size_t i) { return !followed_[i].look.is_over(); });
+    decide(rivals.targets, rivals.plots);
   }
 }
 
-// The targets that share plots with `first`, it included, and those plots, each in rising order.
-std::vector<std::size_t> Tracker::Book::competitors(std::size_t first,
-                                                    std::vector<std::size_t>& plots) const {
-  std::vector<std::size_t> who{first};
-  std::vector<bool> known(followed_.size()), used(open_.size());
-  known[first] = true;
-  const auto near = [&](const Followed& followed, const Open& open) {
-    const PlanePoint place = followed.target.place_at(open.placed.plot.time);
-    const double gate = followed.target.gate_m();
-    const double east = open.placed.measured.place(0) - place.east_m;
-    const double north = open.placed.measured.place(1) - place.north_m;
-    return std::fabs(east) < gate && std::fabs(north) < gate;
+bool Tracker::Book::waits_for_a_rival(std::size_t who, const Rivals& rivals) const {
+  if (sights_[who].off_deg >= kWait_deg - 2.0 * kStep_deg) return false;
+  return std::any_of(rivals.targets.begin(), rivals.targets.end(),
+                     [&](std::size_t i) { return !followed_[i].look.is_over(); });
+}
+
+// The targets that share plots with `first`, it included, and those plots: as far as kMostRivals.
+Tracker::Book::Rivals Tracker::Book::rivals_of(std::size_t first) const {
+  Rivals rivals{{first}, {}};
+  const auto from = [](const ByEast& list, double east) {
+    return std::lower_bound(list.begin(), list.end(), std::pair<double, std::size_t>(east, 0));
   };
-  for (std::size_t next = 0; next < who.size(); ++next) {
-    for (std::size_t p = 0; p < open_.size(); ++p) {
-      if (open_[p].taken || used[p] || !near(followed_[who[next]], open_[p])) continue;
-      used[p] = true;
-      plots.push_back(p);
-      for (std::size_t k = 0; k < followed_.size(); ++k) {
-        if (known[k] || !near(followed_[k], open_[p])) continue;
-        // One that the antenna will only come to has its own plots ahead.
-        const double off = off_deg(followed_[k].target.place_at(antenna_.time));
-        if (!followed_[k].look.is_over() && std::fabs(off) > kWait_deg) continue;
-        known[k] = true;
-        who.push_back(k);
+  const auto is_new = [](const std::vector<std::size_t>& list, std::size_t one) {
+    return std::find(list.begin(), list.end(), one) == list.end();
+  };
+  const auto near = [&](const Sight& sight, const Open& open) {
+    const double north = open.placed.measured.place(1) - sight.place.north_m;
+    const double east = open.placed.measured.place(0) - sight.place.east_m;
+    return std::fabs(east) < sight.gate_m && std::fabs(north) < sight.gate_m;
+  };
+  for (std::size_t next = 0; next < rivals.targets.size(); ++next) {
+    const Sight& sight = sights_[rivals.targets[next]];
+    for (auto at = from(plots_by_east_, sight.place.east_m - sight.gate_m);
+         at != plots_by_east_.end() && at->first < sight.place.east_m + sight.gate_m; ++at) {
+      const Open& open = open_[at->second];
+      if (rivals.plots.size() >= kMostRivals || open.taken || !near(sight, open) ||
+          !is_new(rivals.plots, at->second)) {
+        continue;
+      }
+      rivals.plots.push_back(at->second);
+      for (auto other = from(targets_by_east_, at->first - widest_gate_m_);
+           other != targets_by_east_.end() && other->first < at->first + widest_gate_m_; ++other) {
+        if (rivals.targets.size() >= kMostRivals) break;
+        if (near(sights_[other->second], open) && is_new(rivals.targets, other->second)) {
+          rivals.targets.push_back(other->second);
+        }
       }
     }
   }
-  std::sort(who.begin(), who.end());
-  std::sort(plots.begin(), plots.end());
-  return who;
+  std::sort(rivals.targets.begin(), rivals.targets.end());
+  std::sort(rivals.plots.begin(), rivals.plots.end());
+  return rivals;
 }
 
 void Tracker::Book::decide(const std::vector<std::size_t>& who,

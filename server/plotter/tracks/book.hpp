@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "protocol/quantity/speed.hpp"
@@ -48,6 +49,13 @@ class Tracker::Book {
     PlacedPlot placed;
     bool taken = false;
   };
+  // Of a target, at the last step of the antenna.
+  struct Sight {
+    PlanePoint place;
+    double gate_m = 0.0;
+    double off_deg = 0.0;
+  };
+  using ByEast = std::vector<std::pair<double, std::size_t>>;  // rising
 
   void begin(const AntennaPass& antenna);
   void lay_plane_anew(GeoPoint anchor);
@@ -57,9 +65,14 @@ class Tracker::Book {
 
   // One step of the antenna: who has been passed, whose plot is whose, which plots are new.
   void step();
-  void look_for(Followed& followed);
+  Sight look_for(Followed& followed);
+  void sort_by_east();
   void resolve();
-  std::vector<std::size_t> competitors(std::size_t first, std::vector<std::size_t>& plots) const;
+  struct Rivals {
+    std::vector<std::size_t> targets, plots;  // rising
+  };
+  Rivals rivals_of(std::size_t first) const;
+  bool waits_for_a_rival(std::size_t who, const Rivals& rivals) const;
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
   void judge(Followed& followed);
   bool deserves_a_track(const Followed& followed) const;
@@ -78,7 +91,10 @@ class Tracker::Book {
   double stepped_deg_ = 0.0;
   bool gap_ = false;  // spokes are missing since the last step
   std::vector<Followed> followed_;
+  std::vector<Sight> sights_;  // of followed_
   std::vector<Open> open_;
+  ByEast targets_by_east_, plots_by_east_;
+  double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
   std::vector<Track> lost_;
   std::uint32_t numbers_ = 0, shown_ = 0;

@@ -9,10 +9,7 @@
 #include "protocol/quantity/angle.hpp"
 
 namespace skerry::server {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 void Tracker::Book::judge(Followed& followed) {
   const Target& target = followed.target;

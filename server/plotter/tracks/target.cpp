@@ -47,9 +47,7 @@ const MotionState& Target::state() const {
   return keeps_course() ? straight_.state() : imm_.state();
 }
 
-bool Target::keeps_course() const {
-  return straight_.seconds() > 12.0;
-}
+bool Target::keeps_course() const { return straight_.seconds() > 12.0; }
 
 PlanePoint Target::place_at(ScenarioTime time) const {
   const MotionState& now = state();

@@ -1,0 +1,143 @@
+// Scenes on the rendered video of a radar, and what the plotter makes of them.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "protocol/quantity/speed.hpp"
+#include "server/app/exercise_files.hpp"
+#include "server/app/options/charts.hpp"
+#include "server/exercise_tool/radar_turns.hpp"
+#include "server/plotter/assignment/assignment.hpp"
+#include "server/plotter/judge/set_distance.hpp"
+#include "server/plotter/plotter.hpp"
+#include "server/plotter/tracks/ground_plane.hpp"
+#include "tests/bench/plotter/scenes.hpp"
+
+namespace {
+
+using namespace skerry;
+using namespace skerry::server;
+
+struct Score {
+  double gospa = 0.0, missed = 0.0, made_up = 0.0, truth = 0.0;
+  int turns = 0, swaps = 0;
+  double off2 = 0.0;
+  int pairs = 0;
+  double plots = 0.0, extended = 0.0, seconds = 0.0, followed = 0.0;
+  std::set<std::uint32_t> false_numbers, numbers;
+};
+
+constexpr double kCut_m = 200.0;
+
+void take(Score& score, const GroundPlane& plane, const World& world, const Plotter& plotter,
+          double reach_m, std::map<std::uint32_t, std::size_t>& whose,
+          std::set<std::uint32_t>& ever_right) {
+  const auto state = world.state();
+  const PlanePoint own = plane.to_plane(state.own_ships.front().position);
+  std::vector<PlanePoint> truth, told;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < state.targets.size(); ++i) {
+    const PlanePoint at = plane.to_plane(state.targets[i].position);
+    if (length_of(at - own) > reach_m || length_of(at - own) < 200.0) continue;
+    truth.push_back(at);
+    of.push_back(i);
+  }
+  const auto tracks = plotter.tracks();
+  for (const Track& track : tracks) told.push_back(plane.to_plane(track.place));
+  const Gospa g = gospa(truth, told, kCut_m, 1.0);
+  score.gospa += g.m;
+  score.missed += static_cast<double>(g.missed);
+  score.made_up += static_cast<double>(g.made_up);
+  score.truth += static_cast<double>(truth.size());
+  ++score.turns;
+  std::vector<double> costs;
+  for (const PlanePoint& a : told)
+    for (const PlanePoint& b : truth) costs.push_back(length_of(a - b));
+  const auto pairs = cheapest_pairs(costs, told.size(), truth.size(), kCut_m);
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    score.numbers.insert(tracks[i].number);
+    if (pairs[i] == kUnpaired) continue;
+    ever_right.insert(tracks[i].number);
+    const double off = costs[i * truth.size() + pairs[i]];
+    score.off2 += off * off;
+    ++score.pairs;
+    const auto known = whose.find(tracks[i].number);
+    if (known != whose.end() && known->second != of[pairs[i]]) ++score.swaps;
+    whose[tracks[i].number] = of[pairs[i]];
+  }
+}
+
+Score run(const bench::PlotterScene& scene, const echo::ChartSource& chart, bool verbose) {
+  const ExercisePlan plan = exercise_plan(scene.yaml, scene.name);
+  World world(plan.scenario);
+  RadarTurns turns(plan, 0, std::nullopt, chart, world);
+  Plotter::Rule rule;
+  rule.tracks.most_tracks = 300;
+  rule.tracks.acquire = scene.all ? Tracker::Acquire::all : Tracker::Acquire::moving;
+  Plotter plotter(rule);
+  Score score;
+  std::map<std::uint32_t, std::size_t> whose;
+  std::set<std::uint32_t> ever_right;
+  const GroundPlane plane(world.state().own_ships.front().position);
+  const double reach_m = turns.config().controls.range_scale.length().in_metres();
+  while (in_seconds(turns.world().state().exercise) < 60.0 * scene.minutes) {
+    const Scan scan = turns.turn();
+    const auto before = std::chrono::steady_clock::now();
+    for (const auto& spoke : scan.spokes) {
+      if (!spoke) continue;
+      plotter.add(*spoke);
+      for (const Plot& plot : plotter.new_plots()) {
+        ++(plot.extended ? score.extended : score.plots);
+        if (verbose && score.turns == 40)
+          std::printf("plot %.2f %.0f len %.0f wid %.0f lvl %d cells %u ext %d\n",
+                      plot.bearing.in_degrees(), plot.range_m, plot.length_m, plot.width_m,
+                      plot.greatest, plot.cells, plot.extended);
+      }
+    }
+    score.seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    score.followed += static_cast<double>(plotter.tracker().counts().followed);
+    if (in_seconds(turns.world().state().exercise) < 60.0) continue;
+    take(score, plane, turns.world(), plotter, reach_m, whose, ever_right);
+    if (verbose && score.turns % 40 == 0) {
+      for (const Track& track : plotter.tracks())
+        std::printf("  %d track %u %.1f %.0f m %.1f kn %d/%d len %.0f\n", score.turns, track.number,
+                    track.bearing.in_degrees(), track.range_m,
+                    length_of(track.velocity_mps) / kKnot, track.hits, track.looks, track.length_m);
+    }
+  }
+  for (const std::uint32_t number : score.numbers) {
+    if (!ever_right.contains(number)) score.false_numbers.insert(number);
+  }
+  return score;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Scenes on rendered video, and what the plotter makes of them."};
+  std::string only;
+  bool verbose = false;
+  app.add_option("--scene", only, "only those whose name holds this");
+  app.add_flag("--verbose", verbose);
+  CLI11_PARSE(app, argc, argv);
+  const auto chart = open_charts({}, "");
+  std::printf(
+      "scene                    targets  GOSPA m  missed  false   tracks  false    swaps  RMS m  "
+      "plots  land  "
+      "ms/turn followed\n                                   a turn  a turn  a turn           an "
+      "hour\n");
+  for (const auto& scene : bench::plotter_scenes()) {
+    if (scene.name.find(only) == std::string::npos) continue;
+    const Score s = run(scene, *chart, verbose);
+    const double n = s.turns;
+    const double hours = (scene.minutes - 1.0) / 60.0;
+    std::printf("%-24s %6.1f %8.0f %8.2f %7.2f %7zu %7.1f %6d %7.1f %7.1f %6.1f %6.2f %5.0f\n",
+                scene.name.c_str(), s.truth / n, s.gospa / n, s.missed / n, s.made_up / n,
+                s.numbers.size(), static_cast<double>(s.false_numbers.size()) / hours, s.swaps,
+                std::sqrt(s.off2 / std::max(s.pairs, 1)), s.plots / n, s.extended / n,
+                1e3 * s.seconds / n, s.followed / n);
+    std::fflush(stdout);
+  }
+}
