@@ -112,8 +112,8 @@ void LocalThreshold::average_all(Padded& of, std::vector<std::uint16_t>& into) {
       mean = before + after > 0 ? (sum_before + sum_after) / (before + after) : 0;
     } else {
       const std::uint32_t one = sum_before / before, other = sum_after / after;
-      mean = rule_.statistic == Statistic::greatest_of ? std::max(one, other)
-                                                       : std::min(one, other);
+      mean =
+          rule_.statistic == Statistic::greatest_of ? std::max(one, other) : std::min(one, other);
     }
     into[b] = static_cast<std::uint16_t>(mean);
   }

@@ -27,9 +27,9 @@ struct Run {
 // cells.  Each has a mean and a roughness, the mean deviation of its cells from it.  (Not the step
 // from a cell to the next: where the receiver is sampled finer than its pulse, neighbours are alike
 // and steps say a third of what the noise is.)  A block's background is the `rank`-th smallest mean
-// among its neighbours within `around` blocks on either side, not counting itself and the next ones;
-// its roughness is of the same rank.  So echoes may cover part of the neighbours, also those of
-// land on one side.  Error against ordered statistics over cells: held by
+// among its neighbours within `around` blocks on either side, not counting itself and the next
+// ones; its roughness is of the same rank.  So echoes may cover part of the neighbours, also those
+// of land on one side.  Error against ordered statistics over cells: held by
 // LocalThreshold.IsNearTheOneOverCells.
 //
 // The other statistics are of the same blocks: the mean of all of them, or the greater or the
@@ -45,10 +45,11 @@ class LocalThreshold {
     std::uint32_t around = 5;  // blocks on either side, 1 to kMostAround
     std::uint32_t guard = 1;   // blocks beside it that do not count, less than around
     double rank = 0.4;         // share of the neighbours that are smaller, of Statistic::ordered
-    // Over the background, in mean deviations.  One of Gaussian cells is 0.77 sigma, so 5 are 3.9
-    // sigma: white noise passes a cell in 20,000, and alike in range by whole pulses, it must do so
-    // in two rows (PlotExtractor) to be a plot: less than one in ten turns of a million cells.
-    double roughnesses = 5.0;
+    // Over the background, in mean deviations; one of Gaussian cells is 0.77 sigma.  Of noise alone
+    // a million cells make 0.1 plots where a pulse is three cells, 0.9 where it is six (two rows
+    // must agree, PlotExtractor::Rule::least_width), and at 4.0 three times as many; half a unit
+    // more costs 1 dB of sensitivity.  Held from both sides by PlotDetection.
+    double roughnesses = 4.25;
     std::uint8_t least_step = 24;        // over the background, levels
     std::uint8_t most_background = 110;  // levels; what is stronger all around is land, not clutter
   };

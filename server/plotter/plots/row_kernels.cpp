@@ -87,8 +87,7 @@ SKERRY_KERNEL_BODY rank_blocks_body(const std::uint16_t* __restrict values, std:
 
 }  // namespace
 
-SKERRY_KERNEL(add_cells,
-              (const std::uint8_t* cells, std::uint16_t* sums, std::size_t count),
+SKERRY_KERNEL(add_cells, (const std::uint8_t* cells, std::uint16_t* sums, std::size_t count),
               (cells, sums, count))
 
 SKERRY_KERNEL(scale_sums,
