@@ -85,6 +85,10 @@ void PlotExtractor::take_row(std::vector<Plot>& out) {
   runs_.clear();
   threshold_.find(row.levels, runs_);
   ++counts_.rows;
+  if (!row.follows) {  // what is open belongs to the place and the range before
+    builder_.flush(blobs_);
+    take_blobs(out);
+  }
   land_.go_on(row.own_ship, static_cast<std::uint64_t>(row.width_rad * kUnitsPerRadian + 0.5),
               row.cell_m * static_cast<double>(row.levels.size()));
   counts_.runs += runs_.size();
