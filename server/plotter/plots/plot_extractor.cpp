@@ -106,7 +106,7 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
           std::minmax_element(cells.begin(), cells.end(),
                               [](const BlobCell& a, const BlobCell& b) { return a.row < b.row; });
       const int width = rows.second->row - rows.first->row + 1;
-      if (width * blob.row_width_rad < rule_.least_width * beam_rad_) continue;
+      if (width < 2 || width * blob.row_width_rad < rule_.least_width * beam_rad_) continue;
       std::uint8_t over = 0;
       for (const BlobCell& cell : cells) over = std::max(over, cell.over);
       Plot plot = plot_of(blob, cells, over);
@@ -152,18 +152,15 @@ Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells
 }
 
 void PlotExtractor::learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot) {
-  if (!plot.extended) {
-    land_.add_plot(plot.own_ship, plot.bearing, plot.range_m);
-    return;
-  }
+  if (!plot.extended) land_.add_plot(plot.own_ship, plot.bearing, plot.range_m);
   for (std::size_t i = 0; i < cells.size();) {
     std::size_t end = i + 1;
     while (end < cells.size() && cells[end].row == cells[i].row &&
            cells[end].cell == cells[end - 1].cell + 1)
       ++end;
     const BlobRow& row = blob.rows[cells[i].row];
-    land_.add_land(row.own_ship, row.bearing, blob.row_width_rad, cells[i].cell * blob.cell_m,
-                   (cells[end - 1].cell + 1) * blob.cell_m);
+    land_.add_echo(row.own_ship, row.bearing, blob.row_width_rad, cells[i].cell * blob.cell_m,
+                   (cells[end - 1].cell + 1) * blob.cell_m, plot.extended);
     i = end;
   }
 }

@@ -27,9 +27,8 @@ class PlotExtractor {
     double pulse_m = 20.0;  // 0 to 500
     double levels_per_db =
         4.0;  // of the video, 0.5 to 20: a strong point is seen by more than the beam
-    // Fewer cells of rows, or an echo narrower than this share of the beam, is noise.  Where rows
-    // are a quarter of the beam, half of it are two: noise that one pulse smears over several cells
-    // of a row does not do so in the next one.
+    // Fewer cells of rows, a single row, or an echo narrower than this share of the beam, is noise
+    // or interference: what one pulse smears over several cells of a row is not in the next one.
     std::uint32_t least_cells = 3;
     double least_width = 0.5;
     // Longer or wider than this, after the deduction, is land or rain: an extended plot.

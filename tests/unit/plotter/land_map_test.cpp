@@ -37,7 +37,7 @@ void see_land(LandMap& map, PlanePoint ship, PlanePoint from, PlanePoint to) {
       if (last < 0.0) first = range;
       last = range;
     }
-    if (last >= 0.0) map.add_land(at, toward(deg), kRadiansPerTurn / 1024.0, first, last);
+    if (last >= 0.0) map.add_echo(at, toward(deg), kRadiansPerTurn / 1024.0, first, last, true);
   }
 }
 
@@ -56,27 +56,27 @@ TEST(LandMap, LearnsLandInSomeTurnsAndForgetsItInMore) {
   };
   turn(true);
   EXPECT_LT(marks_at(map, ship, inside).on_land, 0.2);
-  for (int i = 1; i < 5; ++i) turn(true);
+  for (int i = 1; i < 6; ++i) turn(true);
   EXPECT_GE(marks_at(map, ship, inside).on_land, 0.5);
-  for (int i = 5; i < 11; ++i) turn(true);
+  for (int i = 6; i < 12; ++i) turn(true);
   EXPECT_EQ(marks_at(map, ship, inside).on_land, 1.0);
   EXPECT_EQ(marks_at(map, ship, {1900.0, 300.0}).on_land, 0.0) << "100 m before it";
-  EXPECT_EQ(marks_at(map, ship, {1970.0, 300.0}).on_land, 0.5) << "in the cell beside it";
-  for (int i = 0; i < 13; ++i) turn(false);
+  EXPECT_EQ(marks_at(map, ship, {1980.0, 300.0}).on_land, 0.5) << "20 m before it";
+  for (int i = 0; i < 11; ++i) turn(false);
   EXPECT_LT(marks_at(map, ship, inside).on_land, 0.5);
-  for (int i = 0; i < 90; ++i) turn(false);
+  for (int i = 0; i < 5; ++i) turn(false);
   EXPECT_EQ(marks_at(map, ship, inside).on_land, 0.0);
 }
 
 TEST(LandMap, HasNoHolesInLandOnAnyRange) {
   for (const double reach : {1000.0, 5556.0, 11112.0, 44448.0}) {
     LandMap map;
-    for (int i = 0; i < 11; ++i) {
+    for (int i = 0; i < 12; ++i) {
       map.go_on(place(0.0, 0.0), kTurn, reach);
       // Of a radar of few spokes.
       for (int row = 0; row < 250; ++row)
-        map.add_land(place(0.0, 0.0), toward(row * 1.44), 1.44 * kRadiansPerDegree, 0.5 * reach,
-                     0.98 * reach);
+        map.add_echo(place(0.0, 0.0), toward(row * 1.44), 1.44 * kRadiansPerDegree, 0.5 * reach,
+                     0.98 * reach, true);
     }
     for (double deg = 0.0; deg < 360.0; deg += 0.37)
       for (double range = 0.55; range < 0.95; range += 0.013)
@@ -103,17 +103,23 @@ TEST(LandMap, LiesStillWhileOwnShipMoves) {
 TEST(LandMap, IsNotShipsAtAnchorButIsAHarbourFullOfThem) {
   LandMap map;
   const GeoPoint ship = place(0.0, 0.0);
-  for (int turn = 0; turn < 60; ++turn) {
+  const auto see = [&](double bearing_deg, double range_m) {
+    map.add_plot(ship, toward(bearing_deg), range_m);
+    for (int row = -2; row <= 2; ++row)  // 1.7 degrees, 90 m
+      map.add_echo(ship, toward(bearing_deg + 0.35 * row), 0.35 * kRadiansPerDegree, range_m - 20.0,
+                   range_m + 20.0, false);
+  };
+  for (int turn = 0; turn < 30; ++turn) {
     map.go_on(ship, kTurn, kReach);
-    for (int i = 0; i < 3; ++i) map.add_plot(ship, toward(90.0 + 2.0 * i), 3000.0);
-    for (int i = 0; i < 9; ++i)
-      map.add_plot(ship, toward(200.0 + i % 3 * 2.0), 3000.0 + i / 3 * 100.0);
-    for (const double deg : {90.0, 94.0}) {
-      EXPECT_EQ(map.at(ship, toward(deg), 3000.0).on_land, 0.0);
+    for (int i = 0; i < 4; ++i) see(90.0 + 4.0 * i, 3000.0);  // 210 m apart
+    for (int i = 0; i < 25; ++i) see(200.0 + i % 5 * 2.5, 2800.0 + i / 5 * 110.0);
+    for (const double deg : {90.0, 94.0, 98.0}) {
+      EXPECT_LT(map.at(ship, toward(deg), 3000.0).on_land, 0.5);
       EXPECT_EQ(map.at(ship, toward(deg), 3000.0).clutter, 0.0);
     }
   }
-  EXPECT_EQ(map.at(ship, toward(202.0), 3100.0).on_land, 1.0);
+  EXPECT_EQ(map.at(ship, toward(205.0), 3020.0).on_land, 1.0);
+  EXPECT_EQ(map.at(ship, toward(205.0), 3020.0).clutter, 0.0) << "it stays";
 }
 
 TEST(LandMap, CallsThatClutterWhichComesAndGoes) {
@@ -148,7 +154,7 @@ TEST(LandMap, TakesPlacesAndRangesThatAreNone) {
     const GeoPoint& at = places[static_cast<std::size_t>(turn) % places.size()];
     map.go_on(at, kTurn * (turn % 3), turn % 2 == 0 ? 1.0 : 1e6);
     map.add_plot(at, toward(10.0 * turn), 1000.0);
-    map.add_land(at, toward(10.0 * turn), 0.05, 0.0, turn % 2 == 0 ? 1.0 : 1e6);
+    map.add_echo(at, toward(10.0 * turn), 0.05, 0.0, turn % 2 == 0 ? 1.0 : 1e6, true);
     const LandMap::Marks marks = map.at(at, toward(20.0), 500.0);
     EXPECT_TRUE(marks.on_land >= 0.0 && marks.on_land <= 1.0);
     EXPECT_TRUE(marks.clutter >= 0.0 && marks.clutter <= 1.0);
