@@ -4,29 +4,42 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 namespace skerry::server {
 namespace {
 
-constexpr std::uint32_t kFine = 16;  // means and steps are in 16ths of a level
+constexpr std::uint32_t kFine = 16;  // means and deviations are in 16ths of a level
 
 void require(bool right, std::string_view name, std::string_view range) {
   if (!right) throw std::invalid_argument(fmt::format("{}: must be {}", name, range));
 }
 
-// Inserts into a sorted list of `count` values.
-void insert(std::array<std::uint16_t, 2 * LocalThreshold::kMostAround>& sorted, std::size_t count,
-            std::uint16_t value) {
-  std::size_t at = count;
-  for (; at > 0 && sorted[at - 1] > value; --at) sorted[at] = sorted[at - 1];
-  sorted[at] = value;
+// The rank, from 0, of so many values.
+std::size_t rank_of(double share, std::size_t count) {
+  return static_cast<std::size_t>(share * static_cast<double>(count - 1) + 0.5);
+}
+
+// A block of less than kBlockCells cells.
+void measure_rest(std::span<const std::uint8_t> cells, std::uint16_t& mean,
+                  std::uint16_t& deviation, std::uint8_t& greatest) {
+  const auto count = static_cast<std::uint32_t>(cells.size());
+  std::uint32_t sum = 0, off = 0;
+  greatest = 0;
+  for (const std::uint8_t cell : cells) {
+    sum += cell;
+    greatest = std::max(greatest, cell);
+  }
+  for (const std::uint8_t cell : cells)
+    off += std::max(cell * count, sum) - std::min(cell * count, sum);
+  mean = static_cast<std::uint16_t>(sum * kFine / count);
+  deviation = static_cast<std::uint16_t>(off * kFine / (count * count));
 }
 
 }  // namespace
 
 LocalThreshold::LocalThreshold(const Rule& rule) : rule_(rule) {
+  require(rule.statistic <= Statistic::smallest_of, "statistic", "one of the four");
   require(rule.around >= 1 && rule.around <= kMostAround, "around", "1 to 8 blocks");
   require(rule.guard < rule.around, "guard", "less than around");
   require(rule.rank >= 0.0 && rule.rank <= 1.0, "rank", "0 to 1");
@@ -35,54 +48,94 @@ LocalThreshold::LocalThreshold(const Rule& rule) : rule_(rule) {
 }
 
 void LocalThreshold::measure(std::span<const std::uint8_t> levels) {
-  const std::size_t blocks = (levels.size() + kBlock - 1) / kBlock;
-  means_.resize(blocks);
-  steps_.resize(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const std::uint8_t* cells = levels.data() + b * kBlock;
-    const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - b * kBlock);
-    std::uint32_t sum = 0, steps = 0;
-    if (count == kBlock) {
-      for (std::uint32_t i = 0; i < kBlock; ++i) sum += cells[i];
-      for (std::uint32_t i = 0; i + 1 < kBlock; ++i)
-        steps += static_cast<std::uint32_t>(std::abs(cells[i + 1] - cells[i]));
-    } else {
-      for (std::size_t i = 0; i < count; ++i) sum += cells[i];
-      for (std::size_t i = 0; i + 1 < count; ++i)
-        steps += static_cast<std::uint32_t>(std::abs(cells[i + 1] - cells[i]));
-      sum = sum * kBlock / static_cast<std::uint32_t>(count);
-      steps =
-          steps * (kBlock - 1) / static_cast<std::uint32_t>(std::max<std::size_t>(count, 2) - 1);
+  const std::size_t full = levels.size() / kBlock;
+  blocks_ = (levels.size() + kBlock - 1) / kBlock;
+  means_.values.resize(blocks_ + 2 * kMostAround);
+  deviations_.values.resize(blocks_ + 2 * kMostAround);
+  greatest_.resize(blocks_);
+  measure_blocks(levels.data(), full, means_.blocks(), deviations_.blocks(), greatest_.data());
+  if (full < blocks_)
+    measure_rest(levels.subspan(full * kBlock), means_.blocks()[full], deviations_.blocks()[full],
+                 greatest_[full]);
+}
+
+void LocalThreshold::rank_all(Padded& of, std::vector<std::uint16_t>& into) {
+  const std::size_t side = rule_.around - rule_.guard, all = 2 * side;
+  const std::size_t rank = rank_of(rule_.rank, all);
+  std::uint16_t* values = of.blocks();
+  if (blocks_ > 2 * rule_.around) {
+    // Beyond the ends stand the smallest and the greatest of values, so many of each that the rank
+    // among all of them is the wanted one among those there are.
+    std::size_t low = 0;
+    for (std::size_t missing = 1; missing <= rule_.around; ++missing) {
+      std::uint16_t pad = 0;
+      if (missing <= side) {
+        const std::size_t lows = rank - rank_of(rule_.rank, all - missing);
+        pad = lows > low ? 0 : 0xffff;
+        low = lows;
+      } else {  // of the guard: each block beyond misses one more of the far ones instead
+        pad = values[-static_cast<std::ptrdiff_t>(missing - side)];
+      }
+      values[-static_cast<std::ptrdiff_t>(missing)] = pad;
+      values[blocks_ + missing - 1] = pad;
     }
-    means_[b] = static_cast<std::uint16_t>(sum * kFine / kBlock);
-    steps_[b] = static_cast<std::uint16_t>(steps * kFine / (kBlock - 1));
+    rank_blocks(values, blocks_, rule_.guard + 1, rule_.around, rank, into.data());
+    return;
+  }
+  for (std::size_t b = 0; b < blocks_; ++b) {
+    std::array<std::uint16_t, 2 * kMostAround> near;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < blocks_; ++i) {
+      const std::size_t off = i > b ? i - b : b - i;
+      if (off > rule_.guard && off <= rule_.around) near[count++] = values[i];
+    }
+    std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
+    into[b] = count > 0 ? near[rank_of(rule_.rank, count)] : std::uint16_t{0};
+  }
+}
+
+void LocalThreshold::average_all(Padded& of, std::vector<std::uint16_t>& into) {
+  const std::uint16_t* values = of.blocks();
+  sums_.resize(blocks_ + 1);
+  sums_[0] = 0;
+  for (std::size_t b = 0; b < blocks_; ++b) sums_[b + 1] = sums_[b] + values[b];
+  for (std::size_t b = 0; b < blocks_; ++b) {
+    const std::size_t from = b > rule_.around ? b - rule_.around : 0;
+    const std::size_t to = b > rule_.guard ? b - rule_.guard : 0;
+    const std::size_t next = std::min(blocks_, b + rule_.guard + 1);
+    const std::size_t end = std::min(blocks_, b + rule_.around + 1);
+    const std::uint32_t sum_before = sums_[to] - sums_[from], sum_after = sums_[end] - sums_[next];
+    const auto before = static_cast<std::uint32_t>(to - from);
+    const auto after = static_cast<std::uint32_t>(end - next);
+    std::uint32_t mean = 0;
+    if (before == 0 || after == 0 || rule_.statistic == Statistic::cell_mean) {
+      mean = before + after > 0 ? (sum_before + sum_after) / (before + after) : 0;
+    } else {
+      const std::uint32_t one = sum_before / before, other = sum_after / after;
+      mean =
+          rule_.statistic == Statistic::greatest_of ? std::max(one, other) : std::min(one, other);
+    }
+    into[b] = static_cast<std::uint16_t>(mean);
   }
 }
 
 void LocalThreshold::set_thresholds() {
-  const std::size_t blocks = means_.size();
-  backgrounds_.resize(blocks);
-  thresholds_.resize(blocks);
+  mean_around_.resize(blocks_);
+  deviation_around_.resize(blocks_);
+  backgrounds_.resize(blocks_);
+  thresholds_.resize(blocks_);
+  if (rule_.statistic == Statistic::ordered) {
+    rank_all(means_, mean_around_);
+    rank_all(deviations_, deviation_around_);
+  } else {
+    average_all(means_, mean_around_);
+    average_all(deviations_, deviation_around_);
+  }
   const auto roughnesses = static_cast<std::uint32_t>(rule_.roughnesses * 256.0 + 0.5);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    std::array<std::uint16_t, 2 * kMostAround> means, steps;
-    std::size_t count = 0;
-    const auto take = [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i, ++count) {
-        insert(means, count, means_[i]);
-        insert(steps, count, steps_[i]);
-      }
-    };
-    take(b > rule_.around ? b - rule_.around : 0, b > rule_.guard ? b - rule_.guard : 0);
-    take(std::min(blocks, b + rule_.guard + 1), std::min(blocks, b + rule_.around + 1));
-    std::uint32_t background = 0, roughness = 0;
-    if (count > 0) {
-      const auto at = static_cast<std::size_t>(rule_.rank * static_cast<double>(count - 1) + 0.5);
-      background = std::min<std::uint32_t>(means[at], rule_.most_background * kFine);
-      roughness = steps[at];
-    }
-    const std::uint32_t over =
-        std::max<std::uint32_t>(rule_.least_step * kFine, (roughness * roughnesses) >> 8);
+  const std::uint32_t most = rule_.most_background * kFine, least = rule_.least_step * kFine;
+  for (std::size_t b = 0; b < blocks_; ++b) {
+    const std::uint32_t background = std::min<std::uint32_t>(mean_around_[b], most);
+    const std::uint32_t over = std::max(least, (deviation_around_[b] * roughnesses) >> 8);
     backgrounds_[b] = static_cast<std::uint8_t>(background / kFine);
     thresholds_[b] = static_cast<std::uint8_t>(std::min((background + over) / kFine, 255u));
   }
@@ -92,17 +145,15 @@ void LocalThreshold::find(std::span<const std::uint8_t> levels, std::vector<Run>
   measure(levels);
   set_thresholds();
   bool open = false;
-  for (std::size_t b = 0; b < thresholds_.size(); ++b) {
-    const std::size_t first = b * kBlock;
-    const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - first);
-    const std::uint8_t* cells = levels.data() + first;
+  for (std::size_t b = 0; b < blocks_; ++b) {
     const std::uint8_t threshold = thresholds_[b];
-    std::uint8_t greatest = 0;
-    for (std::size_t i = 0; i < count; ++i) greatest = std::max(greatest, cells[i]);
-    if (greatest <= threshold) {
+    if (greatest_[b] <= threshold) {
       open = false;
       continue;
     }
+    const std::size_t first = b * kBlock;
+    const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - first);
+    const std::uint8_t* cells = levels.data() + first;
     for (std::size_t i = 0; i < count; ++i) {
       if (cells[i] <= threshold) {
         open = false;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "server/plotter/plots/cfar_multipliers.hpp"
+#include "server/plotter/plots/row_kernels.hpp"
 #include "server/plotter/plots/video_row.hpp"
 
 namespace skerry::server {
@@ -16,25 +18,38 @@ struct Run {
 
 // The video that displays have is logarithmic, cut off at both ends, by a gain and an STC that only
 // the radar knows.  So the threshold is a level and not a ratio: a background, plus so many times
-// its roughness, plus a least step.
+// its roughness, plus a least step.  In logarithmic video the multiplier of a CFAR is such a step,
+// and a mean of levels is one of logarithms (a LOG/CFAR, Hansen and Ward 1972: a few tenths of a
+// decibel worse than the CA-CFAR of powers, and harmed less by an echo beside).
 //
 // Ordered statistics over blocks instead of cells ("OS-CFAR", Rohling 1983, "Radar CFAR
 // Thresholding in Clutter and Multiple Target Situations"): the row is cut into blocks of kBlock
-// cells.  Each has a mean and a roughness, the mean step from a cell to the next.  A block's
-// background is the `rank`-th smallest mean among its neighbours within `around` blocks on either
-// side, not counting itself and the next ones; its roughness is of the same rank.  So echoes may
-// cover part of the neighbours, also those of land on one side.  Error against ordered statistics
-// over cells: held by LocalThreshold.IsNearTheOneOverCells.
+// cells.  Each has a mean and a roughness, the mean deviation of its cells from it.  (Not the step
+// from a cell to the next: where the receiver is sampled finer than its pulse, neighbours are alike
+// and steps say a third of what the noise is.)  A block's background is the `rank`-th smallest mean
+// among its neighbours within `around` blocks on either side, not counting itself and the next
+// ones; its roughness is of the same rank.  So echoes may cover part of the neighbours, also those
+// of land on one side.  Error against ordered statistics over cells: held by
+// LocalThreshold.IsNearTheOneOverCells.
+//
+// The other statistics are of the same blocks: the mean of all of them, or the greater or the
+// smaller one of the means of both sides, of means and of roughnesses alike.  Beyond the row's ends
+// there is nothing: the neighbours are fewer there.
 class LocalThreshold {
  public:
-  static constexpr std::uint32_t kBlock = 16;
-  static constexpr std::uint32_t kMostAround = 8;
+  static constexpr std::uint32_t kBlock = kBlockCells;
+  static constexpr std::uint32_t kMostAround = kMostRanked / 2;
 
   struct Rule {
+    Statistic statistic = Statistic::ordered;
     std::uint32_t around = 5;  // blocks on either side, 1 to kMostAround
     std::uint32_t guard = 1;   // blocks beside it that do not count, less than around
-    double rank = 0.4;         // share of the neighbours that are smaller
-    double roughnesses = 5.0;  // over the background, in mean steps; of Gaussian cells 1.13 sigma
+    double rank = 0.4;         // share of the neighbours that are smaller, of Statistic::ordered
+    // Over the background, in mean deviations; one of Gaussian cells is 0.77 sigma.  Of noise alone
+    // a million cells make 0.1 plots where a pulse is three cells, 0.9 where it is six (two rows
+    // must agree, PlotExtractor::Rule::least_width), and at 4.0 three times as many; half a unit
+    // more costs 1 dB of sensitivity.  Held from both sides by PlotDetection.
+    double roughnesses = 4.25;
     std::uint8_t least_step = 24;        // over the background, levels
     std::uint8_t most_background = 110;  // levels; what is stronger all around is land, not clutter
   };
@@ -49,11 +64,23 @@ class LocalThreshold {
   std::span<const std::uint8_t> backgrounds() const { return backgrounds_; }
 
  private:
+  // Of blocks, in 16ths of a level; kMostAround more at either end, for the kernels.
+  struct Padded {
+    std::vector<std::uint16_t> values;
+    std::uint16_t* blocks() { return values.data() + kMostAround; }
+  };
+
   void measure(std::span<const std::uint8_t> levels);
+  void rank_all(Padded& of, std::vector<std::uint16_t>& into);
+  void average_all(Padded& of, std::vector<std::uint16_t>& into);
   void set_thresholds();
 
   Rule rule_;
-  std::vector<std::uint16_t> means_, steps_;  // of blocks, in 16ths of a level
+  std::size_t blocks_ = 0;
+  Padded means_, deviations_;
+  std::vector<std::uint8_t> greatest_;
+  std::vector<std::uint16_t> mean_around_, deviation_around_;
+  std::vector<std::uint32_t> sums_;  // of all blocks before
   std::vector<std::uint8_t> backgrounds_, thresholds_;
 };
 

@@ -26,6 +26,9 @@ struct Plot {
   std::uint32_t cells = 0;    // of rows
   // It goes on beyond what one plot may cover, or the turn it began in: land, or rain.
   bool extended = false;
+  // What has been learnt of its place before (land_map.hpp), 0 to 1: how sure that it lies on land,
+  // where half means beside it; and how much echoes come and go around it, as those of the sea.
+  double on_land = 0.0, clutter = 0.0;
 };
 
 }  // namespace skerry::server

@@ -49,13 +49,18 @@ double point_width(double beam, double over_db) { return 2.0 * beam * std::sqrt(
 }  // namespace
 
 PlotExtractor::PlotExtractor(const Rule& rule)
-    : rule_(rule), rows_(rule.grain), threshold_(rule.threshold) {
+    : rule_(rule),
+      beam_rad_(rule.beam_deg * kRadiansPerTurn / 360.0),
+      rows_(rule.grain),
+      threshold_(rule.threshold) {
   if (!(rule.beam_deg >= 0.1 && rule.beam_deg <= 10.0))
     throw std::invalid_argument("beam_deg: must be 0.1 to 10");
   if (!(rule.pulse_m >= 0.0 && rule.pulse_m <= 500.0))
     throw std::invalid_argument("pulse_m: must be 0 to 500");
   if (!(rule.levels_per_db >= 0.5 && rule.levels_per_db <= 20.0))
     throw std::invalid_argument("levels_per_db: must be 0.5 to 20");
+  if (!(rule.clutter_step >= 0.0 && rule.clutter_step <= 255.0))
+    throw std::invalid_argument("clutter_step: must be 0 to 255");
 }
 
 bool PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
@@ -84,6 +89,12 @@ void PlotExtractor::take_row(std::vector<Plot>& out) {
   runs_.clear();
   threshold_.find(row.levels, runs_);
   ++counts_.rows;
+  if (!row.follows) {  // what is open belongs to the place and the range before
+    builder_.flush(blobs_);
+    take_blobs(out);
+  }
+  land_.go_on(row.own_ship, static_cast<std::uint64_t>(row.width_rad * kUnitsPerRadian + 0.5),
+              row.cell_m * static_cast<double>(row.levels.size()));
   counts_.runs += runs_.size();
   builder_.add(row, runs_, threshold_.thresholds(), blobs_);
   if (!blobs_.empty()) take_blobs(out);
@@ -95,38 +106,67 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
   for (const Blob& blob : blobs_) {
     for (const std::vector<BlobCell>& cells : split(blob, rule_.valley)) {
       if (cells.size() < rule_.least_cells) continue;
-      const Spread across = spread_of(cells, [](const BlobCell& cell) { return cell.row; });
-      const Spread along = spread_of(cells, [](const BlobCell& cell) { return cell.cell; });
-      const double beam = rule_.beam_deg * kRadiansPerTurn / 360.0;
-      const double width_rad = (across.last - across.first + 1.0) * blob.row_width_rad;
-      if (width_rad < rule_.least_width * beam) continue;
-      const auto middle = static_cast<std::size_t>(across.mean + 0.5);
-      const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
-      Plot plot;
-      plot.time = at.time;
-      plot.utc = at.utc;
-      plot.own_ship = at.own_ship;
-      plot.bearing =
-          at.bearing + radians((across.mean - static_cast<double>(middle)) * blob.row_width_rad);
-      plot.range_m = (along.mean + 0.5) * blob.cell_m;
-      plot.bearing_sigma_rad = uncertainty(across, blob.row_width_rad);
-      plot.range_sigma_m = uncertainty(along, blob.cell_m);
-      plot.length_m = std::max((along.last - along.first + 1.0) * blob.cell_m - rule_.pulse_m, 0.0);
+      const auto rows =
+          std::minmax_element(cells.begin(), cells.end(),
+                              [](const BlobCell& a, const BlobCell& b) { return a.row < b.row; });
+      const int width = rows.second->row - rows.first->row + 1;
+      if (width < 2 || width * blob.row_width_rad < rule_.least_width * beam_rad_) continue;
       std::uint8_t over = 0;
-      for (const BlobCell& cell : cells) {
-        plot.greatest = std::max(plot.greatest, cell.level);
-        over = std::max(over, cell.over);
+      for (const BlobCell& cell : cells) over = std::max(over, cell.over);
+      Plot plot = plot_of(blob, cells, over);
+      const LandMap::Marks marks = land_.at(plot.own_ship, plot.bearing, plot.range_m);
+      plot.on_land = marks.on_land;
+      plot.clutter = marks.clutter;
+      learn(blob, cells, plot);
+      if (!plot.extended && over <= plot.clutter * rule_.clutter_step) {
+        ++counts_.in_clutter;
+        continue;
       }
-      const double point = point_width(beam, over / rule_.levels_per_db) + blob.row_width_rad;
-      plot.width_m = std::max((width_rad - point) * plot.range_m, 0.0);
-      plot.cells = static_cast<std::uint32_t>(cells.size());
-      plot.extended =
-          blob.extended || plot.length_m > rule_.most_size_m || plot.width_m > rule_.most_size_m;
       out.push_back(plot);
     }
   }
   blobs_.clear();
   counts_.plots += out.size() - before;
+}
+
+Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells,
+                            std::uint8_t over) const {
+  const Spread across = spread_of(cells, [](const BlobCell& cell) { return cell.row; });
+  const Spread along = spread_of(cells, [](const BlobCell& cell) { return cell.cell; });
+  const double width_rad = (across.last - across.first + 1.0) * blob.row_width_rad;
+  const auto middle = static_cast<std::size_t>(across.mean + 0.5);
+  const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
+  Plot plot;
+  plot.time = at.time;
+  plot.utc = at.utc;
+  plot.own_ship = at.own_ship;
+  plot.bearing =
+      at.bearing + radians((across.mean - static_cast<double>(middle)) * blob.row_width_rad);
+  plot.range_m = (along.mean + 0.5) * blob.cell_m;
+  plot.bearing_sigma_rad = uncertainty(across, blob.row_width_rad);
+  plot.range_sigma_m = uncertainty(along, blob.cell_m);
+  plot.length_m = std::max((along.last - along.first + 1.0) * blob.cell_m - rule_.pulse_m, 0.0);
+  for (const BlobCell& cell : cells) plot.greatest = std::max(plot.greatest, cell.level);
+  const double point = point_width(beam_rad_, over / rule_.levels_per_db) + blob.row_width_rad;
+  plot.width_m = std::max((width_rad - point) * plot.range_m, 0.0);
+  plot.cells = static_cast<std::uint32_t>(cells.size());
+  plot.extended =
+      blob.extended || plot.length_m > rule_.most_size_m || plot.width_m > rule_.most_size_m;
+  return plot;
+}
+
+void PlotExtractor::learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot) {
+  if (!plot.extended) land_.add_plot(plot.own_ship, plot.bearing, plot.range_m);
+  for (std::size_t i = 0; i < cells.size();) {
+    std::size_t end = i + 1;
+    while (end < cells.size() && cells[end].row == cells[i].row &&
+           cells[end].cell == cells[end - 1].cell + 1)
+      ++end;
+    const BlobRow& row = blob.rows[cells[i].row];
+    land_.add_echo(row.own_ship, row.bearing, blob.row_width_rad, cells[i].cell * blob.cell_m,
+                   (cells[end - 1].cell + 1) * blob.cell_m, plot.extended);
+    i = end;
+  }
 }
 
 }  // namespace skerry::server

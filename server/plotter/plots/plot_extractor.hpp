@@ -6,6 +6,7 @@
 
 #include "protocol/video/spoke.hpp"
 #include "server/plotter/plots/blob_builder.hpp"
+#include "server/plotter/plots/land_map.hpp"
 #include "server/plotter/plots/local_threshold.hpp"
 #include "server/plotter/plots/plot.hpp"
 #include "server/plotter/plots/video_row.hpp"
@@ -26,12 +27,16 @@ class PlotExtractor {
     double pulse_m = 20.0;  // 0 to 500
     double levels_per_db =
         4.0;  // of the video, 0.5 to 20: a strong point is seen by more than the beam
-    // Fewer cells of rows, or an echo narrower than this share of the beam, is noise.
+    // Fewer cells of rows, a single row, or an echo narrower than this share of the beam, is noise
+    // or interference: what one pulse smears over several cells of a row is not in the next one.
     std::uint32_t least_cells = 3;
-    double least_width = 0.25;
+    double least_width = 0.5;
     // Longer or wider than this, after the deduction, is land or rain: an extended plot.
     double most_size_m = 500.0;
     double valley = 0.6;  // of echoes that lie together (blob_split.hpp)
+    // Where echoes come and go, a plot must stand so many levels more over the threshold: all of
+    // them where Plot::clutter is 1, none where it is 0.
+    double clutter_step = 16.0;  // 0 to 255
   };
   PlotExtractor() : PlotExtractor(Rule{}) {}
   // Errors: std::invalid_argument, says which value is out of its range.
@@ -46,6 +51,7 @@ class PlotExtractor {
 
   struct Counts {
     std::uint64_t rows = 0, runs = 0, blobs = 0, plots = 0;
+    std::uint64_t in_clutter = 0;  // plots that did not stand out of it, not among the above
     std::uint64_t spokes_left_out = 0, runs_left_out = 0;
   };
   Counts counts() const;
@@ -53,11 +59,15 @@ class PlotExtractor {
  private:
   void take_row(std::vector<Plot>& out);
   void take_blobs(std::vector<Plot>& out);
+  Plot plot_of(const Blob& blob, const std::vector<BlobCell>& cells, std::uint8_t over) const;
+  void learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot);
 
   Rule rule_;
+  double beam_rad_;
   RowMaker rows_;
   LocalThreshold threshold_;
   BlobBuilder builder_;
+  LandMap land_;
   std::vector<Run> runs_;
   std::vector<Blob> blobs_;
   Counts counts_;

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/plotter/plots/row_kernels.hpp"
+
 namespace skerry::server {
 namespace {
+
+// What a spoke may reach, metres: no radar sees less or more.
+constexpr double kLeastReach = 1.0, kMostReach = 1e6;
 
 // Sums of 16 bits hold so many spokes of 255, whose cells are summed in pairs and more before.
 constexpr std::uint32_t kMostSpokesARow = 32;
@@ -36,8 +41,8 @@ void RowMaker::begin(const SpokeHeader& header) {
   spokes_a_row_ = divisor_of(geometry_.spokes_per_turn, std::min(spokes, kMostSpokesARow));
   rows_a_turn_ = geometry_.spokes_per_turn / spokes_a_row_;
   const double cell_m = reach_m_ / geometry_.cells;
-  cells_a_cell_ =
-      std::clamp(static_cast<std::uint32_t>(grain_.cell_m / cell_m), 1u, kMostCellsACell);
+  const double most = static_cast<double>(kMostCellsACell);
+  cells_a_cell_ = static_cast<std::uint32_t>(std::clamp(grain_.cell_m / cell_m, 1.0, most));
   sums_.assign(geometry_.cells / cells_a_cell_, 0);
   spokes_ = 0;
   any_before_ = false;
@@ -47,7 +52,8 @@ void RowMaker::begin(const SpokeHeader& header) {
 bool RowMaker::add(const Spoke& spoke) {
   const SpokeHeader& header = spoke.header;
   if (!header.geometry.valid() || spoke.cells.size() != header.geometry.cells ||
-      header.index >= header.geometry.spokes_per_turn || !(header.reach().in_metres() > 0.0)) {
+      header.index >= header.geometry.spokes_per_turn ||
+      !(header.reach().in_metres() >= kLeastReach && header.reach().in_metres() <= kMostReach)) {
     ++left_out_;
     return false;
   }
@@ -84,8 +90,7 @@ void RowMaker::sum(const Spoke& spoke) {
   std::uint16_t* sums = sums_.data();
   const std::size_t count = sums_.size();
   if (cells_a_cell_ == 1) {
-    for (std::size_t i = 0; i < count; ++i)
-      sums[i] = static_cast<std::uint16_t>(sums[i] + cells[i]);
+    add_cells(cells, sums, count);
   } else {
     for (std::size_t i = 0; i < count; ++i) {
       std::uint32_t part = 0;
@@ -100,10 +105,8 @@ bool RowMaker::close() {
   levels_.resize(sums_.size());
   // Of 16 bits: sums are below 2^13, so one multiplication by 2^16 / spokes divides them.
   const std::uint32_t scale = (geometry_.bits == 4 ? 17u : 1u) * 65536u / spokes_ + 1;
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    levels_[i] = static_cast<std::uint8_t>(std::min((sums_[i] * scale) >> 16, 255u));
-    sums_[i] = 0;
-  }
+  scale_sums(sums_.data(), scale, levels_.data(), sums_.size());
+  std::fill(sums_.begin(), sums_.end(), std::uint16_t{0});
   // From the spoke that stands for the row to the row's middle.
   const double spokes = 0.5 * (spokes_a_row_ - 1.0) - middle_.index % spokes_a_row_;
   row_.bearing = middle_.bearing() + degrees(spokes * 360.0 / geometry_.spokes_per_turn);

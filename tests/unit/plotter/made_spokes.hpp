@@ -29,6 +29,15 @@ inline double next_draw(std::uint64_t& state) {
   return (sum - 510.0) / 147.8;
 }
 
+// Where the draws of spoke `n` begin: not n times the step of next_draw(), or each spoke would have
+// the noise of the one before it, moved by a cell.
+inline std::uint64_t noise_of(std::uint64_t n) {
+  std::uint64_t z = (n + 1) * 0xD1342543DE82EF95u;
+  z = (z ^ (z >> 32)) * 0xDABA0B6EB09322E3u;
+  z = (z ^ (z >> 32)) * 0xDABA0B6EB09322E3u;
+  return z ^ (z >> 32);
+}
+
 struct MadeRadar {
   ScanGeometry geometry{2048, 1024, 8};
   double range_nm = 3.0;
@@ -57,7 +66,7 @@ struct MadeRadar {
     const double cell_m = spoke.header.cell_size().in_metres();
     std::vector<double> levels(geometry.cells);
     if (noise_mean > 0.0) {
-      std::uint64_t state = n * 0x9E3779B97F4A7C15u + 0x1234567u;
+      std::uint64_t state = noise_of(n);
       for (double& level : levels) level = noise_mean + noise_sigma * next_draw(state);
     }
     for (const MadeEcho& echo : echoes) {

@@ -1,0 +1,33 @@
+// The loops over all cells of a row: sums of spokes, means and deviations of blocks, ranks among
+// blocks.  Integers, so every instruction set gives the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace skerry::server {
+
+// Cells of a block of a row.
+inline constexpr std::size_t kBlockCells = 16;
+// Blocks among which a rank is taken, at most.
+inline constexpr std::size_t kMostRanked = 16;
+
+// sums[i] += cells[i].  The caller sees to it that no sum passes 65535.
+void add_cells(const std::uint8_t* cells, std::uint16_t* sums, std::size_t count) noexcept;
+
+// levels[i] = sums[i] * scale / 65536, at most 255.  Requires sums[i] * scale < 2^32.
+void scale_sums(const std::uint16_t* sums, std::uint32_t scale, std::uint8_t* levels,
+                std::size_t count) noexcept;
+
+// Of `blocks` blocks of kBlockCells cells: the mean, the mean deviation from it, both in 16ths of a
+// level (the deviation rounded down), and the greatest cell.
+void measure_blocks(const std::uint8_t* levels, std::size_t blocks, std::uint16_t* means,
+                    std::uint16_t* deviations, std::uint8_t* greatest) noexcept;
+
+// ranked[b] = the `rank`-th smallest (from 0) of values[b - far .. b - near] and
+// values[b + near .. b + far], for b in [0, blocks).  Requires 1 <= near <= far, 2 * (far - near +
+// 1) <= kMostRanked, rank among them, and values that reach so far beyond both ends.
+void rank_blocks(const std::uint16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
+                 std::size_t rank, std::uint16_t* ranked) noexcept;
+
+}  // namespace skerry::server

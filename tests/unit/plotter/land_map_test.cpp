@@ -1,0 +1,261 @@
+// What the map learns of land, of ships and of the sea, and forgets.
+#include "server/plotter/plots/land_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "server/plotter/plots/plot_extractor.hpp"
+#include "tests/unit/plotter/made_spokes.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr double kReach = 5556.0;
+constexpr std::uint64_t kTurn = std::uint64_t{1} << 32;
+
+TrueBearing toward(double bearing_deg) { return TrueBearing::from(degrees(bearing_deg)); }
+
+// So many metres from 60 N 10 E.
+GeoPoint place(double east_m, double north_m) {
+  return {60.0 + north_m / 111120.0, 10.0 + east_m / 111120.0 / std::cos(60.0 * kRadiansPerDegree)};
+}
+
+// A block of land, as a ship at `ship` sees it: by rows of 0.35 degrees.
+void see_land(LandMap& map, PlanePoint ship, PlanePoint from, PlanePoint to) {
+  const GeoPoint at = place(ship.east_m, ship.north_m);
+  for (int i = 0; i < 1024; ++i) {
+    const double deg = i * 360.0 / 1024.0;
+    double first = 0.0, last = -1.0;
+    for (double range = 5.0; range < kReach; range += 10.0) {
+      const double east = ship.east_m + range * std::sin(deg * kRadiansPerDegree);
+      const double north = ship.north_m + range * std::cos(deg * kRadiansPerDegree);
+      if (east < from.east_m || east > to.east_m || north < from.north_m || north > to.north_m)
+        continue;
+      if (last < 0.0) first = range;
+      last = range;
+    }
+    if (last >= 0.0) map.add_echo(at, toward(deg), kRadiansPerTurn / 1024.0, first, last, true);
+  }
+}
+
+LandMap::Marks marks_at(const LandMap& map, PlanePoint ship, PlanePoint there) {
+  const PlanePoint way = there - ship;
+  const double deg = std::atan2(way.east_m, way.north_m) * kDegreesPerRadian;
+  return map.at(place(ship.east_m, ship.north_m), toward(deg), length_of(way));
+}
+
+TEST(LandMap, LearnsLandInSomeTurnsAndForgetsItInMore) {
+  LandMap map;
+  const PlanePoint ship{0.0, 0.0}, inside{2500.0, 300.0};
+  const auto turn = [&](bool land) {
+    map.go_on(place(0.0, 0.0), kTurn, kReach);
+    if (land) see_land(map, ship, {2000.0, 0.0}, {3000.0, 600.0});
+  };
+  turn(true);
+  EXPECT_LT(marks_at(map, ship, inside).on_land, 0.2);
+  for (int i = 1; i < 6; ++i) turn(true);
+  EXPECT_GE(marks_at(map, ship, inside).on_land, 0.5);
+  for (int i = 6; i < 12; ++i) turn(true);
+  EXPECT_EQ(marks_at(map, ship, inside).on_land, 1.0);
+  EXPECT_EQ(marks_at(map, ship, {1900.0, 300.0}).on_land, 0.0) << "100 m before it";
+  EXPECT_EQ(marks_at(map, ship, {1980.0, 300.0}).on_land, 0.5) << "20 m before it";
+  for (int i = 0; i < 11; ++i) turn(false);
+  EXPECT_LT(marks_at(map, ship, inside).on_land, 0.5);
+  for (int i = 0; i < 5; ++i) turn(false);
+  EXPECT_EQ(marks_at(map, ship, inside).on_land, 0.0);
+}
+
+TEST(LandMap, HasNoHolesInLandOnAnyRange) {
+  for (const double reach : {1000.0, 5556.0, 11112.0, 44448.0}) {
+    LandMap map;
+    for (int i = 0; i < 12; ++i) {
+      map.go_on(place(0.0, 0.0), kTurn, reach);
+      // Of a radar of few spokes.
+      for (int row = 0; row < 250; ++row)
+        map.add_echo(place(0.0, 0.0), toward(row * 1.44), 1.44 * kRadiansPerDegree, 0.5 * reach,
+                     0.98 * reach, true);
+    }
+    for (double deg = 0.0; deg < 360.0; deg += 0.37)
+      for (double range = 0.55; range < 0.95; range += 0.013)
+        ASSERT_EQ(map.at(place(0.0, 0.0), toward(deg), range * reach).on_land, 1.0)
+            << reach << " " << deg << " " << range;
+  }
+}
+
+TEST(LandMap, LiesStillWhileOwnShipMoves) {
+  LandMap map;
+  PlanePoint ship{0.0, 0.0};
+  double least = 1.0;
+  for (int i = 0; i < 200; ++i) {
+    ship = ship + PlanePoint{20.0, 15.0};  // 10 m/s
+    map.go_on(place(ship.east_m, ship.north_m), kTurn, kReach);
+    see_land(map, ship, {3000.0, 3000.0}, {3600.0, 3500.0});
+    if (i > 15) least = std::min(least, marks_at(map, ship, {3300.0, 3250.0}).on_land);
+  }
+  EXPECT_EQ(least, 1.0);
+  EXPECT_EQ(marks_at(map, ship, {2700.0, 3250.0}).on_land, 0.0);
+  EXPECT_EQ(marks_at(map, ship, {3900.0, 3250.0}).on_land, 0.0);
+}
+
+TEST(LandMap, IsNotShipsAtAnchorButIsAHarbourFullOfThem) {
+  LandMap map;
+  const GeoPoint ship = place(0.0, 0.0);
+  const auto see = [&](double bearing_deg, double range_m) {
+    map.add_plot(ship, toward(bearing_deg), range_m);
+    for (int row = -2; row <= 2; ++row)  // 1.7 degrees, 90 m
+      map.add_echo(ship, toward(bearing_deg + 0.35 * row), 0.35 * kRadiansPerDegree, range_m - 20.0,
+                   range_m + 20.0, false);
+  };
+  for (int turn = 0; turn < 30; ++turn) {
+    map.go_on(ship, kTurn, kReach);
+    for (int i = 0; i < 4; ++i) see(90.0 + 4.0 * i, 3000.0);  // 210 m apart
+    for (int i = 0; i < 25; ++i) see(200.0 + i % 5 * 2.5, 2800.0 + i / 5 * 110.0);
+    for (const double deg : {90.0, 94.0, 98.0}) {
+      EXPECT_LT(map.at(ship, toward(deg), 3000.0).on_land, 0.5);
+      EXPECT_EQ(map.at(ship, toward(deg), 3000.0).clutter, 0.0);
+    }
+  }
+  EXPECT_EQ(map.at(ship, toward(205.0), 3020.0).on_land, 1.0);
+  EXPECT_EQ(map.at(ship, toward(205.0), 3020.0).clutter, 0.0) << "it stays";
+}
+
+TEST(LandMap, CallsThatClutterWhichComesAndGoes) {
+  LandMap map;
+  const GeoPoint ship = place(0.0, 0.0);
+  std::uint64_t state = 1;
+  double in_sea = 0.0, at_mover = 0.0;
+  for (int turn = 0; turn < 60; ++turn) {
+    map.go_on(ship, kTurn, kReach);
+    for (int i = 0; i < 80; ++i) {  // within 1200 x 1000 m: 24 within 300 m of a place
+      const double deg = 45.0 + 10.0 * next_draw(state);
+      map.add_plot(ship, toward(deg), 2000.0 + 200.0 * next_draw(state));
+    }
+    const double mover_m = 1000.0 + 25.0 * turn;
+    at_mover = std::max(at_mover, map.at(ship, toward(200.0), mover_m).clutter);
+    map.add_plot(ship, toward(200.0), mover_m);
+    map.add_plot(ship, toward(203.0), mover_m);
+    in_sea = map.at(ship, toward(45.0), 2000.0).clutter;
+  }
+  EXPECT_GT(in_sea, 0.9);
+  EXPECT_EQ(at_mover, 0.0) << "two ships under way are no clutter";
+  EXPECT_EQ(map.at(ship, toward(300.0), 2000.0).clutter, 0.0);
+  EXPECT_LT(map.at(ship, toward(45.0), 2000.0).on_land, 0.5);
+}
+
+TEST(LandMap, TakesPlacesAndRangesThatAreNone) {
+  LandMap map;
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
+  const std::vector<GeoPoint> places{{nan, 0.0},  {60.0, 10.0},   {inf, -inf},    {60.0, nan},
+                                     {90.0, 0.0}, {-90.0, 180.0}, {1e300, 1e300}, {60.0, 10.0}};
+  for (int turn = 0; turn < 40; ++turn) {
+    const GeoPoint& at = places[static_cast<std::size_t>(turn) % places.size()];
+    map.go_on(at, kTurn * (turn % 3), turn % 2 == 0 ? 1.0 : 1e6);
+    map.add_plot(at, toward(10.0 * turn), 1000.0);
+    map.add_echo(at, toward(10.0 * turn), 0.05, 0.0, turn % 2 == 0 ? 1.0 : 1e6, true);
+    const LandMap::Marks marks = map.at(at, toward(20.0), 500.0);
+    EXPECT_TRUE(marks.on_land >= 0.0 && marks.on_land <= 1.0);
+    EXPECT_TRUE(marks.clutter >= 0.0 && marks.clutter <= 1.0);
+  }
+}
+
+TEST(LandMap, BeginsAnewWhereOwnShipJumpsOrCellsGrow) {
+  LandMap map;
+  const auto learn = [&] {
+    for (int i = 0; i < 12; ++i) {
+      map.go_on(place(0.0, 0.0), kTurn, kReach);
+      see_land(map, {0.0, 0.0}, {2000.0, 0.0}, {3000.0, 600.0});
+    }
+    ASSERT_EQ(marks_at(map, {0.0, 0.0}, {2500.0, 300.0}).on_land, 1.0);
+  };
+  learn();
+  map.go_on(place(1500.0, 0.0), 0, kReach);
+  EXPECT_EQ(marks_at(map, {1500.0, 0.0}, {2500.0, 300.0}).on_land, 1.0) << "a step";
+  map.go_on(place(0.0, 0.0), 0, kReach);
+  map.go_on(place(40000.0, 0.0), 0, kReach);
+  map.go_on(place(0.0, 0.0), 0, kReach);
+  EXPECT_EQ(marks_at(map, {0.0, 0.0}, {2500.0, 300.0}).on_land, 0.0) << "a jump";
+  learn();
+  map.go_on(place(0.0, 0.0), 0, 0.5 * kReach);
+  EXPECT_EQ(marks_at(map, {0.0, 0.0}, {2500.0, 300.0}).on_land, 1.0) << "cells as before";
+  map.go_on(place(0.0, 0.0), 0, 2.0 * kReach);
+  EXPECT_EQ(map.cell_m(), 100.0);
+  EXPECT_EQ(marks_at(map, {0.0, 0.0}, {2500.0, 300.0}).on_land, 0.0) << "cells of 100 m";
+}
+
+// Through the extractor: a coast, a ship at anchor, one that passes the coast at 100 m, and a
+// beacon on the shore.
+TEST(LandMap, MarksWhatIsOnLandAndLetsShipsPass) {
+  MadeRadar radar;
+  PlotExtractor extractor;
+  double anchored = 0.0, passing = 0.0, beacon = 0.0;
+  int passing_seen = 0, anchored_seen = 0;
+  const std::uint64_t spokes = radar.geometry.spokes_per_turn;
+  constexpr std::uint64_t kTurns = 24;
+  for (std::uint64_t turn = 0; turn < kTurns; ++turn) {
+    const double passing_deg = 70.0 + 0.6 * static_cast<double>(turn);
+    radar.echoes = {{90.0, 3000.0, 220.0, 600.0, 2500.0},
+                    {200.0, 2000.0, 200.0, 60.0, 20.0},
+                    {passing_deg, 2590.0, 200.0, 20.0, 20.0},
+                    {100.0, 2660.0, 220.0}};
+    std::vector<Plot> plots;
+    for (std::uint64_t i = 0; i < spokes; ++i) extractor.add(radar.spoke(turn * spokes + i), plots);
+    if (turn < 12) continue;
+    for (const Plot& plot : plots) {
+      const double deg = plot.bearing.in_degrees();
+      if (plot.extended) continue;
+      if (std::fabs(deg - 200.0) < 1.0) {
+        ++anchored_seen;
+        anchored = std::max(anchored, plot.on_land);
+      } else if (std::fabs(deg - passing_deg) < 0.7 && std::fabs(plot.range_m - 2590.0) < 30.0) {
+        ++passing_seen;
+        passing = std::max(passing, plot.on_land);
+      } else if (std::fabs(deg - 100.0) < 1.0 && plot.range_m < 2680.0) {
+        beacon = std::max(beacon, plot.on_land);
+      }
+      EXPECT_EQ(plot.clutter, 0.0);
+    }
+  }
+  EXPECT_EQ(anchored_seen, 12);
+  EXPECT_EQ(anchored, 0.0);
+  EXPECT_EQ(passing_seen, 12);
+  EXPECT_LT(passing, 0.5);
+  EXPECT_GE(beacon, 0.5);
+}
+
+// Spikes of the sea come and go; a ship among them is stronger and stays.
+TEST(LandMap, RaisesTheBarInClutterAndNotOverShips) {
+  const auto run = [](double clutter_step) {
+    MadeRadar radar;
+    PlotExtractor::Rule rule;
+    rule.clutter_step = clutter_step;
+    PlotExtractor extractor(rule);
+    std::uint64_t state = 5;
+    std::pair<int, int> spikes_and_ship;
+    const std::uint64_t spokes = radar.geometry.spokes_per_turn;
+    for (std::uint64_t turn = 0; turn < 30; ++turn) {
+      radar.echoes = {{45.0, 2000.0, 120.0}};
+      for (int i = 0; i < 60; ++i)
+        radar.echoes.push_back({45.0 + 8.0 * next_draw(state), 2000.0 + 250.0 * next_draw(state),
+                                45.0 + 3.0 * next_draw(state)});
+      std::vector<Plot> plots;
+      for (std::uint64_t i = 0; i < spokes; ++i)
+        extractor.add(radar.spoke(turn * spokes + i), plots);
+      if (turn < 15) continue;
+      for (const Plot& plot : plots) {
+        const bool ship = plot.greatest > 100;
+        (ship ? spikes_and_ship.second : spikes_and_ship.first) += 1;
+      }
+    }
+    return spikes_and_ship;
+  };
+  const auto with = run(16.0), without = run(0.0);
+  EXPECT_GT(without.first, 300);
+  EXPECT_LT(with.first, without.first / 5);
+  EXPECT_EQ(with.second, 15) << "once a turn";
+}
+
+}  // namespace
+}  // namespace skerry::server
