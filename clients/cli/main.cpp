@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
       "  skerry recording info exercise.mcap\n"
       "  skerry coast fit --place bergen\n"
       "  skerry picture judge halo.pcap ours.mcap\n"
+      "  skerry track exercise.mcap -o tracks.csv\n"
       "  skerry scenario run crossing --fast --checks\n"
       "  skerry exercise fault Sirius gyro-bias=5\n"
       "  skerry exercise report exercise.mcap -o report.html\n"
@@ -39,7 +40,8 @@ int run(int argc, char** argv) {
       make_set_command(app),      make_play_command(app),     make_record_command(app),
       make_coast_command(app),    make_board_command(app),    make_recording_command(app),
       make_doctor_command(app),   make_picture_command(app),  make_radar_command(app),
-      make_scenario_command(app), make_exercise_command(app), make_traffic_command(app)};
+      make_scenario_command(app), make_exercise_command(app), make_traffic_command(app),
+      make_track_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

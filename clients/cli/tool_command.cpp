@@ -1,5 +1,6 @@
-// skerry coast, picture, radar, scenario and traffic: hand over to the programs skerry-coast,
-// skerry-picture and skerry-exercise, which know how echoes are made.  Clients do not.
+// skerry coast, picture, radar, scenario, track and traffic: hand over to the programs
+// skerry-coast, skerry-picture, skerry-exercise and skerry-track, which know how echoes are made or
+// how targets are found.  Clients do not.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -66,6 +67,11 @@ Command make_radar_command(CLI::App& app) {
 
 Command make_scenario_command(CLI::App& app) {
   return hand_over(app, "scenario", "Makes, checks, lists and runs exercises", "skerry-exercise",
+                   {});
+}
+
+Command make_track_command(CLI::App& app) {
+  return hand_over(app, "track", "Finds and tracks targets in a recording's video", "skerry-track",
                    {});
 }
 

@@ -183,6 +183,10 @@ const std::vector<Room>& table() {
        {"protocol/", "server/world/", "server/replay/", "server/app/control/control_change.hpp"}},
       // The tool that makes, checks and runs exercises without a network.
       {"server/exercise_tool", {"protocol/", "echo/", "server/"}},
+      // The tool that tracks targets in recordings: it knows spokes, never how they were made.
+      {"server/track_tool",
+       {"protocol/", "echo/tool_console/", "echo/chart/local_plane.hpp", "server/plotter/",
+        "server/playback/play_request.hpp", "server/relay/values_in_range.hpp"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.
@@ -230,7 +234,7 @@ const std::vector<Owned>& owned_headers() {
       {"yaml-cpp/", {"server/config/"}, "use server/config/yaml_message.hpp"},
       {"CLI/",
        {"server/app/", "clients/cli/", "echo/coast_tool/", "echo/picture_tool/",
-        "echo/tool_console/", "server/exercise_tool/"},
+        "echo/tool_console/", "server/exercise_tool/", "server/track_tool/"},
        "pass the options in as values"},
       {"png.h", {"protocol/picture/"}, "use protocol/picture/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},
