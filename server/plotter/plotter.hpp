@@ -33,8 +33,8 @@ class Plotter {
   std::span<const Plot> new_plots() const { return plots_; }
   // True if the last add() or flush() completed a row: tracks() are of then.
   bool has_gone_on() const { return gone_on_; }
-  std::vector<Track> tracks() const { return tracker_.tracks(); }
-  std::vector<Track> take_lost() { return tracker_.take_lost(); }
+  std::vector<PlottedTrack> tracks() const { return tracker_.tracks(); }
+  std::vector<PlottedTrack> take_lost() { return tracker_.take_lost(); }
   Tracker& tracker() { return tracker_; }
   PlotExtractor::Counts plot_counts() const { return extractor_.counts(); }
 

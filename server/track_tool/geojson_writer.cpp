@@ -32,9 +32,9 @@ TrackGeoJson::TrackGeoJson(std::uint32_t radar, TextSink sink)
   sink_("{\"type\":\"FeatureCollection\",\"features\":[");
 }
 
-void TrackGeoJson::turn(std::span<const Track> tracked, std::span<const Track> lost) {
-  for (const Track& track : tracked) add(track);
-  for (const Track& track : lost) {
+void TrackGeoJson::turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
+  for (const PlottedTrack& track : tracked) add(track);
+  for (const PlottedTrack& track : lost) {
     add(track);
     end(lines_[track.number]);
     lines_.erase(track.number);
@@ -47,7 +47,7 @@ void TrackGeoJson::finish() {
   sink_("\n]}\n");
 }
 
-void TrackGeoJson::add(const Track& track) {
+void TrackGeoJson::add(const PlottedTrack& track) {
   Line& line = lines_[track.number];
   const Point point{track.place, track.utc.time_since_epoch().count() != 0
                                      ? track.utc.time_since_epoch()
@@ -92,7 +92,7 @@ void TrackGeoJson::end(const Line& line) {
     places = parts[0].points > 1 ? fmt::format("[{}]", parts[0].places) : parts[0].places;
     times = parts[0].times;
   }
-  const Track& last = line.last;
+  const PlottedTrack& last = line.last;
   const double course_rad = std::atan2(last.velocity_mps.east_m, last.velocity_mps.north_m);
   sink_(fmt::format(
       "{}\n{{\"type\":\"Feature\",\"geometry\":{{\"type\":\"{}\",\"coordinates\":{}}},"

@@ -19,7 +19,7 @@ namespace skerry::server {
 class TrackGeoJson final : public TrackWriter {
  public:
   TrackGeoJson(std::uint32_t radar, TextSink sink);
-  void turn(std::span<const Track> tracked, std::span<const Track> lost) override;
+  void turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) override;
   void finish() override;
 
  private:
@@ -28,10 +28,10 @@ class TrackGeoJson final : public TrackWriter {
     Duration since;  // 1970, or the scenario's begin
   };
   struct Line {
-    Track last;
+    PlottedTrack last;
     std::vector<Point> points;
   };
-  void add(const Track& track);
+  void add(const PlottedTrack& track);
   void end(const Line& line);
 
   std::uint32_t radar_;

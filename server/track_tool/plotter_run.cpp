@@ -37,8 +37,8 @@ class OneRun {
   }
   void end_turn() {
     ++run_.turns;
-    const std::vector<Track> tracked = plotter_.tracks(), lost = plotter_.take_lost();
-    for (const Track& track : tracked) seen_.insert(track.number);
+    const std::vector<PlottedTrack> tracked = plotter_.tracks(), lost = plotter_.take_lost();
+    for (const PlottedTrack& track : tracked) seen_.insert(track.number);
     if (output_.turn) output_.turn(tracked, lost);
   }
 

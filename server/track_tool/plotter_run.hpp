@@ -13,7 +13,7 @@ namespace skerry::server {
 struct PlotterOutput {
   std::function<void(const Plot&)> plot;
   // At the end of each turn, the last one's whole or not: tracked ones, and those lost in it.
-  std::function<void(std::span<const Track>, std::span<const Track>)> turn;
+  std::function<void(std::span<const PlottedTrack>, std::span<const PlottedTrack>)> turn;
 };
 
 struct PlotterRun {

@@ -90,7 +90,7 @@ int track_file(const TrackOptions& options) {
   if (tracks) {
     writer = track_writer_for(options.tracks, view.radar,
                               [&](std::string_view text) { tracks->write(text); });
-    output.turn = [&](std::span<const Track> tracked, std::span<const Track> lost) {
+    output.turn = [&](std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
       writer->turn(tracked, lost);
     };
   }

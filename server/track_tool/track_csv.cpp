@@ -61,13 +61,13 @@ TrackCsv::TrackCsv(std::uint32_t radar, TextSink sink) : radar_(radar), sink_(st
       "tcpa_min,place_sigma_m,hits,looks,by_hand,own_lat_deg,own_lon_deg\n");
 }
 
-void TrackCsv::turn(std::span<const Track> tracked, std::span<const Track> lost) {
-  for (const Track& track : tracked) row(track);
-  for (const Track& track : lost) row(track);
+void TrackCsv::turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
+  for (const PlottedTrack& track : tracked) row(track);
+  for (const PlottedTrack& track : lost) row(track);
 }
 
-void TrackCsv::row(const Track& track) {
-  const ClosestApproach closest = closest_approach(track);
+void TrackCsv::row(const PlottedTrack& track) {
+  const PlottedApproach closest = closest_approach(track);
   const double speed_mps = length_of(track.velocity_mps);
   const double course_rad = std::atan2(track.velocity_mps.east_m, track.velocity_mps.north_m);
   sink_(

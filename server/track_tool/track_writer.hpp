@@ -20,7 +20,7 @@ class TrackWriter {
  public:
   virtual ~TrackWriter() = default;
   // At the end of a turn: those tracked then, by number, and those lost in it.
-  virtual void turn(std::span<const Track> tracked, std::span<const Track> lost) = 0;
+  virtual void turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) = 0;
   // No turn follows.
   virtual void finish() = 0;
 };
@@ -37,11 +37,11 @@ inline constexpr const char* kTrackEndings = ".csv or .geojson";
 class TrackCsv final : public TrackWriter {
  public:
   TrackCsv(std::uint32_t radar, TextSink sink);
-  void turn(std::span<const Track> tracked, std::span<const Track> lost) override;
+  void turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) override;
   void finish() override {}
 
  private:
-  void row(const Track& track);
+  void row(const PlottedTrack& track);
 
   std::uint32_t radar_;
   TextSink sink_;

@@ -29,8 +29,8 @@ class Tracker::Book {
 
   void add(const Plot& plot);
   void pass(const AntennaPass& antenna);
-  std::vector<Track> tracks() const;
-  std::vector<Track> take_lost();
+  std::vector<PlottedTrack> tracks() const;
+  std::vector<PlottedTrack> take_lost();
   std::uint32_t acquire(GeoPoint place, double within_m);
   bool cancel(std::uint32_t number);
   Counts counts() const;
@@ -80,7 +80,7 @@ class Tracker::Book {
   void begin_new_ones();
   bool belongs_to_a_known_one(const PlacedPlot& plot) const;
   void drop_gone_ones();
-  Track track_of(const Followed& followed, TrackStatus status) const;
+  PlottedTrack track_of(const Followed& followed, TrackStatus status) const;
 
   Rule rule_;
   std::optional<GroundPlane> plane_;
@@ -96,7 +96,7 @@ class Tracker::Book {
   ByEast targets_by_east_, plots_by_east_;
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
-  std::vector<Track> lost_;
+  std::vector<PlottedTrack> lost_;
   std::uint32_t numbers_ = 0, shown_ = 0;
   Counts counts_;
 };

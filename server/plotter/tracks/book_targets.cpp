@@ -88,17 +88,17 @@ bool Tracker::Book::cancel(std::uint32_t number) {
   return false;
 }
 
-std::vector<Track> Tracker::Book::tracks() const {
-  std::vector<Track> tracks;
+std::vector<PlottedTrack> Tracker::Book::tracks() const {
+  std::vector<PlottedTrack> tracks;
   for (const Followed& followed : followed_) {
     if (followed.number != 0) tracks.push_back(track_of(followed, TrackStatus::tracked));
   }
   std::sort(tracks.begin(), tracks.end(),
-            [](const Track& a, const Track& b) { return a.number < b.number; });
+            [](const PlottedTrack& a, const PlottedTrack& b) { return a.number < b.number; });
   return tracks;
 }
 
-std::vector<Track> Tracker::Book::take_lost() { return std::exchange(lost_, {}); }
+std::vector<PlottedTrack> Tracker::Book::take_lost() { return std::exchange(lost_, {}); }
 
 Tracker::Counts Tracker::Book::counts() const {
   Counts counts = counts_;
@@ -106,13 +106,13 @@ Tracker::Counts Tracker::Book::counts() const {
   return counts;
 }
 
-Track Tracker::Book::track_of(const Followed& followed, TrackStatus status) const {
+PlottedTrack Tracker::Book::track_of(const Followed& followed, TrackStatus status) const {
   const Target& target = followed.target;
   const MotionState& state = target.state();
   const PlanePoint place = target.place_at(antenna_.time);
   const echo::SinCos north = echo::sin_cos_degrees(-north_deg_);
   const auto truly = [&](PlanePoint v) { return echo::turned(v, north); };
-  Track track;
+  PlottedTrack track;
   track.number = followed.number;
   track.status = status;
   track.time = antenna_.time;

@@ -6,7 +6,7 @@
 
 namespace skerry::server {
 
-ClosestApproach closest_approach(const Track& track) {
+PlottedApproach closest_approach(const PlottedTrack& track) {
   const echo::SinCos direction = echo::sin_cos_degrees(track.bearing.in_degrees());
   const PlanePoint from = PlanePoint{direction.sin, direction.cos} * track.range_m;
   const PlanePoint way = track.relative_velocity_mps;

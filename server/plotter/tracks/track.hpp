@@ -15,7 +15,7 @@ enum class TrackStatus : std::uint8_t {
   lost,  // told once, with its last place
 };
 
-struct Track {
+struct PlottedTrack {
   std::uint32_t number = 0;  // from 1 up; never used again
   TrackStatus status = TrackStatus::tentative;
   // Of the state below.
@@ -40,10 +40,10 @@ struct Track {
 
 // Closest point of approach to own ship, if both keep on.  time_s is negative once it has passed;
 // without relative motion it is 0 and the range is the present one.
-struct ClosestApproach {
+struct PlottedApproach {
   double range_m = 0.0, time_s = 0.0;
   bool moves = false;  // relative speed of more than 0.05 m/s; else the time means nothing
 };
-ClosestApproach closest_approach(const Track& track);
+PlottedApproach closest_approach(const PlottedTrack& track);
 
 }  // namespace skerry::server

@@ -35,8 +35,8 @@ Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
 void Tracker::add(const Plot& plot) { book_->add(plot); }
 void Tracker::pass(const AntennaPass& antenna) { book_->pass(antenna); }
-std::vector<Track> Tracker::tracks() const { return book_->tracks(); }
-std::vector<Track> Tracker::take_lost() { return book_->take_lost(); }
+std::vector<PlottedTrack> Tracker::tracks() const { return book_->tracks(); }
+std::vector<PlottedTrack> Tracker::take_lost() { return book_->take_lost(); }
 std::uint32_t Tracker::acquire(GeoPoint place, double within_m) {
   return book_->acquire(place, within_m);
 }

@@ -55,8 +55,8 @@ class Tracker {
   void pass(const AntennaPass& antenna);
 
   // Tracked ones by number, each at the time of the last pass; and those lost since the last call.
-  std::vector<Track> tracks() const;
-  std::vector<Track> take_lost();
+  std::vector<PlottedTrack> tracks() const;
+  std::vector<PlottedTrack> take_lost();
 
   // What a mariner orders.  Acquires the echo nearest to a place, within `within_m`: its number, or
   // 0 if there is no echo.

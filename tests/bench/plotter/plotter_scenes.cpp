@@ -44,7 +44,7 @@ void take(Score& score, const GroundPlane& plane, const World& world, const Plot
     of.push_back(i);
   }
   const auto tracks = plotter.tracks();
-  for (const Track& track : tracks) told.push_back(plane.to_plane(track.place));
+  for (const PlottedTrack& track : tracks) told.push_back(plane.to_plane(track.place));
   const Gospa g = gospa(truth, told, kCut_m, 1.0);
   score.gospa += g.m;
   score.missed += static_cast<double>(g.missed);
@@ -101,7 +101,7 @@ Score run(const bench::PlotterScene& scene, const echo::ChartSource& chart, bool
     if (in_seconds(turns.world().state().exercise) < 60.0) continue;
     take(score, plane, turns.world(), plotter, reach_m, whose, ever_right);
     if (verbose && score.turns % 40 == 0) {
-      for (const Track& track : plotter.tracks())
+      for (const PlottedTrack& track : plotter.tracks())
         std::printf("  %d track %u %.1f %.0f m %.1f kn %d/%d len %.0f\n", score.turns, track.number,
                     track.bearing.in_degrees(), track.range_m,
                     length_of(track.velocity_mps) / kKnot, track.hits, track.looks, track.length_m);

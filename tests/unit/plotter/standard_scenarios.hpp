@@ -143,13 +143,13 @@ class StandardRun {
     }
   }
 
-  std::vector<double> errors_of(const Track& track) const {
+  std::vector<double> errors_of(const PlottedTrack& track) const {
     const auto course = [](PlanePoint v) {
       return std::atan2(v.east_m, v.north_m) * kDegreesPerRadian;
     };
     const auto knots = [](PlanePoint v) { return length_of(v) * 3600.0 / 1852.0; };
     const auto off = [](double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); };
-    const ClosestApproach cpa = closest_approach(track);
+    const PlottedApproach cpa = closest_approach(track);
     const PlanePoint relative = track.relative_velocity_mps;
     return {off(course(relative), scenario_.relative_course_deg),
             std::fabs(knots(relative) - scenario_.relative_speed_kn),

@@ -25,7 +25,7 @@ double course_deg(PlanePoint v) {
 double off_deg(double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); }
 
 // How far a track is from a place, m.
-double off_m(const MadeSea& sea, const Track& track, PlanePoint place) {
+double off_m(const MadeSea& sea, const PlottedTrack& track, PlanePoint place) {
   const GeoPoint at = sea.geo(place);
   const double north = (track.place.latitude_deg - at.latitude_deg) * 111'229.0;
   const double east = (track.place.longitude_deg - at.longitude_deg) * 111'500.0 *
@@ -75,7 +75,7 @@ TEST(Tracker, ShowsATargetAfterAFewTurnsAndKnowsItsMotionAfterAMinute) {
   EXPECT_LT(shown_s, 20.0);
   const auto tracks = tracker.tracks();
   ASSERT_EQ(tracks.size(), 1u);
-  const Track& track = tracks[0];
+  const PlottedTrack& track = tracks[0];
   EXPECT_NEAR(knots(track.velocity_mps), 12.0, 0.3);
   EXPECT_LT(off_deg(course_deg(track.velocity_mps), 270.0), 1.5);
   const double t = std::chrono::duration<double>(track.time.time_since_epoch()).count();
@@ -96,7 +96,7 @@ TEST(Tracker, LooksOnceATurnAlsoAcrossNorthAndForOneThatGoesWithTheAntenna) {
     if (t < 30.0) return;
     const auto tracks = tracker.tracks();
     ASSERT_EQ(tracks.size(), 2u) << t;
-    for (const Track& track : tracks) EXPECT_EQ(track.hits, 10) << t;
+    for (const PlottedTrack& track : tracks) EXPECT_EQ(track.hits, 10) << t;
   });
   EXPECT_LE(tracker.counts().followed, 2u);
 }
@@ -148,7 +148,7 @@ TEST(Tracker, LosesOneThatIsGoneAndSaysSoOnce) {
   double lost_s = 0.0;
   int told = 0;
   sail(sea, tracker, 0, 300, [&](double t) {
-    for (const Track& track : tracker.take_lost()) {
+    for (const PlottedTrack& track : tracker.take_lost()) {
       ++told;
       lost_s = t;
       EXPECT_EQ(track.status, TrackStatus::lost);
@@ -178,7 +178,7 @@ TEST(Tracker, KeepsTwoApartThatCross) {
       std::map<std::uint32_t, std::size_t> first;
       sail(sea, tracker, 0, 300, [&](double t) {
         if (t < 60.0 || (t > 90.0 && t < 297.0)) return;
-        for (const Track& track : tracker.tracks()) {
+        for (const PlottedTrack& track : tracker.tracks()) {
           const double at = std::chrono::duration<double>(track.time.time_since_epoch()).count();
           const std::size_t whose =
               off_m(sea, track, sea.targets[0].way(at)) < off_m(sea, track, sea.targets[1].way(at))
@@ -203,7 +203,7 @@ TEST(Tracker, MakesHardlyATrackOfPlotsThatAreThereByChance) {
   Tracker tracker(kAll);
   std::set<std::uint32_t> numbers;
   sail(sea, tracker, 0, 1800, [&](double) {
-    for (const Track& track : tracker.tracks()) numbers.insert(track.number);
+    for (const PlottedTrack& track : tracker.tracks()) numbers.insert(track.number);
   });
   EXPECT_LE(numbers.size(), 2u) << "in half an hour of a hundred false plots a turn";
   EXPECT_LT(tracker.counts().followed, 600u);
@@ -343,7 +343,7 @@ TEST(Tracker, RefusesRulesOutOfTheirRange) {
 }
 
 TEST(ClosestApproach, IsThatOfStraightWays) {
-  Track track;
+  PlottedTrack track;
   track.range_m = 8.0 * 1852.0;
   track.bearing = TrueBearing::from(degrees(0.0));
   track.relative_velocity_mps = {0.0, -20.0 * 1852.0 / 3600.0};

@@ -14,8 +14,8 @@ namespace {
 constexpr UtcTime kBegin{std::chrono::seconds(1'795'341'600)};
 
 // East of own ship, 2 NM off, steering north at 10 kn; own ship lies still.
-Track northbound(std::uint32_t number, Duration since = {}) {
-  Track track;
+PlottedTrack northbound(std::uint32_t number, Duration since = {}) {
+  PlottedTrack track;
   track.number = number;
   track.status = TrackStatus::tracked;
   track.time = ScenarioTime(since + std::chrono::seconds(100));
@@ -43,8 +43,8 @@ struct Text {
 TEST(TrackCsv, HasARowForEachTrackAndTurn) {
   Text out;
   TrackCsv csv(3, out.sink());
-  const Track first = northbound(1);
-  Track second = northbound(7, std::chrono::milliseconds(2500));
+  const PlottedTrack first = northbound(1);
+  PlottedTrack second = northbound(7, std::chrono::milliseconds(2500));
   second.by_hand = true;
   csv.turn({&first, 1}, {});
   csv.turn({&second, 1}, {});
@@ -61,7 +61,7 @@ TEST(TrackCsv, HasARowForEachTrackAndTurn) {
 TEST(TrackCsv, TellsTheClosestApproach) {
   Text out;
   TrackCsv csv(0, out.sink());
-  Track track = northbound(1);
+  PlottedTrack track = northbound(1);
   track.relative_velocity_mps = {-20.0 * 1852.0 / 3600.0, 0.0};  // towards us, 20 kn: 6 min
   csv.turn({&track, 1}, {});
   EXPECT_NE(out.rows().find(",90.00,0.0000,6.00,"), std::string::npos) << out.rows();
@@ -70,7 +70,7 @@ TEST(TrackCsv, TellsTheClosestApproach) {
 TEST(TrackCsv, WithoutRelativeMotionHasNoTimeOfTheClosestApproach) {
   Text out;
   TrackCsv csv(0, out.sink());
-  Track track = northbound(1);
+  PlottedTrack track = northbound(1);
   track.relative_velocity_mps = {};
   csv.turn({&track, 1}, {});
   EXPECT_NE(out.rows().find(",90.00,2.0000,,12.3,"), std::string::npos) << out.rows();
@@ -79,8 +79,8 @@ TEST(TrackCsv, WithoutRelativeMotionHasNoTimeOfTheClosestApproach) {
 TEST(TrackCsv, PutsThoseLostBehindThoseTracked) {
   Text out;
   TrackCsv csv(0, out.sink());
-  const Track tracked = northbound(2);
-  Track lost = northbound(1);
+  const PlottedTrack tracked = northbound(2);
+  PlottedTrack lost = northbound(1);
   lost.status = TrackStatus::lost;
   csv.turn({&tracked, 1}, {&lost, 1});
   EXPECT_EQ(out.rows().find("1795341600.000,0,2,tracked,"), 0u) << out.rows();
@@ -131,11 +131,11 @@ TEST(PlotCsv, HasThePlaceOfEachPlot) {
 TEST(TrackGeoJson, HasALineForEachTrackWithItsTimes) {
   Text out;
   TrackGeoJson json(2, out.sink());
-  Track one = northbound(1), two = northbound(2);
+  PlottedTrack one = northbound(1), two = northbound(2);
   json.turn(std::vector{one, two}, {});
   one = northbound(1, std::chrono::milliseconds(2500));
   one.place.latitude_deg = 60.0001;
-  Track lost = two;
+  PlottedTrack lost = two;
   lost.status = TrackStatus::lost;
   json.turn({&one, 1}, {&lost, 1});
   json.finish();
@@ -165,7 +165,7 @@ TEST(TrackGeoJson, IsCutAtTheMeridianOf180) {
   for (const bool east : {true, false}) {
     Text out;
     TrackGeoJson json(0, out.sink());
-    Track track = northbound(1);
+    PlottedTrack track = northbound(1);
     track.place = {10.0, east ? 179.99 : -179.99};
     json.turn({&track, 1}, {});
     track = northbound(1, std::chrono::seconds(4));
