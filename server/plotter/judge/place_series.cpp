@@ -39,7 +39,9 @@ echo::LocalPlane plane_of(const Truth& truth) {
   return echo::LocalPlane(GeoPoint{});
 }
 
-TruthSeries::TruthSeries(std::span<const TruthPoint> points, const echo::LocalPlane& plane) {
+TruthSeries::TruthSeries(std::span<const TruthPoint> points, const echo::LocalPlane& plane,
+                         double beyond_s)
+    : beyond_s_(beyond_s) {
   points_.reserve(points.size());
   for (const TruthPoint& point : points) {
     if (!is_sound(point.utc_s, point.place)) continue;
@@ -68,7 +70,7 @@ PlanePoint TruthSeries::place_between(std::size_t index, double utc_s) const {
 }
 
 std::optional<PlaneState> TruthSeries::at(double utc_s) const {
-  if (points_.empty() || !(utc_s >= first_s() - kBeyond_s) || !(utc_s <= last_s() + kBeyond_s))
+  if (points_.empty() || !(utc_s >= first_s() - beyond_s_) || !(utc_s <= last_s() + beyond_s_))
     return std::nullopt;
   if (points_.size() == 1)
     return PlaneState{points_[0].place, points_[0].velocity_mps.value_or(PlanePoint{})};
@@ -78,7 +80,7 @@ std::optional<PlaneState> TruthSeries::at(double utc_s) const {
   if (gap_s > kMostGap_s) {
     // Between two parts of the truth: there is only what is close to one of them.
     const Point& near = utc_s - a.utc_s < b.utc_s - utc_s ? a : b;
-    if (std::fabs(utc_s - near.utc_s) > kBeyond_s) return std::nullopt;
+    if (std::fabs(utc_s - near.utc_s) > beyond_s_) return std::nullopt;
     const PlanePoint velocity = near.velocity_mps.value_or(PlanePoint{});
     return PlaneState{near.place + velocity * (utc_s - near.utc_s), velocity};
   }

@@ -29,20 +29,21 @@ echo::LocalPlane plane_of(const Truth& truth);
 // The truth of one ship.
 class TruthSeries {
  public:
+  static constexpr double kMostGap_s = 30.0, kBeyond_s = 0.5, kBase_s = 5.0;
+
   // Sorts by time and drops points at a time that was there already, and what is not finite.
-  TruthSeries(std::span<const TruthPoint> points, const echo::LocalPlane& plane);
+  TruthSeries(std::span<const TruthPoint> points, const echo::LocalPlane& plane,
+              double beyond_s = kBeyond_s);
 
   bool empty() const { return points_.empty(); }
   double first_s() const { return points_.front().utc_s; }  // requires !empty()
   double last_s() const { return points_.back().utc_s; }    // likewise
-  // Straight between two points no more than kMostGap_s apart, and as far as kBeyond_s before the
+  // Straight between two points no more than kMostGap_s apart, and as far as beyond_s before the
   // first and after the last.  Motion: as told at both points, else over kBase_s about the time.
   std::optional<PlaneState> at(double utc_s) const;
   // Does the ship keep course and speed from `window_s` before to as much after, as far as its
   // truth goes?  That is: its velocity stays within 0.3 m/s or 5 % of what it is, the greater.
   bool is_steady(double utc_s, double window_s) const;
-
-  static constexpr double kMostGap_s = 30.0, kBeyond_s = 2.0, kBase_s = 5.0;
 
  private:
   struct Point {
@@ -53,6 +54,7 @@ class TruthSeries {
   std::size_t after(double utc_s) const;
   PlanePoint place_between(std::size_t index, double utc_s) const;
   std::vector<Point> points_;
+  double beyond_s_;
 };
 
 // One track as a display shows it: from when it was told, never before.

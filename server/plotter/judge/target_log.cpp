@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kDay_s = 86'400.0;
 constexpr double kNewTrack_s = 60.0;  // untold for so long, a number is free again
+constexpr double kFixHolds_s = 5.0;   // before the first fix and after the last
 constexpr double kSameTold_s = 0.5;   // TTM and TLL of one state
 
 // A target as it was told: its place, or where it is from own ship.
@@ -227,7 +228,8 @@ class TargetLog {
                            : !truth_.own_ship.empty() ? truth_.own_ship.front().place
                                                       : GeoPoint{};
     const echo::LocalPlane plane(about);
-    const TruthSeries own(out_.own_ship, plane), true_own(truth_.own_ship, plane);
+    const TruthSeries own(out_.own_ship, plane, kFixHolds_s);
+    const TruthSeries true_own(truth_.own_ship, plane, kFixHolds_s);
     for (Heard& heard : heard_) {
       if (!heard.has_place) {
         auto from = own.at(heard.point.utc_s);
