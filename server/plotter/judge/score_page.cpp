@@ -56,7 +56,8 @@ class PageOfScores {
                      "#5 of 10 kept %"});
     for (const SceneScore& score : scores_) {
       table.begin_row();
-      table.add(score.name);
+      table.add_html("<span style=\"white-space:nowrap\">" + escaped(short_name(score.name)) +
+                     "</span>");
       table.add(cell_of(score.mean_ospa_m, 1));
       table.add(cell_of(score.mean_gospa_m, 1));
       table.add(cell_of(score.mean_missed, 2));
@@ -122,22 +123,22 @@ class PageOfScores {
     out_ += fmt::format("<section><h2>{}</h2>\n", escaped(score.name));
     out_ += scene_figure(truth_, told_[index]);
     targets(score);
-    errors(score, "Error of place", "m",
+    errors(score, "Error of place", "m", 10.0,
            [](const TrackError& e) { return std::optional(e.place_m); });
     const auto plain = [](std::optional<double> TrackError::*member) {
       return [member](const TrackError& e) { return e.*member; };
     };
-    errors(score, "Error of course", "deg", plain(&TrackError::course_deg));
-    errors(score, "Error of speed", "kn", plain(&TrackError::speed_kn));
-    errors(score, "Error of CPA", "NM", plain(&TrackError::cpa_nm));
-    errors(score, "Error of TCPA", "min", plain(&TrackError::tcpa_min));
+    errors(score, "Error of course", "deg", 10.0, plain(&TrackError::course_deg));
+    errors(score, "Error of speed", "kn", 1.0, plain(&TrackError::speed_kn));
+    errors(score, "Error of CPA", "NM", 0.1, plain(&TrackError::cpa_nm));
+    errors(score, "Error of TCPA", "min", 1.0, plain(&TrackError::tcpa_min));
     out_ += "</section>\n";
   }
 
   void targets(const SceneScore& score) {
-    HtmlTable table({"target", "#steps", "#first track after s", "#tracked %", "#continuity %",
-                     "#tracks", "#breaks", "#swaps", "#RMS m", "#95 % m", "#course deg",
-                     "#speed kn", "#CPA NM", "#TCPA min"});
+    HtmlTable table({"target", "#steps", "#first s", "#tracked %", "#cont. %", "#tracks", "#breaks",
+                     "#swaps", "#RMS m", "#95 % m", "#course °", "#speed kn", "#CPA NM",
+                     "#TCPA min"});
     std::size_t rows = 0;
     for (const TargetScore& target : score.targets) {
       if (++rows > kMostRows) break;
@@ -159,12 +160,47 @@ class PageOfScores {
     }
     out_ += table.html();
     out_ +=
-        "<p class=\"soft\">Errors of course, speed, CPA and TCPA: 95 % of their amounts; CPA only "
-        "while both ships keep on.</p>\n";
+        "<p class=\"soft\">First: seconds from when it was seen or began to its first track.  "
+        "Errors "
+        "of course, speed, CPA and TCPA: 95 % of their amounts; CPA only while both ships keep "
+        "on.</p>\n";
+    accuracy(score);
+  }
+
+  void accuracy(const SceneScore& score) {
+    HtmlTable table({"target", "steady for", "#steps", "#relative course °", "#relative speed kn",
+                     "#course °", "#speed kn", "#CPA NM", "#TCPA min", "limits"});
+    const auto row = [&](const TargetScore& target, const char* after, const Accuracy& accuracy) {
+      if (accuracy.steps == 0) return;
+      table.begin_row();
+      table.add(target.id);
+      table.add(after);
+      table.add(fmt::format("{}", accuracy.steps));
+      table.add(cell_of(accuracy.relative_course_95_deg, 1));
+      table.add(cell_of(accuracy.relative_speed_95_kn, 2));
+      table.add(cell_of(accuracy.course_95_deg, 1));
+      table.add(cell_of(accuracy.speed_95_kn, 2));
+      table.add(cell_of(accuracy.cpa_95_nm, 3));
+      table.add(cell_of(accuracy.tcpa_95_min, 2));
+      table.add_html(accuracy.exceeded == 0
+                         ? std::string("<span class=\"good\">kept</span>")
+                         : fmt::format("<span class=\"bad\">{} over</span>", accuracy.exceeded));
+    };
+    for (std::size_t i = 0; i < std::min(score.targets.size(), kMostRows); ++i) {
+      row(score.targets[i], "1 min", score.targets[i].after_one_minute);
+      row(score.targets[i], "3 min", score.targets[i].after_three_minutes);
+    }
+    if (table.is_empty()) return;
+    out_ += table.html();
+    out_ +=
+        "<p class=\"soft\">95 % of the errors while one track has been the target's for so long "
+        "and "
+        "both ships kept on, against the limits of MSC.192(79) table 3.</p>\n";
   }
 
   template <typename Value>
-  void errors(const SceneScore& score, const char* title, const char* unit, const Value& value) {
+  void errors(const SceneScore& score, const char* title, const char* unit, double least_span,
+              const Value& value) {
     std::vector<PlotCurve> curves;
     for (std::size_t i = 0; i < std::min(score.targets.size(), kMostPlotCurves); ++i) {
       PlotCurve curve;
@@ -179,7 +215,10 @@ class PageOfScores {
       }
       if (!curve.points.empty()) curves.push_back(std::move(curve));
     }
-    if (!curves.empty()) out_ += plot_figure(frame(title, unit), curves, {});
+    if (curves.empty()) return;
+    PlotFrame plot = frame(title, unit);
+    plot.least_span = least_span;
+    out_ += plot_figure(plot, curves, {});
   }
 
   const ScorePage& page_;

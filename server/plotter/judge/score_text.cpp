@@ -28,6 +28,10 @@ std::string name_cell(std::string_view name) {
   return text;
 }
 
+std::size_t steady_minutes(Settled settled) {
+  return settled == Settled::three_minutes ? 3 : settled == Settled::one_minute ? 1 : 0;
+}
+
 class ScoreCsv {
  public:
   explicit ScoreCsv(std::string_view names) : text_(names) { text_ += "\r\n"; }
@@ -38,6 +42,11 @@ class ScoreCsv {
     return value ? *this << *value : put("");
   }
   ScoreCsv& time(double utc_s) { return put(fmt::format("{:.3f}", utc_s)); }
+  ScoreCsv& accuracy(const Accuracy& accuracy) {
+    return *this << accuracy.steps << accuracy.relative_course_95_deg
+                 << accuracy.relative_speed_95_kn << accuracy.course_95_deg << accuracy.speed_95_kn
+                 << accuracy.cpa_95_nm << accuracy.tcpa_95_min << accuracy.exceeded;
+  }
   ScoreCsv& rule(const std::optional<FiveOfTen>& rule) {
     return rule ? *this << rule->due << rule->kept : put("").put("");
   }
@@ -77,14 +86,21 @@ std::string target_scores_csv(std::span<const SceneScore> scores) {
   ScoreCsv csv(
       "tracker,target,steps,tracked,initiation_s,tracked_share,continuity,numbers,breaks,swaps,"
       "place_rms_m,place_95_m,course_95_deg,speed_95_kn,cpa_95_nm,tcpa_95_min,forecasts,"
-      "five_of_ten_due,five_of_ten_kept");
+      "five_of_ten_due,five_of_ten_kept,"
+      "min1_steps,min1_relative_course_95_deg,min1_relative_speed_95_kn,min1_course_95_deg,"
+      "min1_speed_95_kn,min1_cpa_95_nm,min1_tcpa_95_min,min1_limits_exceeded,"
+      "min3_steps,min3_relative_course_95_deg,min3_relative_speed_95_kn,min3_course_95_deg,"
+      "min3_speed_95_kn,min3_cpa_95_nm,min3_tcpa_95_min,min3_limits_exceeded");
   for (const SceneScore& score : scores) {
     for (const TargetScore& target : score.targets) {
       csv << score.name << target.id << target.steps << target.tracked << target.initiation_s
           << target.tracked_share << target.continuity << target.numbers << target.breaks
           << target.swaps << target.place_rms_m << target.place_95_m << target.course_95_deg
           << target.speed_95_kn << target.cpa_95_nm << target.tcpa_95_min << target.forecasts;
-      csv.rule(target.five_of_ten).end();
+      csv.rule(target.five_of_ten)
+          .accuracy(target.after_one_minute)
+          .accuracy(target.after_three_minutes)
+          .end();
     }
   }
   return csv.take();
@@ -117,18 +133,46 @@ std::string steps_csv(std::span<const SceneScore> scores) {
 }
 
 std::string errors_csv(std::span<const SceneScore> scores) {
-  ScoreCsv csv("tracker,utc_s,target,track,place_m,course_deg,speed_kn,cpa_nm,tcpa_min");
+  ScoreCsv csv(
+      "tracker,utc_s,target,track,steady_min,place_m,course_deg,speed_kn,relative_course_deg,"
+      "relative_speed_kn,cpa_nm,tcpa_min");
   for (const SceneScore& score : scores) {
     for (const TargetScore& target : score.targets) {
       for (const TrackError& error : target.errors) {
         (csv << score.name).time(error.utc_s)
-            << target.id << score.tracks[error.track].number << error.place_m << error.course_deg
-            << error.speed_kn << error.cpa_nm << error.tcpa_min;
+            << target.id << score.tracks[error.track].number << steady_minutes(error.settled)
+            << error.place_m << error.course_deg << error.speed_kn << error.relative_course_deg
+            << error.relative_speed_kn << error.cpa_nm << error.tcpa_min;
         csv.end();
       }
     }
   }
   return csv.take();
+}
+
+// Errors of settled tracks against the limits of MSC.192, if there are any.
+std::string accuracy_table(const SceneScore& score) {
+  std::string rows;
+  const auto row = [&rows](const std::string& name, const char* after, const Accuracy& accuracy) {
+    if (accuracy.steps == 0) return;
+    rows += fmt::format(
+        "{:<26} {:>6} {:>6} {:>8} {:>7} {:>7} {:>7} {:>7} {:>8} {:>9}\n", name, after,
+        accuracy.steps, fixed_or_dash(accuracy.relative_course_95_deg, 1),
+        fixed_or_dash(accuracy.relative_speed_95_kn, 2), fixed_or_dash(accuracy.course_95_deg, 1),
+        fixed_or_dash(accuracy.speed_95_kn, 2), fixed_or_dash(accuracy.cpa_95_nm, 3),
+        fixed_or_dash(accuracy.tcpa_95_min, 2),
+        accuracy.exceeded == 0 ? "kept" : fmt::format("{} over", accuracy.exceeded));
+  };
+  for (const TargetScore& target : score.targets) {
+    const std::string name = "  " + name_cell(target.id).substr(0, kNameWidth - 2);
+    row(name, "1 min", target.after_one_minute);
+    row(name, "3 min", target.after_three_minutes);
+  }
+  if (rows.empty()) return rows;
+  return fmt::format("{:<26} {:>6} {:>6} {:>8} {:>7} {:>7} {:>7} {:>7} {:>8} {:>9}\n",
+                     "  steady track, 95 %", "after", "steps", "rel crs", "rel spd", "crs deg",
+                     "spd kn", "cpa NM", "tcpa min", "MSC.192") +
+         rows;
 }
 
 }  // namespace
@@ -162,6 +206,7 @@ std::string score_table(std::span<const SceneScore> scores) {
           fixed_or_dash(target.course_95_deg, 1), fixed_or_dash(target.speed_95_kn, 2),
           fixed_or_dash(target.cpa_95_nm, 3), fixed_or_dash(target.tcpa_95_min, 2));
     }
+    out += accuracy_table(score);
   }
   return out;
 }

@@ -10,8 +10,8 @@
 
 namespace skerry::server {
 
-// Two tables of fixed columns: a line for each tracker, and for each target of each tracker.  What
-// is not known is "-".
+// Tables of fixed columns: a line for each tracker; for each target of each tracker; and for each
+// target that was tracked steadily for one and for three minutes.  What is not known is "-".
 std::string score_table(std::span<const SceneScore> scores);
 
 // Names and contents: scenes.csv (a row for each tracker), targets.csv, tracks.csv, steps.csv (each

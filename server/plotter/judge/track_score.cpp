@@ -6,8 +6,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "protocol/quantity/length.hpp"
-#include "protocol/quantity/speed.hpp"
 #include "server/plotter/assignment/assignment.hpp"
 #include "server/plotter/judge/place_series.hpp"
 #include "server/plotter/judge/set_distance.hpp"
@@ -17,8 +15,7 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kTurns = 10, kSeenTurns = 5;
-constexpr double kSlow_kn = 1.0;  // whose course says little
-constexpr double kMostTcpa_min = 60.0;
+constexpr double kMinute_s = 60.0, kThreeMinutes_s = 180.0;
 
 void require_range(bool sound, const char* text) {
   if (!sound) throw std::invalid_argument(text);
@@ -44,11 +41,13 @@ double share_of(std::size_t part, std::size_t whole) {
 struct TargetState {
   TruthSeries series;
   const std::vector<Look>* looks;
-  std::size_t looked = 0;                               // looks until now
-  std::optional<double> first_seen_s, first_tracked_s;  // .
-  std::size_t since_first = 0;                          // steps
+  std::size_t looked = 0;  // looks until now
+  std::optional<double> first_seen_s = {}, first_tracked_s = {};
+  std::size_t since_first = 0;  // steps
   bool was_tracked = false;
-  std::set<std::size_t> numbers;
+  std::size_t track = kUnpaired;  // the present one
+  double held_since_s = 0.0;
+  std::set<std::size_t> numbers = {};
 };
 
 class Judging {
@@ -59,8 +58,7 @@ class Judging {
         own_(truth.own_ship, plane_),
         pairing_(rule_.cut_m, rule_.keep_m) {
     for (const TruthTarget& target : truth.targets) {
-      states_.push_back(
-          {TruthSeries(target.points, plane_), &target.looks, 0, {}, {}, 0, false, {}});
+      states_.push_back({TruthSeries(target.points, plane_), &target.looks});
       score_.targets.emplace_back().id = target.id;
       if (!target.looks.empty()) score_.targets.back().five_of_ten = FiveOfTen{};
     }
@@ -128,6 +126,7 @@ class Judging {
       const auto now = state.series.at(utc_s);
       if (!now) {
         state.was_tracked = false;  // it is gone: that is no break
+        state.track = kUnpaired;
         continue;
       }
       truth.push_back({i, now->place});
@@ -147,11 +146,14 @@ class Judging {
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const bool counts = has_been_seen(truth[i].name, utc_s) && is_within(truth[i].place, own);
       if (pairs[i] != kUnpaired) owner[pairs[i]] = i;
-      if (!counts) continue;
+      if (!counts) {
+        states_[truth[i].name].was_tracked = false;  // as if it were gone
+        continue;
+      }
       counted_truth.push_back(truth[i].place);
       if (pairs[i] == kUnpaired) {
         ++step.missed;
-        miss(truth[i].name, utc_s);
+        miss(truth[i].name);
       } else {
         hit(truth[i].name, told[pairs[i]].name, utc_s, motion[i], shown[pairs[i]], own);
       }
@@ -222,10 +224,11 @@ class Judging {
     if (state.first_tracked_s) ++state.since_first;
   }
 
-  void miss(std::size_t target, double) {
+  void miss(std::size_t target) {
     count(target, false);
     if (states_[target].was_tracked) ++score_.targets[target].breaks;
     states_[target].was_tracked = false;
+    states_[target].track = kUnpaired;
   }
 
   void hit(std::size_t target, std::size_t track, double utc_s, const PlaneState& truth,
@@ -242,49 +245,29 @@ class Judging {
     if (last_target_[track] != kUnpaired && last_target_[track] != target) ++score.swaps;
     last_target_[track] = target;
     of_track_[track].insert(target);
-    TrackError error{utc_s, track, length_of(shown.state.place - truth.place), {}, {}, {}, {}};
-    if (shown.has_motion) {
-      const double speed_kn = length_of(truth.velocity_mps) / kKnot;
-      error.speed_kn = length_of(shown.state.velocity_mps) / kKnot - speed_kn;
-      if (speed_kn > kSlow_kn)
-        error.course_deg =
-            turn_between(course_of(shown.state.velocity_mps), course_of(truth.velocity_mps));
-    }
-    if (own) forecast(target, utc_s, truth, shown, *own, error);
+    if (state.track != track) state.held_since_s = utc_s;
+    state.track = track;
+    TrackError error = motion_error(truth, shown, own);
+    error.utc_s = utc_s;
+    error.track = track;
+    if (own && keep_on(state, utc_s, rule_.steady_s))
+      add_forecast_error(error, utc_s, truth, shown, *own);
+    error.settled = settled(state, utc_s);
     score.errors.push_back(error);
   }
 
-  // The told CPA, or what the told motion gives, against the truth of both ships going on straight.
-  void forecast(std::size_t target, double utc_s, const PlaneState& truth,
-                const ToldSeries::Shown& shown, const PlaneState& own, TrackError& error) const {
-    if (!shown.has_motion && !shown.told->cpa_nm) return;
-    if (!own_.is_steady(utc_s, rule_.steady_s) ||
-        !states_[target].series.is_steady(utc_s, rule_.steady_s))
-      return;
-    const PassingForecast real =
-        forecast_passing(truth.place - own.place, truth.velocity_mps - own.velocity_mps);
-    if (!real.time_s || std::fabs(*real.time_s) > kMostTcpa_min * 60.0) return;
-    const PassingForecast made = forecast_passing(shown.state.place - own.place,
-                                                  shown.state.velocity_mps - own.velocity_mps);
-    const double told_nm =
-        shown.told->cpa_nm.value_or(made.range_m / Length::kMetresPerNauticalMile);
-    if (shown.told->cpa_nm || shown.has_motion)
-      error.cpa_nm = told_nm - real.range_m / Length::kMetresPerNauticalMile;
-    // What was told is of then, and runs on.
-    if (shown.told->tcpa_min) {
-      error.tcpa_min =
-          *shown.told->tcpa_min - (utc_s - shown.told->utc_s) / 60.0 - *real.time_s / 60.0;
-    } else if (shown.has_motion && made.time_s) {
-      error.tcpa_min = (*made.time_s - *real.time_s) / 60.0;
-    }
+  // Both, from so long before to as much after.
+  bool keep_on(const TargetState& state, double utc_s, double window_s) const {
+    return own_.is_steady(utc_s, window_s) && state.series.is_steady(utc_s, window_s);
   }
 
-  static std::optional<double> percentile_95(const std::vector<TrackError>& errors,
-                                             std::optional<double> TrackError::*member) {
-    std::vector<double> values;
-    for (const TrackError& error : errors)
-      if (error.*member) values.push_back(std::fabs(*(error.*member)));
-    return percentile_of(std::move(values), 95.0);
+  Settled settled(const TargetState& state, double utc_s) const {
+    const auto kept_for = [&](double length_s) {
+      return utc_s - state.held_since_s >= length_s - 1e-3 &&
+             keep_on(state, utc_s - length_s / 2.0, length_s / 2.0);
+    };
+    if (!kept_for(kMinute_s)) return Settled::no;
+    return kept_for(kThreeMinutes_s) ? Settled::three_minutes : Settled::one_minute;
   }
 
   void finish(TargetScore& score, const TargetState& state) const {
@@ -300,10 +283,13 @@ class Judging {
     }
     if (!places.empty()) score.place_rms_m = std::sqrt(sum / static_cast<double>(places.size()));
     score.place_95_m = percentile_of(std::move(places), 95.0);
-    score.course_95_deg = percentile_95(score.errors, &TrackError::course_deg);
-    score.speed_95_kn = percentile_95(score.errors, &TrackError::speed_kn);
-    score.cpa_95_nm = percentile_95(score.errors, &TrackError::cpa_nm);
-    score.tcpa_95_min = percentile_95(score.errors, &TrackError::tcpa_min);
+    score.course_95_deg = error_95(score.errors, &TrackError::course_deg);
+    score.speed_95_kn = error_95(score.errors, &TrackError::speed_kn);
+    score.cpa_95_nm = error_95(score.errors, &TrackError::cpa_nm);
+    score.tcpa_95_min = error_95(score.errors, &TrackError::tcpa_min);
+    score.after_one_minute = accuracy_after(score.errors, Settled::one_minute, kAfterOneMinute);
+    score.after_three_minutes =
+        accuracy_after(score.errors, Settled::three_minutes, kAfterThreeMinutes);
   }
 
   void finish() {
@@ -353,14 +339,6 @@ class Judging {
 };
 
 }  // namespace
-
-std::optional<double> percentile_of(std::vector<double> values, double percent) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(percent / 100.0 * static_cast<double>(values.size()) - 1e-9);
-  const auto index = static_cast<std::size_t>(std::max(1.0, rank)) - 1;
-  return values[std::min(index, values.size() - 1)];
-}
 
 SceneScore track_score(const Truth& truth, const Told& told, const JudgeRule& rule) {
   return Judging(truth, told, rule).result();

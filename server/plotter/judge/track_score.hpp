@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "server/plotter/judge/track_error.hpp"
 #include "server/plotter/judge/truth_and_told.hpp"
 
 namespace skerry::server {
@@ -25,16 +26,6 @@ struct JudgeRule {
   double within_m = std::numeric_limits<double>::infinity();
 };
 inline constexpr std::size_t kMostSteps = 200'000;
-
-// How far a track is from its target at a step; told less true.
-struct TrackError {
-  double utc_s = 0.0;
-  std::size_t track = 0;  // of ToldScore
-  double place_m = 0.0;
-  std::optional<double> course_deg = {};  // only where the target makes more than 1 kn
-  std::optional<double> speed_kn = {};
-  std::optional<double> cpa_nm = {}, tcpa_min = {};
-};
 
 // Of a target whose looks are known.  Due: it was seen in five of the last ten turns and has had a
 // track before, so that a track must be there (IEC 62388; MSC.192(79) 5.25).
@@ -57,6 +48,7 @@ struct TargetScore {
   std::optional<double> course_95_deg = {}, speed_95_kn = {};
   std::optional<double> cpa_95_nm = {}, tcpa_95_min = {};
   std::size_t forecasts = 0;  // steps at which CPA was judged
+  Accuracy after_one_minute = {}, after_three_minutes = {};
   std::optional<FiveOfTen> five_of_ten = {};
 };
 
@@ -100,8 +92,5 @@ struct SceneScore {
 // Errors: std::invalid_argument if a value of the rule is out of its range, there is no truth, or
 // there would be more than kMostSteps steps.
 SceneScore track_score(const Truth& truth, const Told& told, const JudgeRule& rule);
-
-// The value that `percent` of the values do not exceed (nearest rank); nothing of none.
-std::optional<double> percentile_of(std::vector<double> values, double percent);
 
 }  // namespace skerry::server

@@ -223,6 +223,43 @@ TEST(TrackScore, ErrorsOfCpaAreAgainstBothGoingOnStraight) {
   EXPECT_EQ(score.targets[0].forecasts, 121u);
 }
 
+// Settled from when the track has been the same for so long.
+TEST(TrackScore, AccuracyIsThatOfSettledTracks) {
+  const auto north_10 = [](double t) { return PlanePoint{300.0, 10.0 * kKnot * t}; };
+  const Truth truth{{made::target("a", 0, 400, north_10)}, made::still(0, 400)};
+  Told told{"", {made::track("1", 0, 99, north_10), made::track("2", 100, 400, north_10)}};
+  for (ToldTrack& track : told.tracks) {
+    for (ToldPoint& point : track.points) {
+      const double t = point.utc_s - made::kBegin_s;
+      point.course_deg = t < 200.0 ? 10.0 : 4.0;
+      point.speed_kn = 10.2;
+    }
+  }
+  const TargetScore target = track_score(truth, told, every_second()).targets[0];
+  // 60 .. 99 s and 160 .. 400 s; 280 .. 400 s.
+  EXPECT_EQ(target.after_one_minute.steps, 40u + 241u);
+  EXPECT_EQ(target.after_three_minutes.steps, 121u);
+  ASSERT_TRUE(target.after_three_minutes.course_95_deg);
+  EXPECT_NEAR(*target.after_one_minute.course_95_deg, 10.0, 0.01);
+  EXPECT_NEAR(*target.after_three_minutes.course_95_deg, 4.0, 0.01);
+  EXPECT_NEAR(*target.after_three_minutes.relative_speed_95_kn, 0.2, 0.001);
+  // After one minute 11 deg are allowed; after three 3 deg of relative course are not kept.
+  EXPECT_EQ(target.after_one_minute.exceeded, 0u);
+  EXPECT_EQ(target.after_three_minutes.exceeded, 1u);
+}
+
+TEST(Accuracy, ASpeedMayErrByItsShareIfThatIsMore) {
+  TrackError error;
+  error.settled = Settled::three_minutes;
+  error.relative_speed_kn = 0.9;
+  error.true_relative_kn = 85.0;
+  EXPECT_EQ(accuracy_after(std::vector{error}, Settled::one_minute, kAfterThreeMinutes).exceeded,
+            1u);
+  error.true_relative_kn = 95.0;
+  EXPECT_EQ(accuracy_after(std::vector{error}, Settled::one_minute, kAfterThreeMinutes).exceeded,
+            0u);
+}
+
 TEST(TrackScore, NoCpaIsJudgedOfWhoTurns) {
   const auto turning = [](double t) {
     return PlanePoint{1000.0 + 200.0 * std::cos(t * 0.05), 200.0 * std::sin(t * 0.05)};
@@ -269,6 +306,19 @@ TEST(TrackScore, WhoIsOutOfRangeCountsNot) {
   EXPECT_NEAR(score.mean_ospa_m, 0.0, kClose);
   EXPECT_EQ(score.targets[1].steps, 0u);
   EXPECT_EQ(score.false_tracks + score.never_tracked, 0u);
+}
+
+TEST(TrackScore, WhoComesBackIntoRangeHasNoBreak) {
+  const auto passing = [](double t) { return PlanePoint{0.0, 100.0 * t}; };
+  const auto returning = [&](double t) { return passing(t < 50.0 ? t : 100.0 - t); };
+  const Truth truth{{made::target("a", 0, 100, returning)}, made::still(0, 100)};
+  const Told told{"", {made::track("1", 0, 40, returning), made::track("2", 75, 100, returning)}};
+  JudgeRule rule = every_second();
+  rule.within_m = 3000.0;
+  const SceneScore score = track_score(truth, told, rule);
+  EXPECT_EQ(score.targets[0].breaks, 0u);
+  EXPECT_EQ(score.targets[0].numbers, 2u);
+  EXPECT_EQ(track_score(truth, told, every_second()).targets[0].breaks, 1u);
 }
 
 TEST(TrackScore, StepsMayBeTheToldTimes) {
