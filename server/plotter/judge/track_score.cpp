@@ -40,7 +40,7 @@ double share_of(std::size_t part, std::size_t whole) {
 // What is carried along from step to step, of a target.
 struct TargetState {
   TruthSeries series;
-  const std::vector<Look>* looks;
+  const std::vector<TurnLook>* looks;
   std::size_t looked = 0;  // looks until now
   std::optional<double> first_seen_s = {}, first_tracked_s = {};
   std::size_t since_first = 0;  // steps
@@ -190,7 +190,7 @@ class Judging {
   }
 
   static void see(TargetState& state, double utc_s) {
-    const std::vector<Look>& looks = *state.looks;
+    const std::vector<TurnLook>& looks = *state.looks;
     for (; state.looked < looks.size() && looks[state.looked].utc_s <= utc_s; ++state.looked) {
       if (looks[state.looked].seen && !state.first_seen_s)
         state.first_seen_s = looks[state.looked].utc_s;

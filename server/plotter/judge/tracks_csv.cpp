@@ -62,7 +62,7 @@ ReadTracks read_tracks_csv(std::string_view text, std::string_view file) {
     const auto latitude = rows.number(lat, -90.0, 90.0);
     const auto longitude = rows.number(lon, -360.0, 360.0);
     point.course_deg = rows.number(course, -360.0, 360.0);
-    point.speed_kn = rows.number(speed, 0.0, 1000.0);
+    point.speed_kn = rows.number(speed, 0.0, 1e6);
     point.cpa_nm = rows.number(cpa, 0.0, 1e5);
     point.tcpa_min = rows.number(tcpa, -1e6, 1e6);
     const auto told = status_named(rows.cell(status));

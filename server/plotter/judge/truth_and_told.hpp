@@ -21,7 +21,7 @@ struct TruthPoint {
 };
 
 // A turn of the antenna over a target: was there a plot where it is?
-struct Look {
+struct TurnLook {
   double utc_s = 0.0;
   bool seen = false;
 };
@@ -30,7 +30,7 @@ struct TruthTarget {
   std::string id;
   std::vector<TruthPoint> points;  // by time
   // By time; empty if nobody knows: then the target counts as seen from its first point on.
-  std::vector<Look> looks = {};
+  std::vector<TurnLook> looks = {};
 };
 
 struct Truth {
