@@ -97,7 +97,8 @@ class SceneFigure {
 
   void own_way() {
     if (truth_.own_ship.empty()) return;
-    out_ += fmt::format("<path class=\"way c8\" d=\"{}\"/>", path_of(truth_.own_ship));
+    out_ += fmt::format("<path class=\"way\" style=\"stroke:var(--c8)\" d=\"{}\"/>",
+                        path_of(truth_.own_ship));
     name(truth_.own_ship.front().place, "own ship");
   }
 
@@ -113,10 +114,12 @@ class SceneFigure {
 
   void name(GeoPoint place, const std::string& text) {
     const PlanePoint p = plane_.to_plane(place);
+    const bool at_edge = x(p) > 0.85 * kFigureWidth;
     out_ += fmt::format(
         "<circle class=\"dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/><text class=\"label\" "
-        "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
-        x(p), y(p), x(p) + 7.0, y(p) - 6.0, escaped(text));
+        "x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>",
+        x(p), y(p), x(p) + (at_edge ? -7.0 : 7.0), y(p) - 6.0, at_edge ? "end" : "start",
+        escaped(text));
   }
 
   void track_way(const ToldTrack& track) {

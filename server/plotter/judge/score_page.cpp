@@ -52,8 +52,7 @@ class PageOfScores {
  private:
   void trackers() {
     HtmlTable table({"tracker", "#OSPA m", "#GOSPA m", "#missed", "#made up", "#tracked %",
-                     "#never tracked", "#swaps", "#breaks", "#false tracks/h", "#false %",
-                     "#5 of 10 kept %"});
+                     "#untracked", "#swaps", "#breaks", "#false/h", "#false %", "#5 of 10 %"});
     for (const SceneScore& score : scores_) {
       table.begin_row();
       table.add_html("<span style=\"white-space:nowrap\">" + escaped(short_name(score.name)) +
@@ -76,7 +75,8 @@ class PageOfScores {
         "<p class=\"soft\">OSPA and GOSPA with a cut of {:g} m and order {:g}, means over {} "
         "steps. "
         "Missed and made up: targets at a time.  False: tracks that never were a target, and the "
-        "share of what was shown that was none.</p>\n",
+        "share of what was shown that was none.  5 of 10: steps with a track of those at which a "
+        "target that had one was seen in five of its last ten turns.</p>\n",
         scores_[0].rule.cut_m, scores_[0].rule.order, scores_[0].steps.size());
   }
 

@@ -138,6 +138,7 @@ class Judging {
       told.push_back({i, now->state.place});
       shown.push_back(*now);
     }
+    require_range(told.size() <= kMostShown, "more than 2000 tracks at a time");
     const auto pairs = pairing_.pair(truth, told);
     std::vector<PlanePoint> counted_truth, counted_told;
     std::vector<std::size_t> owner(told.size(), kUnpaired);

@@ -1,6 +1,7 @@
 // Trackers after others' rules: that they do what their rules say, and what they make of a harbour.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -82,6 +83,19 @@ TEST(MayaraRules, TrackAfterFourEchoesAndLoseAfterThreeMisses) {
   ASSERT_EQ(told.tracks.size(), 1u);
   EXPECT_EQ(scan_of_first(told.tracks[0], ToldStatus::tracked), 3u);
   EXPECT_EQ(scan_of_first(told.tracks[0], ToldStatus::lost), 12u);
+}
+
+// A turn after twenty straight scans: the filters that expect more noise take over.
+TEST(MayaraRules, FindTheMotionAlsoAfterATurn) {
+  const auto turning = [](int i) {
+    const double north = 10.0 * std::min(i, 20), east = 200.0 + 10.0 * std::max(0, i - 20);
+    return std::vector<PlanePoint>{{east, north}};
+  };
+  const Told told = baseline_mayara(scans(34, turning));
+  ASSERT_EQ(told.tracks.size(), 1u);
+  const ToldPoint &straight = told.tracks[0].points[20], &turned = told.tracks[0].points.back();
+  EXPECT_NEAR(*straight.speed_kn, 4.0 / kKnot, 0.2);
+  EXPECT_NEAR(*turned.course_deg, 90.0, 10.0);
 }
 
 TEST(MayaraRules, KeepWhoLiesStillForTenMisses) {

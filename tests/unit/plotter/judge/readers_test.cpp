@@ -2,10 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "echo/chart/local_plane.hpp"
+#include "protocol/nmea/sentence.hpp"
 #include "server/plotter/judge/judging.hpp"
 #include "server/plotter/judge/scans_jsonl.hpp"
 #include "server/plotter/judge/tracks_csv.hpp"
@@ -186,6 +190,48 @@ TEST(Judging, SaysWhatIsMissing) {
   EXPECT_THAT(why(request), HasSubstr("baselines need scans"));
   request.baselines = {"best"};
   EXPECT_THAT(why(request), HasSubstr("no baseline \"best\"; expected radar_pi, mayara"));
+}
+
+TEST(Judging, GoesFromFilesToScores) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "skerry_judge_files";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, std::string_view text) {
+    std::ofstream(folder / name, std::ios::binary) << text;
+    return (folder / name).string();
+  };
+  std::string truth = "utc_s,id,lat_deg,lon_deg\n", scans;
+  for (int t = 0; t <= 20; ++t) {
+    const std::string utc = std::to_string(1'700'000'000 + t);
+    truth += utc + ",own,60,5\n" + utc + ",a,60.01,5.02\n";
+    scans += "{\"time\": " + utc + ", \"own_north_east\": [0, 0], \"plots\": [[50, 80]], " +
+             "\"targets\": [{\"id\": 1, \"time\": " + utc + ", \"north_east\": [50, 80]}]}\n";
+  }
+  JudgeRequest request;
+  request.truth = write("truth.csv", truth);
+  request.told = {
+      write("tracks.csv", "utc_s,track,status,lat_deg,lon_deg\n1700000010,1,tracked,60.01,5.02\n"),
+      write("log.nmea", "1700000005 $RATLL,07,6000.600,N,00501.200,E,x,,T,*" +
+                            nmea::checksum_text("RATLL,07,6000.600,N,00501.200,E,x,,T,") + "\n")};
+  request.rule.hold_s = 2.0;
+  Judged judged = judge_trackers(request);
+  ASSERT_EQ(judged.scores.size(), 2u);
+  EXPECT_EQ(judged.notes.size(), 3u);
+  EXPECT_EQ(judged.scores[0].name, request.told[0]);
+  EXPECT_EQ(judged.scores[0].targets[0].initiation_s, 10.0);
+  EXPECT_EQ(judged.scores[1].targets[0].initiation_s, 5.0);
+  ASSERT_TRUE(judged.scores[1].targets[0].place_rms_m);
+  EXPECT_LT(*judged.scores[1].targets[0].place_rms_m, 1.0);
+
+  JudgeRequest with_scans;
+  with_scans.scans = write("scans.jsonl", scans);
+  with_scans.baselines = {"mayara", "radar_pi"};
+  judged = judge_trackers(with_scans);
+  ASSERT_EQ(judged.scores.size(), 2u);
+  EXPECT_EQ(judged.scores[0].name, "mayara 2026 (its rules)");
+  EXPECT_EQ(judged.scores[0].targets[0].initiation_s, 5.0);  // tracked after 3 s: the next step
+  EXPECT_EQ(judged.scores[1].targets[0].initiation_s, 5.0);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Judging, KnowsATableFromALog) {

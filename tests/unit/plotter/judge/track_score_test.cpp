@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tests/unit/plotter/judge/made_scene.hpp"
@@ -342,6 +343,10 @@ TEST(TrackScore, RefusesWhatItCannotJudge) {
   rule = every_second();
   rule.step_s = 1e-6;
   EXPECT_THROW(track_score(one_target(10), told, rule), std::invalid_argument);
+  Told crowd;
+  for (std::size_t i = 0; i <= kMostShown; ++i)
+    crowd.tracks.push_back(made::track(std::to_string(i), 0, 1, north_at_5));
+  EXPECT_THROW(track_score(one_target(10), crowd, every_second()), std::invalid_argument);
 }
 
 }  // namespace
