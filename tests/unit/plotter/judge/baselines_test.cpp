@@ -63,8 +63,8 @@ TEST(RadarPiRules, FindTheMotionAndShowNoneThatIsNotSure) {
   const ToldPoint& last = told.tracks[0].points.back();
   EXPECT_NEAR(*last.speed_kn, 4.0 / kKnot, 0.5);
   EXPECT_NEAR(*last.course_deg > 180.0 ? *last.course_deg - 360.0 : *last.course_deg, 0.0, 5.0);
-  const Told still = baseline_radar_pi(scans(30, [](int) {
-    return std::vector<PlanePoint>{{200.0, 0.0}};
+  const Told still = baseline_radar_pi(scans(30, [](int i) {
+    return std::vector<PlanePoint>{{200.0, i % 3 == 0 ? 1.5 : 0.0}};
   }));
   EXPECT_EQ(*still.tracks[0].points.back().speed_kn, 0.0);
 }

@@ -100,6 +100,8 @@ TEST(TracksCsv, HasWhatSkerryTrackWrites) {
   EXPECT_EQ(track.points[0].status, ToldStatus::tentative);
   EXPECT_FALSE(track.points[0].course_deg);
   EXPECT_EQ(track.points[1].course_deg, 271.5);
+  EXPECT_EQ(track.points[1].speed_kn, 9.25);
+  EXPECT_EQ(track.points[1].cpa_nm, 0.25);
   EXPECT_EQ(track.points[1].tcpa_min, -3.5);
   EXPECT_EQ(track.points[2].status, ToldStatus::lost);
 }

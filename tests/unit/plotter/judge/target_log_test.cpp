@@ -82,6 +82,13 @@ TEST(TargetLog, GoesOverMidnight) {
   EXPECT_NEAR(points[1].utc_s - points[0].utc_s, 2.0, 1e-3);
 }
 
+TEST(TargetLog, GoesBackOverMidnight) {
+  const double midnight_s = kNoon_s + 43'200.0;
+  const ReadTargets read =
+      read_target_log(rmc(midnight_s + 0.5) + nmea::encode(ttm(3, 86'399.5)), "log", {});
+  EXPECT_NEAR(read.told.tracks.at(0).points.at(0).utc_s, midnight_s - 0.5, 0.011);
+}
+
 TEST(TargetLog, TakesTheTimeOfTheLineIfTheSentenceHasNone) {
   nmea::Tll tll;
   tll.number = 9;

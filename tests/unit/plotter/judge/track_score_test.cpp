@@ -110,6 +110,16 @@ TEST(TrackScore, ATargetThatGoesAwayHasNoBreak) {
   EXPECT_EQ(score.never_tracked, 1u);
 }
 
+TEST(TrackScore, ATargetThatComesBackHasNoBreak) {
+  Truth truth = one_target(120);
+  std::erase_if(truth.targets[0].points, [](const TruthPoint& point) {
+    return point.utc_s > made::kBegin_s + 40.0 && point.utc_s < made::kBegin_s + 80.0;
+  });
+  const Told told{"", {made::track("1", 0, 40, north_at_5), made::track("2", 90, 120, north_at_5)}};
+  EXPECT_EQ(track_score(truth, told, every_second()).breaks, 0u);
+  EXPECT_EQ(track_score(one_target(120), told, every_second()).breaks, 1u);
+}
+
 // Two meet head on, 30 m apart, and their tracks go on with the other.
 TEST(TrackScore, ATrackThatGoesOverToAnotherTargetIsASwap) {
   const auto a = [](double t) { return PlanePoint{0.0, 10.0 * (t - 50.0)}; };
@@ -159,6 +169,15 @@ TEST(TrackScore, FalseTracksGoByTheHourAndByTheirShare) {
   EXPECT_NEAR(*score.false_per_hour, 1.0, 1e-9);
   EXPECT_NEAR(score.false_share, 37.0 / (361.0 + 37.0), 1e-12);
   EXPECT_NEAR(score.mean_made_up, 37.0 / 361.0, 1e-12);
+}
+
+TEST(TrackScore, ATrackThatWasATargetOnceIsNotFalse) {
+  const Told told{"", {made::track("1", 0, 100, [](double t) {
+                    return t < 0.5 ? PlanePoint{} : PlanePoint{-5000.0, 0.0};
+                  })}};
+  const SceneScore score = track_score(one_target(100), told, every_second());
+  EXPECT_EQ(score.false_tracks, 0u);
+  EXPECT_NEAR(score.false_share, 100.0 / 101.0, 1e-12);
 }
 
 TEST(TrackScore, StepsHaveWhatGospaIsMadeOf) {
@@ -222,6 +241,13 @@ TEST(TrackScore, ErrorsOfCpaAreAgainstBothGoingOnStraight) {
   EXPECT_NEAR(*said.cpa_nm, -0.1, 1e-3);
   EXPECT_NEAR(*said.tcpa_min, -1.0, 0.02);  // 11 min are left after one
   EXPECT_EQ(score.targets[0].forecasts, 121u);
+  // Told 30 s before: it has run on since.
+  std::erase_if(told.tracks[0].points,
+                [](const ToldPoint& point) { return point.utc_s > made::kBegin_s + 30.0; });
+  JudgeRule patient = every_second();
+  patient.hold_s = 60.0;
+  score = track_score(truth, told, patient);
+  EXPECT_NEAR(*score.targets[0].errors.at(60).tcpa_min, -1.5, 0.02);  // 9.5 of 11 min
 }
 
 // Settled from when the track has been the same for so long.
