@@ -63,7 +63,8 @@ echo::Command make_judge_command(CLI::App& app) {
   command
       ->add_option("--baseline", request.baselines,
                    "trackers after the rules of others, run on the scans: radar_pi, mayara")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(CLI::IsMember({"radar_pi", "mayara"}));
   command
       ->add_option("--cut-m", rule.cut_m,
                    "m; farther from its target no track is right, and what a missed or a made-up "

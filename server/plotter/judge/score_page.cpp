@@ -55,7 +55,7 @@ class PageOfScores {
                      "#untracked", "#swaps", "#breaks", "#false/h", "#false %", "#5 of 10 %"});
     for (const SceneScore& score : scores_) {
       table.begin_row();
-      table.add_html("<span style=\"white-space:nowrap\">" + escaped(short_name(score.name)) +
+      table.add_html("<span style=\"white-space:nowrap\">" + escaped(short_name(score.name, 40)) +
                      "</span>");
       table.add(cell_of(score.mean_ospa_m, 1));
       table.add(cell_of(score.mean_gospa_m, 1));
@@ -95,8 +95,9 @@ class PageOfScores {
     return frame;
   }
 
-  static std::string short_name(const std::string& text) {
-    return text.size() > 20 ? ".." + text.substr(text.size() - 18) : text;
+  // Its end, as names of files differ there.
+  static std::string short_name(const std::string& text, std::size_t most = 20) {
+    return text.size() > most ? ".." + text.substr(text.size() - most + 2) : text;
   }
 
   void distance(const char* title, double StepScore::*value) {

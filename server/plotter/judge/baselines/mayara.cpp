@@ -101,7 +101,7 @@ class Mayara {
       : rule_(rule), plane_(plane_of(scans)), book_(plane_) {
     for (const DetectionScan& scan : scans) take(scan);
   }
-  Told told() { return book_.told("mayara 2026 (its rules)"); }
+  Told told() { return book_.told("mayara 2026's rules"); }
 
  private:
   void take(const DetectionScan& scan) {

@@ -50,7 +50,7 @@ class RadarPi {
         book_(plane_) {
     for (const DetectionScan& scan : scans) take(scan);
   }
-  Told told() { return book_.told("radar_pi (its rules)"); }
+  Told told() { return book_.told("radar_pi's rules"); }
 
  private:
   void take(const DetectionScan& scan) {

@@ -230,7 +230,7 @@ TEST(Judging, GoesFromFilesToScores) {
   with_scans.baselines = {"mayara", "radar_pi"};
   judged = judge_trackers(with_scans);
   ASSERT_EQ(judged.scores.size(), 2u);
-  EXPECT_EQ(judged.scores[0].name, "mayara 2026 (its rules)");
+  EXPECT_EQ(judged.scores[0].name, "mayara 2026's rules");
   EXPECT_EQ(judged.scores[0].targets[0].initiation_s, 5.0);  // tracked after 3 s: the next step
   EXPECT_EQ(judged.scores[1].targets[0].initiation_s, 5.0);
   std::filesystem::remove_all(folder);
