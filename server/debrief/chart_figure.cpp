@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "protocol/quantity/angle.hpp"
-#include "server/debrief/html_text.hpp"
-#include "server/debrief/plot_figure.hpp"
+#include "server/page/html_text.hpp"
+#include "server/page/plot_figure.hpp"
 
 namespace skerry::server {
 namespace {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "server/debrief/words.hpp"
+#include "server/page/csv_cell.hpp"
 
 namespace skerry::server {
 namespace {
@@ -132,20 +133,6 @@ std::string checks_csv(const Debrief& debrief) {
 }
 
 }  // namespace
-
-std::string csv_cell(std::string_view text) {
-  std::string cell;
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos) {
-    cell = "'";
-  }
-  bool quotes = false;
-  for (const char c : text) {
-    quotes = quotes || c == '"' || c == ',' || c == '\n' || c == '\r';
-    cell += c;
-    if (c == '"') cell += c;
-  }
-  return quotes ? "\"" + cell + "\"" : cell;
-}
 
 std::vector<std::pair<std::string, std::string>> csv_files(const Debrief& debrief) {
   return {{"own_ships.csv", tracks_csv(debrief.own_ships)},

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,9 +14,5 @@ namespace skerry::server {
 // seconds, `at_s` since the server began, `exercise_s` on the exercise's clock; what is not known
 // is empty.
 std::vector<std::pair<std::string, std::string>> csv_files(const Debrief& debrief);
-
-// A cell: in quotes where it must be; a text that a spreadsheet would take for a formula gets an
-// apostrophe in front.
-std::string csv_cell(std::string_view text);
 
 }  // namespace skerry::server

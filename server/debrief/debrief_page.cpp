@@ -10,10 +10,10 @@
 #include <set>
 
 #include "server/debrief/chart_figure.hpp"
-#include "server/debrief/html_text.hpp"
-#include "server/debrief/page_frame.hpp"
-#include "server/debrief/plot_figure.hpp"
 #include "server/debrief/words.hpp"
+#include "server/page/html_text.hpp"
+#include "server/page/page_frame.hpp"
+#include "server/page/plot_figure.hpp"
 
 namespace skerry::server {
 namespace {

@@ -205,7 +205,9 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
       open.taken = true;
       ++counts_.paired;
       const Plot& plot = open.placed.plot;
-      if (followed.target.hits_ever() < 4) {
+      // Whether it is a target is not known yet: it counts as there by chance, so that what comes
+      // again and again out of the sea does not speak for itself.
+      if (followed.number == 0) {
         false_plots_.add(plot.range_m, plot.bearing.in_degrees());
       }
       followed.target.see(open.placed, density);

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "server/debrief/csv_files.hpp"
-#include "server/debrief/html_text.hpp"
-#include "server/debrief/plot_figure.hpp"
 #include "server/debrief/words.hpp"
+#include "server/page/csv_cell.hpp"
+#include "server/page/html_text.hpp"
+#include "server/page/plot_figure.hpp"
 
 namespace skerry::server {
 namespace {

@@ -1,11 +1,10 @@
 // Text of a page: whatever comes from outside is escaped here.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "server/debrief/debrief.hpp"
 
 namespace skerry::server {
 

@@ -1,8 +1,10 @@
-#include "server/debrief/html_text.hpp"
+#include "server/page/html_text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "protocol/quantity/angle.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/debrief/plot_figure.hpp"
+#include "server/page/plot_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "server/debrief/html_text.hpp"
+#include "server/page/html_text.hpp"
 
 namespace skerry::server {
 namespace {

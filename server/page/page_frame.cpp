@@ -1,4 +1,4 @@
-#include "server/debrief/page_frame.hpp"
+#include "server/page/page_frame.hpp"
 
 namespace skerry::server {
 
