@@ -61,10 +61,11 @@ echo::Command make_judge_command(CLI::App& app) {
                       "plots of each turn, with truth, as JSON lines: for --baseline, and instead "
                       "of --truth");
   command
-      ->add_option("--baseline", request.baselines,
-                   "trackers after the rules of others, run on the scans: radar_pi, mayara")
+      ->add_option(
+          "--baseline", request.baselines,
+          "trackers run on the scans: skerry, and after the rules of others radar_pi, mayara")
       ->delimiter(',')
-      ->check(CLI::IsMember({"radar_pi", "mayara"}));
+      ->check(CLI::IsMember({"skerry", "radar_pi", "mayara"}));
   command
       ->add_option("--cut-m", rule.cut_m,
                    "m; farther from its target no track is right, and what a missed or a made-up "
@@ -102,7 +103,7 @@ echo::Command make_judge_command(CLI::App& app) {
       "  skerry track judge --truth truth.csv --told tracks.csv\n"
       "  skerry track judge --truth truth.csv --told tracks.csv --told other-maker.nmea --page "
       "r.html\n"
-      "  skerry track judge --scans harbour.jsonl --baseline radar_pi,mayara --cut-m 50\n"
+      "  skerry track judge --scans harbour.jsonl --baseline skerry,radar_pi,mayara --cut-m 50\n"
       "  skerry track judge --truth truth.csv --told tracks.csv --within-nm 6 --csv tables\n");
   return {command, [options] {
             const JudgeRequest& asked = options->request;

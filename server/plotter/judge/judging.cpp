@@ -14,6 +14,7 @@
 
 #include "server/plotter/judge/baselines/mayara.hpp"
 #include "server/plotter/judge/baselines/radar_pi.hpp"
+#include "server/plotter/judge/own_tracker.hpp"
 #include "server/plotter/judge/scans_jsonl.hpp"
 #include "server/plotter/judge/target_log.hpp"
 #include "server/plotter/judge/tracks_csv.hpp"
@@ -95,8 +96,9 @@ Judged judge_trackers(const JudgeRequest& request) {
     }
   }
   for (const std::string& name : request.baselines)
-    out.told.push_back(name == "mayara" ? baseline_mayara(scans.scans)
-                                        : baseline_radar_pi(scans.scans));
+    out.told.push_back(name == "skerry"   ? skerry_tracks(scans.scans)
+                       : name == "mayara" ? baseline_mayara(scans.scans)
+                                          : baseline_radar_pi(scans.scans));
   for (const Told& told : out.told)
     out.scores.push_back(track_score(out.truth, told, request.rule));
   return out;

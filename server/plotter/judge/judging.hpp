@@ -16,7 +16,7 @@ struct JudgeRequest {
   std::vector<std::string> baselines;  // of kBaselines; they need scans
   JudgeRule rule;
 };
-inline constexpr std::string_view kBaselines[] = {"radar_pi", "mayara"};
+inline constexpr std::string_view kBaselines[] = {"skerry", "radar_pi", "mayara"};
 inline constexpr std::size_t kMostFileOctets = std::size_t{512} << 20;
 
 struct Judged {

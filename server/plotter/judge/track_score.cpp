@@ -102,11 +102,12 @@ class Judging {
       if (times.empty()) throw std::invalid_argument("nothing was told while the truth is known");
     } else {
       const double count = std::floor((last_s - first_s) / rule_.step_s + 1e-6);
-      require_range(count < static_cast<double>(kMostSteps),
+      require_range(count < static_cast<double>(kMostJudgedSteps),
                     "more than 200000 steps: make them longer, or the truth shorter");
       for (double i = 0.0; i <= count; i += 1.0) times.push_back(first_s + i * rule_.step_s);
     }
-    require_range(times.size() <= kMostSteps, "more than 200000 times at which something was told");
+    require_range(times.size() <= kMostJudgedSteps,
+                  "more than 200000 times at which something was told");
     return times;
   }
 

@@ -25,7 +25,7 @@ struct JudgeRule {
   // From own ship; who is farther neither counts nor is made up.  Infinite: all.
   double within_m = std::numeric_limits<double>::infinity();
 };
-inline constexpr std::size_t kMostSteps = 200'000, kMostShown = 2'000;
+inline constexpr std::size_t kMostJudgedSteps = 200'000, kMostShown = 2'000;
 
 // Of a target whose looks are known.  Due: it was seen in five of the last ten turns and has had a
 // track before, so that a track must be there (IEC 62388; MSC.192(79) 5.25).
@@ -90,8 +90,8 @@ struct SceneScore {
 
 // Steps go from the first point of the truth to its last.  Pure.
 // Errors: std::invalid_argument if a value of the rule is out of its range, there is no truth,
-// there would be more than kMostSteps steps, or more than kMostShown tracks are shown at one of
-// them.
+// there would be more than kMostJudgedSteps steps, or more than kMostShown tracks are shown at one
+// of them.
 SceneScore track_score(const Truth& truth, const Told& told, const JudgeRule& rule);
 
 }  // namespace skerry::server
