@@ -13,9 +13,12 @@ namespace {
 constexpr double kMetresPerDegree = 60.0 * 1852.0;  // of latitude
 constexpr double kMostReachCells = 128.0, kLeastReachCells = 32.0;
 constexpr double kNearM = 300.0;
-constexpr int kMostNear = 6, kAround = 3;
+constexpr int kMostNear = 6;
+constexpr double kMostOwn = 6.0;   // cells
 constexpr double kFarthest = 1e7;  // metres from where the map began
 constexpr std::uint32_t kHistory = 16;
+constexpr int kFew = 3;              // new plots in eight turns: one boat that fades makes them
+constexpr std::int32_t kSquare = 4;  // cells of a square's side
 
 bool finite(const GeoPoint& point) {
   return std::isfinite(point.latitude_deg) && std::isfinite(point.longitude_deg) &&
@@ -32,10 +35,12 @@ unsigned direction_of(int east, int north) {
 
 }  // namespace
 
-LandMap::LandMap() : cells_(std::size_t{kSide} * kSide) {}
+LandMap::LandMap()
+    : cells_(std::size_t{kSide} * kSide), bars_(cells_.size() / (kSquare * kSquare)) {}
 
 void LandMap::forget() {
   std::fill(cells_.begin(), cells_.end(), Cell{});
+  std::fill(bars_.begin(), bars_.end(), Bar{});
   own_ = {};
   began_turn_ = turn_;
 }
@@ -82,17 +87,38 @@ std::size_t LandMap::index_of(Place place) {
          static_cast<std::uint32_t>(place.east) % kSide;
 }
 
+std::uint8_t LandMap::where_of(Place place) {
+  return static_cast<std::uint8_t>(static_cast<std::uint32_t>(place.east) / kSide % 16 * 16 +
+                                   static_cast<std::uint32_t>(place.north) / kSide % 16);
+}
+
+std::size_t LandMap::square_of(Place place) {
+  return (static_cast<std::uint32_t>(place.north) % kSide / kSquare) * (kSide / kSquare) +
+         static_cast<std::uint32_t>(place.east) % kSide / kSquare;
+}
+
+int LandMap::bar_at(Place place) const {
+  const Bar& bar = bars_[square_of(place)];
+  const std::uint32_t turns = turn_ - bar.turn;
+  if (bar.where != where_of(place) || turns >= bar.half_levels) return 0;
+  return static_cast<int>(bar.half_levels - turns);
+}
+
+void LandMap::raise(Place place, int half_levels) {
+  const int raised = std::min(bar_at(place) + half_levels, 2 * kMostBar);
+  bars_[square_of(place)] = {turn_, static_cast<std::uint16_t>(raised), where_of(place)};
+}
+
 LandMap::Cell LandMap::now(Place place) const {
   Cell cell = cells_[index_of(place)];
   const std::uint32_t turns = turn_ - cell.turn;
-  const auto where =
-      static_cast<std::uint8_t>(static_cast<std::uint32_t>(place.east) / kSide % 16 * 16 +
-                                static_cast<std::uint32_t>(place.north) / kSide % 16);
-  if (cell.where != where || turns >= kHistory) return {turn_, 0, 0, 0, 0, where};
+  const std::uint8_t where = where_of(place);
+  if (cell.where != where || turns >= kHistory) return {turn_, 0, 0, 0, 0, 0, where};
   cell.land = static_cast<std::uint16_t>(cell.land << turns);
   cell.echo = static_cast<std::uint16_t>(cell.echo << turns);
   cell.plots = static_cast<std::uint8_t>(cell.plots << turns);
   cell.new_plots = static_cast<std::uint8_t>(cell.new_plots << turns);
+  cell.told = static_cast<std::uint8_t>(cell.told << turns);
   cell.turn = turn_;
   return cell;
 }
@@ -119,17 +145,26 @@ void LandMap::add_echo(const GeoPoint& own_ship, TrueBearing bearing, double wid
   }
 }
 
-void LandMap::add_plot(const GeoPoint& own_ship, TrueBearing bearing, double range_m) {
+void LandMap::add_plot(const GeoPoint& own_ship, TrueBearing bearing, double range_m, bool told) {
   const auto toward = echo::sin_cos_units(bearing.units());
   const Place place = place_of(ground(own_ship) + PlanePoint{toward.sin, toward.cos} * range_m);
   Cell cell = now(place);
-  const auto before = [&](int east, int north) {
-    return (now({place.east + east, place.north + north}).plots & 2u) != 0;
-  };
-  if (turn_ - began_turn_ >= 2 && !before(0, 0) && !before(1, 0) && !before(-1, 0) &&
-      !before(0, 1) && !before(0, -1))
-    cell.new_plots |= 1;
+  unsigned plots = cell.plots, told_before = cell.told;
+  for (const auto& [east, north] : {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}}) {
+    const Cell beside = now({place.east + east, place.north + north});
+    plots |= beside.plots;
+    told_before |= beside.told;
+  }
+  const bool learning = turn_ - began_turn_ < 2;
+  if (!learning && (plots & 2u) == 0) cell.new_plots |= 1;
+  if (!learning && told && (told_before & 2u) == 0 && new_plots_near(place) >= kFew) {
+    for (int north = -kSquare; north <= kSquare; north += kSquare)
+      for (int east = -kSquare; east <= kSquare; east += kSquare)
+        raise({place.east + east, place.north + north},
+              2 * (north == 0 && east == 0 ? kRaise : kRaise / 3));
+  }
   cell.plots |= 1;
+  if (told) cell.told |= 1;
   cells_[index_of(place)] = cell;
 }
 
@@ -143,32 +178,39 @@ double LandMap::land_at(PlanePoint point) const {
                    0.5 * share(0.0, 0.5), 0.5 * share(0.0, -0.5)});
 }
 
-double LandMap::surrounded_at(Place place) const {
+double LandMap::surrounded_at(Place place, double half_m) const {
+  const int own = 1 + static_cast<int>(std::min(half_m / cell_m_, kMostOwn));
   unsigned directions = 0;
-  for (int north = -kAround; north <= kAround; ++north) {
-    for (int east = -kAround; east <= kAround; ++east) {
-      if (std::abs(north) <= 1 && std::abs(east) <= 1) continue;
+  for (int north = -own - 2; north <= own + 2; ++north) {
+    for (int east = -own - 2; east <= own + 2; ++east) {
+      if (std::abs(north) <= own && std::abs(east) <= own) continue;
       const Cell cell = now({place.east + east, place.north + north});
       if (std::popcount(cell.echo) >= 6) directions |= 1u << direction_of(east, north);
     }
   }
-  return clamped((std::popcount(directions) - 5) / 3.0);
+  return clamped((std::popcount(directions) - 4) / 4.0);
 }
 
-double LandMap::clutter_at(Place place) const {
+int LandMap::new_plots_near(Place place) const {
   const int near = std::clamp(static_cast<int>(kNearM / cell_m_), 1, kMostNear);
-  int fresh = 0;  // in eight turns
+  int count = 0;
   for (int north = -near; north <= near; ++north)
     for (int east = -near; east <= near; ++east)
-      fresh += std::popcount(now({place.east + east, place.north + north}).new_plots);
-  return clamped((fresh / 8.0 - 1.5) / 4.5);
+      count += std::popcount(now({place.east + east, place.north + north}).new_plots);
+  return count;
 }
 
-LandMap::Marks LandMap::at(const GeoPoint& own_ship, TrueBearing bearing, double range_m) const {
+LandMap::Marks LandMap::at(const GeoPoint& own_ship, TrueBearing bearing, double range_m,
+                           double half_m) const {
   const auto toward = echo::sin_cos_units(bearing.units());
   const PlanePoint point = ground(own_ship) + PlanePoint{toward.sin, toward.cos} * range_m;
   const Place place = place_of(point);
-  return {std::max(land_at(point), surrounded_at(place)), clutter_at(place)};
+  Marks marks;
+  marks.on_land = std::max(land_at(point), surrounded_at(place, half_m));
+  marks.clutter = clamped((new_plots_near(place) / 8.0 - 1.5) / 4.5);
+  marks.bar = 0.5 * bar_at(place);
+  marks.lasting = std::popcount(static_cast<unsigned>(now(place).plots >> 1)) >= 6;
+  return marks;
 }
 
 }  // namespace skerry::server

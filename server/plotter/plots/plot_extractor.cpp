@@ -46,6 +46,18 @@ double uncertainty(const Spread& spread, double line) {
 // dB, there and back, a beam width off its middle.
 double point_width(double beam, double over_db) { return 2.0 * beam * std::sqrt(over_db / 24.0); }
 
+// How far it reaches along the range or across, the larger; metres, as the radar sees it.
+double size_of(const Blob& blob, const std::vector<BlobCell>& cells) {
+  std::uint16_t nearest = 0xffff, farthest = 0;
+  for (const BlobCell& cell : cells) {
+    nearest = std::min(nearest, cell.cell);
+    farthest = std::max(farthest, cell.cell);
+  }
+  const double rows = cells.back().row - cells.front().row + 1.0;
+  return std::max((farthest - nearest + 1.0) * blob.cell_m,
+                  rows * blob.row_width_rad * farthest * blob.cell_m);
+}
+
 }  // namespace
 
 PlotExtractor::PlotExtractor(const Rule& rule)
@@ -59,8 +71,6 @@ PlotExtractor::PlotExtractor(const Rule& rule)
     throw std::invalid_argument("pulse_m: must be 0 to 500");
   if (!(rule.levels_per_db >= 0.5 && rule.levels_per_db <= 20.0))
     throw std::invalid_argument("levels_per_db: must be 0.5 to 20");
-  if (!(rule.clutter_step >= 0.0 && rule.clutter_step <= 255.0))
-    throw std::invalid_argument("clutter_step: must be 0 to 255");
 }
 
 void PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
@@ -102,23 +112,19 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
   for (const Blob& blob : blobs_) {
     for (const std::vector<BlobCell>& cells : split(blob, rule_.valley)) {
       if (cells.size() < rule_.least_cells) continue;
-      const auto rows =
-          std::minmax_element(cells.begin(), cells.end(),
-                              [](const BlobCell& a, const BlobCell& b) { return a.row < b.row; });
-      const int width = rows.second->row - rows.first->row + 1;
+      const int width = cells.back().row - cells.front().row + 1;  // they come by row
       if (width < 2 || width * blob.row_width_rad < rule_.least_width * beam_rad_) continue;
       std::uint8_t over = 0;
       for (const BlobCell& cell : cells) over = std::max(over, cell.over);
       Plot plot = plot_of(blob, cells, over);
-      const LandMap::Marks marks = land_.at(plot.own_ship, plot.bearing, plot.range_m);
+      const LandMap::Marks marks =
+          land_.at(plot.own_ship, plot.bearing, plot.range_m, 0.5 * size_of(blob, cells));
       plot.on_land = marks.on_land;
       plot.clutter = marks.clutter;
-      learn(blob, cells, plot);
-      if (!plot.extended && over <= plot.clutter * rule_.clutter_step) {
-        ++counts_.in_clutter;
-        continue;
-      }
-      out.push_back(plot);
+      const bool told = plot.extended || marks.lasting || !rule_.bars || over > marks.bar;
+      learn(blob, cells, plot, told);
+      if (told) out.push_back(plot);
+      counts_.in_clutter += told ? 0 : 1;
     }
   }
   blobs_.clear();
@@ -151,8 +157,10 @@ Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells
   return plot;
 }
 
-void PlotExtractor::learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot) {
-  if (!plot.extended) land_.add_plot(plot.own_ship, plot.bearing, plot.range_m);
+void PlotExtractor::learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot,
+                          bool told) {
+  if (!plot.extended) land_.add_plot(plot.own_ship, plot.bearing, plot.range_m, told);
+  if (!told) return;
   for (std::size_t i = 0; i < cells.size();) {
     std::size_t end = i + 1;
     while (end < cells.size() && cells[end].row == cells[i].row &&

@@ -104,7 +104,7 @@ TEST(LandMap, IsNotShipsAtAnchorButIsAHarbourFullOfThem) {
   LandMap map;
   const GeoPoint ship = place(0.0, 0.0);
   const auto see = [&](double bearing_deg, double range_m) {
-    map.add_plot(ship, toward(bearing_deg), range_m);
+    map.add_plot(ship, toward(bearing_deg), range_m, true);
     for (int row = -2; row <= 2; ++row)  // 1.7 degrees, 90 m
       map.add_echo(ship, toward(bearing_deg + 0.35 * row), 0.35 * kRadiansPerDegree, range_m - 20.0,
                    range_m + 20.0, false);
@@ -131,12 +131,12 @@ TEST(LandMap, CallsThatClutterWhichComesAndGoes) {
     map.go_on(ship, kTurn, kReach);
     for (int i = 0; i < 80; ++i) {  // within 1200 x 1000 m: 24 within 300 m of a place
       const double deg = 45.0 + 10.0 * next_draw(state);
-      map.add_plot(ship, toward(deg), 2000.0 + 200.0 * next_draw(state));
+      map.add_plot(ship, toward(deg), 2000.0 + 200.0 * next_draw(state), true);
     }
     const double mover_m = 1000.0 + 25.0 * turn;
     at_mover = std::max(at_mover, map.at(ship, toward(200.0), mover_m).clutter);
-    map.add_plot(ship, toward(200.0), mover_m);
-    map.add_plot(ship, toward(203.0), mover_m);
+    map.add_plot(ship, toward(200.0), mover_m, true);
+    map.add_plot(ship, toward(203.0), mover_m, true);
     in_sea = map.at(ship, toward(45.0), 2000.0).clutter;
   }
   EXPECT_GT(in_sea, 0.9);
@@ -153,7 +153,7 @@ TEST(LandMap, TakesPlacesAndRangesThatAreNone) {
   for (int turn = 0; turn < 40; ++turn) {
     const GeoPoint& at = places[static_cast<std::size_t>(turn) % places.size()];
     map.go_on(at, kTurn * (turn % 3), turn % 2 == 0 ? 1.0 : 1e6);
-    map.add_plot(at, toward(10.0 * turn), 1000.0);
+    map.add_plot(at, toward(10.0 * turn), 1000.0, true);
     map.add_echo(at, toward(10.0 * turn), 0.05, 0.0, turn % 2 == 0 ? 1.0 : 1e6, true);
     const LandMap::Marks marks = map.at(at, toward(20.0), 500.0);
     EXPECT_TRUE(marks.on_land >= 0.0 && marks.on_land <= 1.0);
@@ -225,36 +225,62 @@ TEST(LandMap, MarksWhatIsOnLandAndLetsShipsPass) {
   EXPECT_GE(beacon, 0.5);
 }
 
-// Spikes of the sea come and go; a ship among them is stronger and stays.
+// Spikes of the sea come and go; a ship among them is stronger, and a buoy no stronger than they
+// are stays.
 TEST(LandMap, RaisesTheBarInClutterAndNotOverShips) {
-  const auto run = [](double clutter_step) {
+  struct Seen {
+    int spikes = 0, ship = 0, buoy = 0;
+  };
+  const auto run = [](bool bars) {
     MadeRadar radar;
     PlotExtractor::Rule rule;
-    rule.clutter_step = clutter_step;
+    rule.bars = bars;
     PlotExtractor extractor(rule);
     std::uint64_t state = 5;
-    std::pair<int, int> spikes_and_ship;
+    Seen seen;
     const std::uint64_t spokes = radar.geometry.spokes_per_turn;
-    for (std::uint64_t turn = 0; turn < 30; ++turn) {
-      radar.echoes = {{45.0, 2000.0, 120.0}};
-      for (int i = 0; i < 60; ++i)
-        radar.echoes.push_back({45.0 + 8.0 * next_draw(state), 2000.0 + 250.0 * next_draw(state),
+    for (std::uint64_t turn = 0; turn < 35; ++turn) {
+      radar.echoes = {{45.0, 2000.0, 120.0}, {56.0, 2060.0, 48.0}};
+      for (int i = 0; i < 50; ++i)
+        radar.echoes.push_back({45.0 + 11.0 * next_draw(state), 2000.0 + 350.0 * next_draw(state),
                                 45.0 + 3.0 * next_draw(state)});
       std::vector<Plot> plots;
       for (std::uint64_t i = 0; i < spokes; ++i)
         extractor.add(radar.spoke(turn * spokes + i), plots);
-      if (turn < 15) continue;
+      if (turn < 20) continue;
       for (const Plot& plot : plots) {
+        const bool buoy = std::fabs(plot.bearing.in_degrees() - 56.0) < 0.3 &&
+                          std::fabs(plot.range_m - 2060.0) < 10.0;
         const bool ship = plot.greatest > 100;
-        (ship ? spikes_and_ship.second : spikes_and_ship.first) += 1;
+        (ship ? seen.ship : buoy ? seen.buoy : seen.spikes) += 1;
+        EXPECT_TRUE(!ship || plot.on_land < 0.5);
       }
     }
-    return spikes_and_ship;
+    return seen;
   };
-  const auto with = run(16.0), without = run(0.0);
-  EXPECT_GT(without.first, 300);
-  EXPECT_LT(with.first, without.first / 5);
-  EXPECT_EQ(with.second, 15) << "once a turn";
+  const Seen with = run(true), without = run(false);
+  EXPECT_GT(without.spikes, 300);
+  EXPECT_LT(with.spikes, without.spikes / 10);
+  EXPECT_EQ(with.ship, 15) << "once a turn";
+  EXPECT_GE(with.buoy, 10);
+}
+
+// A weak boat under way in the open: nothing raises a bar over it.
+TEST(LandMap, RaisesNoBarOverAWeakBoat) {
+  MadeRadar radar;
+  PlotExtractor extractor;
+  std::size_t seen = 0;
+  for (std::uint64_t turn = 0; turn < 40; ++turn) {
+    radar.echoes = {{45.0, 1500.0 + 15.0 * static_cast<double>(turn), 50.0}};
+    std::vector<Plot> plots;
+    for (std::uint64_t i = 0; i < 2048; ++i) extractor.add(radar.spoke(turn * 2048 + i), plots);
+    seen += plots.size();
+    for (const Plot& plot : plots) {
+      EXPECT_EQ(plot.clutter, 0.0);
+      EXPECT_EQ(plot.on_land, 0.0);
+    }
+  }
+  EXPECT_GE(seen, 37u) << extractor.counts().in_clutter << " below a bar";
 }
 
 }  // namespace
