@@ -12,6 +12,7 @@
 #include "server/plotter/plots/plot_extractor.hpp"
 #include "tests/bench/bench_support.hpp"
 #include "tests/scenes/full_scene.hpp"
+#include "tests/scenes/moving_scene.hpp"
 #include "tests/scenes/without.hpp"
 
 namespace skerry::bench {
@@ -21,11 +22,22 @@ using server::Plot;
 using server::PlotExtractor;
 using server::Statistic;
 
-constexpr std::uint32_t kTurns = 4;
+constexpr std::uint32_t kTurns = 6;
 
 // Some turns again and again, with the places and turns of a radar that goes on.
 std::vector<Spoke> spokes_of(const scenes::NamedScene& named) {
-  const std::vector<std::uint8_t> video = scenes::render_scans(named, kTurns);
+  constexpr std::uint32_t kSector = 16;
+  const echo::SpokeClock clock(named.rpm, named.geometry.spokes_per_turn);
+  echo::SpokeRenderer renderer(named.set, named.geometry, clock, 0);
+  renderer.set_controls(named.controls);
+  scenes::MovingScene moving(named.scene);
+  const std::size_t sector_cells = std::size_t{kSector} * named.geometry.cells;
+  std::vector<std::uint8_t> video(std::size_t{kTurns} * named.geometry.spokes_per_turn *
+                                  named.geometry.cells);
+  for (std::uint64_t k = 0; k < std::uint64_t{kTurns} * named.geometry.spokes_per_turn;
+       k += kSector)
+    renderer.render(*moving.at(clock.time_of(k)), k, kSector,
+                    std::span(video).subspan(k * named.geometry.cells, sector_cells));
   std::vector<Spoke> spokes(std::size_t{kTurns} * named.geometry.spokes_per_turn);
   for (std::size_t n = 0; n < spokes.size(); ++n) {
     SpokeHeader& header = spokes[n].header;
@@ -77,7 +89,8 @@ void add(const std::string& name, std::vector<Spoke> made, const PlotExtractor::
           }
           turns += kTurns;
         };
-        for (int i = 0; i < 4; ++i) turn_all();
+        for (int i = 0; i < 5; ++i) turn_all();
+        turns = told = 0;
         Meter meter(state, static_cast<double>(cells));
         for (auto _ : state) turn_all();
         meter.stop();
@@ -93,7 +106,9 @@ int main(int argc, char** argv) {
   using namespace skerry;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  const auto spokes = bench::spokes_of(bench::sea_and_ships());
+  const scenes::NamedScene sea = bench::sea_and_ships();
+  const auto spokes = bench::spokes_of(sea);
+  bench::add("noise and 20 ships", bench::spokes_of(scenes::with(sea, scenes::no_sea)));
   bench::add("sea and 20 ships", spokes);
   server::PlotExtractor::Rule mean;
   mean.threshold.statistic = server::Statistic::cell_mean;

@@ -8,6 +8,7 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kKept = 256;  // cells whose memory an ended blob leaves to the next one
 
 }  // namespace
 
@@ -127,12 +128,24 @@ void BlobBuilder::put(Open& open, const VideoRow& row, const Run& run,
 }
 
 void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
-  if (open.cells.empty()) return;
-  Blob blob;
-  blob.cells.swap(open.cells);
-  std::sort(blob.cells.begin(), blob.cells.end(), [](const BlobCell& a, const BlobCell& b) {
+  const bool little = open.cells.size() < least_.cells || open.last - open.first + 1 < least_.rows;
+  if (open.cells.empty() || (little && !open.extended)) {
+    open.cells.clear();
+    return;
+  }
+  // Runs come in order, but those of blobs that were joined.
+  const auto before = [](const BlobCell& a, const BlobCell& b) {
     return a.row != b.row ? a.row < b.row : a.cell < b.cell;
-  });
+  };
+  if (!std::is_sorted(open.cells.begin(), open.cells.end(), before))
+    std::sort(open.cells.begin(), open.cells.end(), before);
+  Blob blob;
+  if (open.cells.capacity() > kKept) {
+    blob.cells.swap(open.cells);
+  } else {
+    blob.cells = open.cells;
+    open.cells.clear();
+  }
   const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(open.first - oldest_);
   blob.rows.assign(begin, begin + blob.cells.back().row + 1);
   blob.row_width_rad = row_width_rad_;

@@ -56,8 +56,9 @@ class PlotExtractor {
  private:
   void take_row(std::vector<Plot>& out);
   void take_blobs(std::vector<Plot>& out);
+  void take(const Blob& blob, const std::vector<BlobCell>& cells, std::vector<Plot>& out);
   Plot plot_of(const Blob& blob, const std::vector<BlobCell>& cells, std::uint8_t over) const;
-  void learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot, bool told);
+  void add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended);
 
   Rule rule_;
   double beam_rad_;
