@@ -91,10 +91,18 @@ void add(const std::string& name, std::vector<Spoke> made, const PlotExtractor::
         };
         for (int i = 0; i < 5; ++i) turn_all();
         turns = told = 0;
+        const PlotExtractor::Counts before = extractor.counts();
         Meter meter(state, static_cast<double>(cells));
         for (auto _ : state) turn_all();
         meter.stop();
-        state.SetLabel(std::to_string(told / turns) + " plots a turn");
+        const PlotExtractor::Counts after = extractor.counts();
+        const auto a_turn = [&](std::uint64_t from, std::uint64_t to) {
+          return std::to_string((to - from) / turns);
+        };
+        state.SetLabel("a turn: " + a_turn(before.runs, after.runs) + " runs, " +
+                       a_turn(before.blobs, after.blobs) + " blobs, " +
+                       a_turn(before.in_clutter, after.in_clutter) + " below a bar, " +
+                       a_turn(0, told) + " plots");
       },
       benchmark::kMillisecond);
 }

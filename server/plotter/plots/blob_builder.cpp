@@ -8,7 +8,8 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kKept = 256;  // cells whose memory an ended blob leaves to the next one
+// Memory that ended blobs leave to the next ones: so many of so many cells at most.
+constexpr std::size_t kKept = 256, kMostSpare = 64;
 
 }  // namespace
 
@@ -42,6 +43,14 @@ void BlobBuilder::add(const VideoRow& row, std::span<const Run> runs,
   }
   std::swap(before_, now_);
   ++next_;
+}
+
+void BlobBuilder::give_back(std::vector<Blob>& blobs) {
+  for (Blob& blob : blobs) {
+    if (spare_.size() < kMostSpare && blob.cells.capacity() <= kKept)
+      spare_.push_back(std::move(blob));
+  }
+  blobs.clear();
 }
 
 void BlobBuilder::flush(std::vector<Blob>& out) {
@@ -140,12 +149,12 @@ void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
   if (!std::is_sorted(open.cells.begin(), open.cells.end(), before))
     std::sort(open.cells.begin(), open.cells.end(), before);
   Blob blob;
-  if (open.cells.capacity() > kKept) {
-    blob.cells.swap(open.cells);
-  } else {
-    blob.cells = open.cells;
-    open.cells.clear();
+  if (!spare_.empty()) {
+    blob = std::move(spare_.back());
+    spare_.pop_back();
   }
+  blob.cells.clear();
+  blob.cells.swap(open.cells);
   const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(open.first - oldest_);
   blob.rows.assign(begin, begin + blob.cells.back().row + 1);
   blob.row_width_rad = row_width_rad_;

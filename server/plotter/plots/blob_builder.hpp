@@ -59,6 +59,8 @@ class BlobBuilder {
   // LocalThreshold::find() for it.
   void add(const VideoRow& row, std::span<const Run> runs, std::span<const std::uint8_t> thresholds,
            std::vector<Blob>& out);
+  // Takes the memory of blobs that are done with, for the next ones.
+  void give_back(std::vector<Blob>& blobs);
   // All that is open ends here, cut.
   void flush(std::vector<Blob>& out);
 
@@ -88,6 +90,7 @@ class BlobBuilder {
   Least least_;
   std::vector<Open> open_;
   std::vector<std::size_t> free_;
+  std::vector<Blob> spare_;
   std::vector<OwnedRun> before_, now_;
   std::size_t from_ = 0;      // of before_: those before it end nearer than all runs that come
   std::deque<BlobRow> rows_;  // the last kMostRows + 1

@@ -14,7 +14,8 @@ constexpr double kMostReachCells = 128.0, kLeastReachCells = 32.0;
 constexpr double kMostOwn = 6.0;   // cells
 constexpr double kFarthest = 1e7;  // metres from where the map began
 constexpr std::uint32_t kHistory = 16;
-constexpr int kFew = 3;  // new plots in eight turns: one boat that fades makes as many
+constexpr int kLasting = 6;  // turns of a history
+constexpr int kFew = 3;      // new plots in eight turns: one boat that fades makes as many
 
 bool finite(const GeoPoint& point) {
   return std::isfinite(point.latitude_deg) && std::isfinite(point.longitude_deg) &&
@@ -114,6 +115,18 @@ LandMap::Cell LandMap::now(Place place) const {
   return cell;
 }
 
+LandMap::Cell& LandMap::renewed(Place place) {
+  Cell& cell = cells_[index_of(place)];
+  if (cell.turn != turn_ || cell.where != where_of(place)) cell = now(place);
+  return cell;
+}
+
+bool LandMap::echo_lasts(Place place) const {
+  const Cell& cell = cells_[index_of(place)];
+  if (bits_of(cell.echo) < kLasting) return false;  // nearly all: on the sea
+  return bits_of(now(place).echo) >= kLasting;
+}
+
 LandMap::Square LandMap::square_now(Place place) const {
   Square square = squares_[square_of(place)];
   const std::uint32_t turns = turn_ - square.turn;
@@ -164,10 +177,9 @@ void LandMap::add_echo(const GeoPoint& own_ship, TrueBearing bearing, double wid
     for (int i = 0; i < across; ++i) {
       const double off = ((i + 0.5) / across - 0.5) * width;
       const Place place = place_of(ship + ahead * range + right * off);
-      Cell cell = now(place);
+      Cell& cell = renewed(place);
       cell.echo |= 1;
       if (extended) cell.land |= 1;
-      cells_[index_of(place)] = cell;
     }
     if (range >= to_m) return;
   }
@@ -175,7 +187,7 @@ void LandMap::add_echo(const GeoPoint& own_ship, TrueBearing bearing, double wid
 
 void LandMap::add_plot(Spot spot, bool told) {
   const Place place = place_of(spot.at);
-  Cell cell = now(place);
+  Cell& cell = renewed(place);
   unsigned plots = cell.plots, told_before = cell.told;
   for (const auto& [east, north] : {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}}) {
     const Cell beside = now({place.east + east, place.north + north});
@@ -184,7 +196,6 @@ void LandMap::add_plot(Spot spot, bool told) {
   }
   cell.plots |= 1;
   if (told) cell.told |= 1;
-  cells_[index_of(place)] = cell;
   if (turn_ - began_turn_ < 2) return;
   if ((plots & 2u) == 0) {
     Square square = square_now(place);
@@ -210,8 +221,8 @@ double LandMap::surrounded_at(Place place, double half_m) const {
   for (int north = -own - 2; north <= own + 2; ++north) {
     for (int east = -own - 2; east <= own + 2; ++east) {
       if (std::abs(north) <= own && std::abs(east) <= own) continue;
-      const Cell cell = now({place.east + east, place.north + north});
-      if (bits_of(cell.echo) >= 6) directions |= 1u << direction_of(east, north);
+      if (echo_lasts({place.east + east, place.north + north}))
+        directions |= 1u << direction_of(east, north);
     }
   }
   return clamped((bits_of(directions) - 4) / 4.0);
@@ -232,6 +243,8 @@ double LandMap::clutter(Spot spot) const {
 
 double LandMap::bar(Spot spot) const { return 0.5 * square_now(place_of(spot.at)).half_levels; }
 
-bool LandMap::lasts(Spot spot) const { return bits_of(now(place_of(spot.at)).plots >> 1) >= 6; }
+bool LandMap::lasts(Spot spot) const {
+  return bits_of(now(place_of(spot.at)).plots >> 1) >= kLasting;
+}
 
 }  // namespace skerry::server

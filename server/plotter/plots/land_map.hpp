@@ -103,6 +103,8 @@ class LandMap {
   static std::uint8_t where_of(Place place);
   // As of this turn.
   Cell now(Place place) const;
+  Cell& renewed(Place place);
+  bool echo_lasts(Place place) const;
   Square square_now(Place place) const;
   int new_plots_near(Place place) const;  // in the last eight turns
   double land_at(PlanePoint point) const;

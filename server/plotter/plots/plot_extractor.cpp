@@ -125,35 +125,41 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
   counts_.blobs += blobs_.size();
   const std::size_t before = out.size();
   for (const Blob& blob : blobs_) {
-    if (may_be_several(blob)) {
-      for (const std::vector<BlobCell>& cells : split(blob, rule_.valley)) take(blob, cells, out);
-    } else {
-      take(blob, blob.cells, out);
+    if (blob.extended || !may_be_several(blob)) {
+      take(blob, blob.cells, false, out);
+      continue;
     }
+    // What is below a bar as a whole is not told apart.
+    if (take(blob, blob.cells, true, out)) continue;
+    for (const std::vector<BlobCell>& cells : split(blob, rule_.valley))
+      take(blob, cells, false, out);
   }
-  blobs_.clear();
+  builder_.give_back(blobs_);
   counts_.plots += out.size() - before;
 }
 
-void PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells,
+bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, bool only_below,
                          std::vector<Plot>& out) {
-  if (cells.size() < rule_.least_cells) return;
+  if (cells.size() < rule_.least_cells) return true;
   const int width = cells.back().row - cells.front().row + 1;  // they come by row
-  if (width < kLeastRows || width * blob.row_width_rad < rule_.least_width * beam_rad_) return;
+  if (width < kLeastRows || width * blob.row_width_rad < rule_.least_width * beam_rad_) return true;
   std::uint8_t over = 0;
   for (const BlobCell& cell : cells) over = std::max(over, cell.over);
+  if (only_below && (!rule_.bars || over > LandMap::kMostBar)) return false;
   Plot plot = plot_of(blob, cells, over);
   const LandMap::Spot spot = land_.spot(plot.own_ship, plot.bearing, plot.range_m);
   const bool told = plot.extended || !rule_.bars || over > land_.bar(spot) || land_.lasts(spot);
+  if (told && only_below) return false;
   if (told) {
     plot.on_land = land_.on_land(spot, 0.5 * size_of(blob, cells));
     plot.clutter = land_.clutter(spot);
     out.push_back(plot);
+    add_echo(blob, cells, plot.extended);
   } else {
     ++counts_.in_clutter;
   }
   if (!plot.extended) land_.add_plot(spot, told);
-  if (told) add_echo(blob, cells, plot.extended);
+  return true;
 }
 
 Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells,

@@ -59,6 +59,27 @@ static inline __attribute__((always_inline)) void order(std::int16_t* __restrict
   }
 }
 
+// Batcher's merge sort of eight, the usual number: 19 steps instead of 28.
+constexpr std::array<std::array<std::uint8_t, 2>, 19> kOrderOfEight{{{0, 1},
+                                                                     {2, 3},
+                                                                     {4, 5},
+                                                                     {6, 7},
+                                                                     {0, 2},
+                                                                     {1, 3},
+                                                                     {4, 6},
+                                                                     {5, 7},
+                                                                     {1, 2},
+                                                                     {5, 6},
+                                                                     {0, 4},
+                                                                     {1, 5},
+                                                                     {2, 6},
+                                                                     {3, 7},
+                                                                     {2, 4},
+                                                                     {3, 5},
+                                                                     {1, 2},
+                                                                     {3, 4},
+                                                                     {5, 6}}};
+
 // A tile of blocks side by side, whose neighbours are sorted all at once by swaps of neighbours
 // (odd-even transposition).
 SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::size_t blocks,
@@ -80,9 +101,13 @@ SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::
       take(values + first - off);
       take(values + first + off);
     }
-    for (std::size_t round = 0; round < count; ++round)
-      for (std::size_t k = round % 2; k + 1 < count; k += 2)
-        order(sorted[k].data(), sorted[k + 1].data());
+    if (count == 8) {
+      for (const auto& [low, high] : kOrderOfEight) order(sorted[low].data(), sorted[high].data());
+    } else {
+      for (std::size_t round = 0; round < count; ++round)
+        for (std::size_t k = round % 2; k + 1 < count; k += 2)
+          order(sorted[k].data(), sorted[k + 1].data());
+    }
     for (std::size_t i = 0; i < size; ++i) ranked[first + i] = sorted[rank][i];
   }
 }
