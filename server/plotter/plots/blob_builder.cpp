@@ -1,6 +1,7 @@
 #include "server/plotter/plots/blob_builder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -142,12 +143,7 @@ void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
     open.cells.clear();
     return;
   }
-  // Runs come in order, but those of blobs that were joined.
-  const auto before = [](const BlobCell& a, const BlobCell& b) {
-    return a.row != b.row ? a.row < b.row : a.cell < b.cell;
-  };
-  if (!std::is_sorted(open.cells.begin(), open.cells.end(), before))
-    std::sort(open.cells.begin(), open.cells.end(), before);
+  put_in_order(open.cells);
   Blob blob;
   if (!spare_.empty()) {
     blob = std::move(spare_.back());
@@ -162,6 +158,26 @@ void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
   blob.extended = open.extended;
   blob.cut = open.cut;
   out.push_back(std::move(blob));
+}
+
+// By row, then by cell.  They are, but where blobs were joined: then by counting, since large ones
+// are joined of many.
+void BlobBuilder::put_in_order(std::vector<BlobCell>& cells) {
+  const auto before = [](const BlobCell& a, const BlobCell& b) {
+    return a.row != b.row ? a.row < b.row : a.cell < b.cell;
+  };
+  if (std::is_sorted(cells.begin(), cells.end(), before)) return;
+  std::array<std::uint32_t, kMostRows + 1> first{};
+  for (const BlobCell& cell : cells) ++first[cell.row + 1u];
+  for (std::size_t row = 0; row < kMostRows; ++row) first[row + 1] += first[row];
+  auto next = first;
+  ordered_.resize(cells.size());
+  for (const BlobCell& cell : cells) ordered_[next[cell.row]++] = cell;
+  for (std::size_t row = 0; row < kMostRows; ++row) {
+    const auto begin = ordered_.begin() + first[row], end = ordered_.begin() + first[row + 1];
+    if (!std::is_sorted(begin, end, before)) std::sort(begin, end, before);
+  }
+  cells.swap(ordered_);
 }
 
 void BlobBuilder::end(std::size_t open, std::vector<Blob>& out) {

@@ -85,12 +85,14 @@ class BlobBuilder {
            std::span<const std::uint8_t> thresholds, std::vector<Blob>& out);
   // Appends what it has, unless that is nothing or too little.
   void cut_off(Open& open, std::vector<Blob>& out);
+  void put_in_order(std::vector<BlobCell>& cells);
   void end(std::size_t open, std::vector<Blob>& out);
 
   Least least_;
   std::vector<Open> open_;
   std::vector<std::size_t> free_;
   std::vector<Blob> spare_;
+  std::vector<BlobCell> ordered_;
   std::vector<OwnedRun> before_, now_;
   std::size_t from_ = 0;      // of before_: those before it end nearer than all runs that come
   std::deque<BlobRow> rows_;  // the last kMostRows + 1

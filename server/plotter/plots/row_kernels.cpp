@@ -59,32 +59,57 @@ static inline __attribute__((always_inline)) void order(std::int16_t* __restrict
   }
 }
 
-// Batcher's merge sort of eight, the usual number: 19 steps instead of 28.
-constexpr std::array<std::array<std::uint8_t, 2>, 19> kOrderOfEight{{{0, 1},
-                                                                     {2, 3},
-                                                                     {4, 5},
-                                                                     {6, 7},
-                                                                     {0, 2},
-                                                                     {1, 3},
-                                                                     {4, 6},
-                                                                     {5, 7},
-                                                                     {1, 2},
-                                                                     {5, 6},
-                                                                     {0, 4},
-                                                                     {1, 5},
-                                                                     {2, 6},
-                                                                     {3, 7},
-                                                                     {2, 4},
-                                                                     {3, 5},
-                                                                     {1, 2},
-                                                                     {3, 4},
-                                                                     {5, 6}}};
+// Of eight neighbours, the usual number: Batcher's merge sort in registers, of which the compiler
+// leaves out what the wanted rank does not need.
+template <std::size_t kRank>
+inline __attribute__((always_inline)) void rank_eight(const std::int16_t* __restrict before,
+                                                      const std::int16_t* __restrict after,
+                                                      std::size_t blocks,
+                                                      std::int16_t* __restrict ranked) {
+  for (std::size_t b = 0; b < blocks; ++b) {
+    std::int16_t v[8] = {before[b], before[b + 1], before[b + 2], before[b + 3],
+                         after[b],  after[b + 1],  after[b + 2],  after[b + 3]};
+    const auto order = [&v](std::size_t low, std::size_t high) {
+      const std::int16_t x = v[low], y = v[high];
+      v[low] = x < y ? x : y;
+      v[high] = x < y ? y : x;
+    };
+    order(0, 1), order(2, 3), order(4, 5), order(6, 7);
+    order(0, 2), order(1, 3), order(4, 6), order(5, 7);
+    order(1, 2), order(5, 6);
+    order(0, 4), order(1, 5), order(2, 6), order(3, 7);
+    order(2, 4), order(3, 5);
+    order(1, 2), order(3, 4), order(5, 6);
+    ranked[b] = v[kRank];
+  }
+}
 
 // A tile of blocks side by side, whose neighbours are sorted all at once by swaps of neighbours
 // (odd-even transposition).
 SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::size_t blocks,
                                     std::size_t near, std::size_t far, std::size_t rank,
                                     std::int16_t* __restrict ranked) noexcept {
+  if (far - near == 3) {
+    const std::int16_t *before = values - far, *after = values + near;
+    switch (rank) {
+      case 0:
+        return rank_eight<0>(before, after, blocks, ranked);
+      case 1:
+        return rank_eight<1>(before, after, blocks, ranked);
+      case 2:
+        return rank_eight<2>(before, after, blocks, ranked);
+      case 3:
+        return rank_eight<3>(before, after, blocks, ranked);
+      case 4:
+        return rank_eight<4>(before, after, blocks, ranked);
+      case 5:
+        return rank_eight<5>(before, after, blocks, ranked);
+      case 6:
+        return rank_eight<6>(before, after, blocks, ranked);
+      default:
+        return rank_eight<7>(before, after, blocks, ranked);
+    }
+  }
   alignas(64) std::array<std::array<std::int16_t, kTile>, kMostRanked> sorted;
   for (std::size_t first = 0; first < blocks; first += kTile) {
     const std::size_t size = std::min(kTile, blocks - first);
@@ -101,13 +126,9 @@ SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::
       take(values + first - off);
       take(values + first + off);
     }
-    if (count == 8) {
-      for (const auto& [low, high] : kOrderOfEight) order(sorted[low].data(), sorted[high].data());
-    } else {
-      for (std::size_t round = 0; round < count; ++round)
-        for (std::size_t k = round % 2; k + 1 < count; k += 2)
-          order(sorted[k].data(), sorted[k + 1].data());
-    }
+    for (std::size_t round = 0; round < count; ++round)
+      for (std::size_t k = round % 2; k + 1 < count; k += 2)
+        order(sorted[k].data(), sorted[k + 1].data());
     for (std::size_t i = 0; i < size; ++i) ranked[first + i] = sorted[rank][i];
   }
 }
