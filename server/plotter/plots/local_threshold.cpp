@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <stdexcept>
 
 namespace skerry::server {
@@ -125,6 +126,7 @@ void LocalThreshold::set_thresholds() {
   deviation_around_.resize(blocks_);
   backgrounds_.resize(blocks_);
   thresholds_.resize(blocks_);
+  over_.resize(blocks_);
   if (rule_.statistic == Statistic::ordered) {
     rank_all(means_, mean_around_);
     rank_all(deviations_, deviation_around_);
@@ -132,27 +134,32 @@ void LocalThreshold::set_thresholds() {
     average_all(means_, mean_around_);
     average_all(deviations_, deviation_around_);
   }
-  const auto roughnesses = static_cast<std::uint32_t>(rule_.roughnesses * 256.0 + 0.5);
-  const std::uint32_t most = rule_.most_background * kFine, least = rule_.least_step * kFine;
-  for (std::size_t b = 0; b < blocks_; ++b) {
-    const std::uint32_t background = std::min(static_cast<std::uint32_t>(mean_around_[b]), most);
-    const std::uint32_t over =
-        std::max(least, (static_cast<std::uint32_t>(deviation_around_[b]) * roughnesses) >> 8);
-    backgrounds_[b] = static_cast<std::uint8_t>(background / kFine);
-    thresholds_[b] = static_cast<std::uint8_t>(std::min((background + over) / kFine, 255u));
-  }
+  // A deviation is at most 2040: far from 2^31, with 100 roughnesses.
+  set_block_thresholds(mean_around_.data(), deviation_around_.data(), greatest_.data(), blocks_,
+                       static_cast<std::int32_t>(rule_.most_background * kFine),
+                       static_cast<std::int32_t>(rule_.least_step * kFine),
+                       static_cast<std::int32_t>(rule_.roughnesses * 256.0 + 0.5),
+                       backgrounds_.data(), thresholds_.data(), over_.data());
 }
 
 void LocalThreshold::find(std::span<const std::uint8_t> levels, std::vector<Run>& out) {
   measure(levels);
   set_thresholds();
+  std::size_t before = 0;  // the block after the last one with a run
   bool open = false;
   for (std::size_t b = 0; b < blocks_; ++b) {
-    const std::uint8_t threshold = thresholds_[b];
-    if (greatest_[b] <= threshold) {
-      open = false;
-      continue;
+    std::uint64_t eight = 0;
+    if (b + sizeof eight <= blocks_) {
+      std::memcpy(&eight, &over_[b], sizeof eight);
+      if (eight == 0) {  // nearly all
+        b += sizeof eight - 1;
+        continue;
+      }
     }
+    if (over_[b] == 0) continue;
+    open = open && b == before;
+    before = b + 1;
+    const std::uint8_t threshold = thresholds_[b];
     const std::size_t first = b * kBlock;
     const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - first);
     const std::uint8_t* cells = levels.data() + first;

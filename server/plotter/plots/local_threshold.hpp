@@ -78,7 +78,7 @@ class LocalThreshold {
   Rule rule_;
   std::size_t blocks_ = 0;
   Padded means_, deviations_;
-  std::vector<std::uint8_t> greatest_;
+  std::vector<std::uint8_t> greatest_, over_;  // over_: blocks with cells above their threshold
   std::vector<std::int16_t> mean_around_, deviation_around_;
   std::vector<std::uint32_t> sums_;  // of all blocks before
   std::vector<std::uint8_t> backgrounds_, thresholds_;

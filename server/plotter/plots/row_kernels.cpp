@@ -133,6 +133,21 @@ SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::
   }
 }
 
+SKERRY_KERNEL_BODY set_block_thresholds_body(
+    const std::int16_t* __restrict means, const std::int16_t* __restrict deviations,
+    const std::uint8_t* __restrict greatest, std::size_t blocks, std::int32_t most,
+    std::int32_t least, std::int32_t times, std::uint8_t* __restrict backgrounds,
+    std::uint8_t* __restrict thresholds, std::uint8_t* __restrict over) noexcept {
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::int32_t background = std::min<std::int32_t>(means[b], most);
+    const std::int32_t step = std::max(least, (deviations[b] * times) >> 8);
+    const std::int32_t threshold = std::min((background + step) >> 4, 255);
+    backgrounds[b] = static_cast<std::uint8_t>(background >> 4);
+    thresholds[b] = static_cast<std::uint8_t>(threshold);
+    over[b] = greatest[b] > threshold ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 SKERRY_KERNEL(add_cells, (const std::uint8_t* cells, std::uint16_t* sums, std::size_t count),
@@ -152,5 +167,13 @@ SKERRY_KERNEL(rank_blocks,
               (const std::int16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
                std::size_t rank, std::int16_t* ranked),
               (values, blocks, near, far, rank, ranked))
+
+SKERRY_KERNEL(set_block_thresholds,
+              (const std::int16_t* means, const std::int16_t* deviations,
+               const std::uint8_t* greatest, std::size_t blocks, std::int32_t most,
+               std::int32_t least, std::int32_t times, std::uint8_t* backgrounds,
+               std::uint8_t* thresholds, std::uint8_t* over),
+              (means, deviations, greatest, blocks, most, least, times, backgrounds, thresholds,
+               over))
 
 }  // namespace skerry::server

@@ -31,4 +31,12 @@ void measure_blocks(const std::uint8_t* levels, std::size_t blocks, std::int16_t
 void rank_blocks(const std::int16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
                  std::size_t rank, std::int16_t* ranked) noexcept;
 
+// thresholds[b] = (min(means[b], most) + max(deviations[b] * times / 256, least)) / 16, at most
+// 255; backgrounds[b] = min(means[b], most) / 16; over[b] = 1 where greatest[b] is above the
+// threshold, else 0.  Requires no negative means and deviations, and deviations[b] * times < 2^31.
+void set_block_thresholds(const std::int16_t* means, const std::int16_t* deviations,
+                          const std::uint8_t* greatest, std::size_t blocks, std::int32_t most,
+                          std::int32_t least, std::int32_t times, std::uint8_t* backgrounds,
+                          std::uint8_t* thresholds, std::uint8_t* over) noexcept;
+
 }  // namespace skerry::server
