@@ -1,6 +1,7 @@
 #include "server/plotter/plots/blob_builder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -8,6 +9,8 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+// Memory that ended blobs leave to the next ones: so many of so many cells at most.
+constexpr std::size_t kKept = 256, kMostSpare = 64;
 
 }  // namespace
 
@@ -41,6 +44,14 @@ void BlobBuilder::add(const VideoRow& row, std::span<const Run> runs,
   }
   std::swap(before_, now_);
   ++next_;
+}
+
+void BlobBuilder::give_back(std::vector<Blob>& blobs) {
+  for (Blob& blob : blobs) {
+    if (spare_.size() < kMostSpare && blob.cells.capacity() <= kKept)
+      spare_.push_back(std::move(blob));
+  }
+  blobs.clear();
 }
 
 void BlobBuilder::flush(std::vector<Blob>& out) {
@@ -127,12 +138,19 @@ void BlobBuilder::put(Open& open, const VideoRow& row, const Run& run,
 }
 
 void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
-  if (open.cells.empty()) return;
+  const bool little = open.cells.size() < least_.cells || open.last - open.first + 1 < least_.rows;
+  if (open.cells.empty() || (little && !open.extended)) {
+    open.cells.clear();
+    return;
+  }
+  put_in_order(open.cells);
   Blob blob;
+  if (!spare_.empty()) {
+    blob = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  blob.cells.clear();
   blob.cells.swap(open.cells);
-  std::sort(blob.cells.begin(), blob.cells.end(), [](const BlobCell& a, const BlobCell& b) {
-    return a.row != b.row ? a.row < b.row : a.cell < b.cell;
-  });
   const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(open.first - oldest_);
   blob.rows.assign(begin, begin + blob.cells.back().row + 1);
   blob.row_width_rad = row_width_rad_;
@@ -140,6 +158,26 @@ void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
   blob.extended = open.extended;
   blob.cut = open.cut;
   out.push_back(std::move(blob));
+}
+
+// By row, then by cell.  They are, but where blobs were joined: then by counting, since large ones
+// are joined of many.
+void BlobBuilder::put_in_order(std::vector<BlobCell>& cells) {
+  const auto before = [](const BlobCell& a, const BlobCell& b) {
+    return a.row != b.row ? a.row < b.row : a.cell < b.cell;
+  };
+  if (std::is_sorted(cells.begin(), cells.end(), before)) return;
+  std::array<std::uint32_t, kMostRows + 1> first{};
+  for (const BlobCell& cell : cells) ++first[cell.row + 1u];
+  for (std::size_t row = 0; row < kMostRows; ++row) first[row + 1] += first[row];
+  auto next = first;
+  ordered_.resize(cells.size());
+  for (const BlobCell& cell : cells) ordered_[next[cell.row]++] = cell;
+  for (std::size_t row = 0; row < kMostRows; ++row) {
+    const auto begin = ordered_.begin() + first[row], end = ordered_.begin() + first[row + 1];
+    if (!std::is_sorted(begin, end, before)) std::sort(begin, end, before);
+  }
+  cells.swap(ordered_);
 }
 
 void BlobBuilder::end(std::size_t open, std::vector<Blob>& out) {

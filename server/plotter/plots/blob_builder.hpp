@@ -48,10 +48,19 @@ class BlobBuilder {
  public:
   static constexpr std::size_t kMostRows = 256, kMostCells = 8192, kMostOpen = 2048;
 
+  // Blobs of fewer are noise and not told; pieces of larger ones are.
+  struct Least {
+    std::size_t cells = 1, rows = 1;
+  };
+  BlobBuilder() = default;
+  explicit BlobBuilder(const Least& least) : least_(least) {}
+
   // Appends the blobs that end before this row.  `runs` and `thresholds` are those of
   // LocalThreshold::find() for it.
   void add(const VideoRow& row, std::span<const Run> runs, std::span<const std::uint8_t> thresholds,
            std::vector<Blob>& out);
+  // Takes the memory of blobs that are done with, for the next ones.
+  void give_back(std::vector<Blob>& blobs);
   // All that is open ends here, cut.
   void flush(std::vector<Blob>& out);
 
@@ -74,12 +83,16 @@ class BlobBuilder {
   void join(std::size_t into, std::size_t from, std::vector<Blob>& out);
   void put(Open& open, const VideoRow& row, const Run& run,
            std::span<const std::uint8_t> thresholds, std::vector<Blob>& out);
-  // Appends what it has, unless that is nothing.
+  // Appends what it has, unless that is nothing or too little.
   void cut_off(Open& open, std::vector<Blob>& out);
+  void put_in_order(std::vector<BlobCell>& cells);
   void end(std::size_t open, std::vector<Blob>& out);
 
+  Least least_;
   std::vector<Open> open_;
   std::vector<std::size_t> free_;
+  std::vector<Blob> spare_;
+  std::vector<BlobCell> ordered_;
   std::vector<OwnedRun> before_, now_;
   std::size_t from_ = 0;      // of before_: those before it end nearer than all runs that come
   std::deque<BlobRow> rows_;  // the last kMostRows + 1

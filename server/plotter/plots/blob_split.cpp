@@ -16,18 +16,19 @@ struct Valley {
   double depth = 1.0;    // its share of the lower peak
 };
 
-// The deepest valley of a profile, if it is deep enough.
+// The deepest valley of a profile, if it is deep enough.  `after` is memory to use.
 std::optional<Valley> deepest(const std::vector<std::uint32_t>& profile, std::uint16_t first,
-                              double most) {
+                              double most, std::vector<std::uint32_t>& after) {
   const std::size_t size = profile.size();
-  std::vector<std::uint32_t> after(size);  // the greatest from here on
+  if (size < 3) return std::nullopt;
+  after.resize(size);  // the greatest from here on
   std::uint32_t greatest = 0;
   for (std::size_t i = size; i-- > 0;) after[i] = greatest = std::max(greatest, profile[i]);
   std::optional<Valley> best;
   std::uint32_t before = 0;
   for (std::size_t i = 0; i + 1 < size; ++i) {
     const std::uint32_t lower = std::min(before, after[i + 1]);
-    if (lower > 0) {
+    if (lower > profile[i]) {
       const double depth = static_cast<double>(profile[i]) / lower;
       if (depth < most && (!best || depth < best->depth))
         best = Valley{static_cast<std::uint16_t>(first + i), depth};
@@ -37,24 +38,25 @@ std::optional<Valley> deepest(const std::vector<std::uint32_t>& profile, std::ui
   return best;
 }
 
-template <typename Line>
-std::optional<Valley> valley_of(const Cells& cells, Line&& line, double most) {
-  std::uint16_t first = 0xffff, last = 0;
+struct Scratch {
+  std::vector<std::uint32_t> rows, cells, after;
+};
+
+std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most, Scratch& scratch) {
+  const std::uint16_t first_row = cells.front().row;  // they come by row
+  std::uint16_t nearest = 0xffff, farthest = 0;
   for (const BlobCell& cell : cells) {
-    first = std::min(first, line(cell));
-    last = std::max(last, line(cell));
+    nearest = std::min(nearest, cell.cell);
+    farthest = std::max(farthest, cell.cell);
   }
-  std::vector<std::uint32_t> profile(std::size_t{last} - first + 1);
-  for (const BlobCell& cell : cells) profile[std::size_t{line(cell)} - first] += cell.over;
-  return deepest(profile, first, most);
-}
-
-std::uint16_t row_of(const BlobCell& cell) { return cell.row; }
-std::uint16_t cell_of(const BlobCell& cell) { return cell.cell; }
-
-std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most) {
-  const auto across = valley_of(cells, row_of, most);
-  const auto along = valley_of(cells, cell_of, most);
+  scratch.rows.assign(cells.back().row - first_row + 1u, 0);
+  scratch.cells.assign(farthest - nearest + 1u, 0);
+  for (const BlobCell& cell : cells) {
+    scratch.rows[static_cast<std::size_t>(cell.row - first_row)] += cell.over;
+    scratch.cells[static_cast<std::size_t>(cell.cell - nearest)] += cell.over;
+  }
+  const auto across = deepest(scratch.rows, first_row, most, scratch.after);
+  const auto along = deepest(scratch.cells, nearest, most, scratch.after);
   if (!across && !along) return std::nullopt;
   const bool by_row = across && (!along || across->depth <= along->depth);
   std::pair<Cells, Cells> parts;
@@ -70,8 +72,9 @@ std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most) {
 std::vector<Cells> split(const Blob& blob, double valley) {
   std::vector<Cells> parts{blob.cells};
   if (blob.extended) return parts;
+  Scratch scratch;
   for (std::size_t i = 0; i < parts.size() && parts.size() < kMostParts;) {
-    auto two = cut(parts[i], valley);
+    auto two = cut(parts[i], valley, scratch);
     if (!two) {
       ++i;
       continue;

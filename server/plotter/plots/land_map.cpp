@@ -1,7 +1,6 @@
 #include "server/plotter/plots/land_map.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 
@@ -12,10 +11,11 @@ namespace {
 
 constexpr double kMetresPerDegree = 60.0 * 1852.0;  // of latitude
 constexpr double kMostReachCells = 128.0, kLeastReachCells = 32.0;
-constexpr double kNearM = 300.0;
-constexpr int kMostNear = 6, kAround = 3;
+constexpr double kMostOwn = 6.0;   // cells
 constexpr double kFarthest = 1e7;  // metres from where the map began
 constexpr std::uint32_t kHistory = 16;
+constexpr int kLasting = 6;  // turns of a history
+constexpr int kFew = 3;      // new plots in eight turns: one boat that fades makes as many
 
 bool finite(const GeoPoint& point) {
   return std::isfinite(point.latitude_deg) && std::isfinite(point.longitude_deg) &&
@@ -23,6 +23,14 @@ bool finite(const GeoPoint& point) {
 }
 
 double clamped(double share) { return std::clamp(share, 0.0, 1.0); }
+
+// Of 16 bits.  std::popcount() calls a function where the processor need not have it.
+int bits_of(std::uint32_t history) {
+  history -= history >> 1 & 0x5555u;
+  history = (history & 0x3333u) + (history >> 2 & 0x3333u);
+  history = (history + (history >> 4)) & 0x0f0fu;
+  return static_cast<int>((history + (history >> 8)) & 31u);
+}
 
 // Of the eight directions, the one in which that cell lies.
 unsigned direction_of(int east, int north) {
@@ -32,10 +40,12 @@ unsigned direction_of(int east, int north) {
 
 }  // namespace
 
-LandMap::LandMap() : cells_(std::size_t{kSide} * kSide) {}
+LandMap::LandMap()
+    : cells_(std::size_t{kSide} * kSide), squares_(cells_.size() / (kSquare * kSquare)) {}
 
 void LandMap::forget() {
   std::fill(cells_.begin(), cells_.end(), Cell{});
+  std::fill(squares_.begin(), squares_.end(), Square{});
   own_ = {};
   began_turn_ = turn_;
 }
@@ -82,19 +92,76 @@ std::size_t LandMap::index_of(Place place) {
          static_cast<std::uint32_t>(place.east) % kSide;
 }
 
+std::uint8_t LandMap::where_of(Place place) {
+  return static_cast<std::uint8_t>(static_cast<std::uint32_t>(place.east) / kSide % 16 * 16 +
+                                   static_cast<std::uint32_t>(place.north) / kSide % 16);
+}
+
+std::size_t LandMap::square_of(Place place) {
+  return (static_cast<std::uint32_t>(place.north) % kSide / kSquare) * (kSide / kSquare) +
+         static_cast<std::uint32_t>(place.east) % kSide / kSquare;
+}
+
 LandMap::Cell LandMap::now(Place place) const {
   Cell cell = cells_[index_of(place)];
   const std::uint32_t turns = turn_ - cell.turn;
-  const auto where =
-      static_cast<std::uint8_t>(static_cast<std::uint32_t>(place.east) / kSide % 16 * 16 +
-                                static_cast<std::uint32_t>(place.north) / kSide % 16);
+  const std::uint8_t where = where_of(place);
   if (cell.where != where || turns >= kHistory) return {turn_, 0, 0, 0, 0, where};
   cell.land = static_cast<std::uint16_t>(cell.land << turns);
   cell.echo = static_cast<std::uint16_t>(cell.echo << turns);
   cell.plots = static_cast<std::uint8_t>(cell.plots << turns);
-  cell.new_plots = static_cast<std::uint8_t>(cell.new_plots << turns);
+  cell.told = static_cast<std::uint8_t>(cell.told << turns);
   cell.turn = turn_;
   return cell;
+}
+
+LandMap::Cell& LandMap::renewed(Place place) {
+  Cell& cell = cells_[index_of(place)];
+  if (cell.turn != turn_ || cell.where != where_of(place)) cell = now(place);
+  return cell;
+}
+
+bool LandMap::echo_lasts(Place place) const {
+  const Cell& cell = cells_[index_of(place)];
+  if (bits_of(cell.echo) < kLasting) return false;  // nearly all: on the sea
+  return bits_of(now(place).echo) >= kLasting;
+}
+
+LandMap::Square LandMap::square_now(Place place) const {
+  Square square = squares_[square_of(place)];
+  const std::uint32_t turns = turn_ - square.turn;
+  const std::uint8_t where = where_of(place);
+  if (square.where != where || turns > 2u * kMostBar) return {turn_, 0, where, {}};
+  if (turns == 0) return square;
+  square.turn = turn_;
+  square.half_levels = static_cast<std::uint16_t>(
+      square.half_levels - std::min<std::uint32_t>(turns, square.half_levels));
+  const std::array<std::uint8_t, 8> old = square.new_plots;
+  square.new_plots = {};
+  for (std::size_t i = turns; i < old.size(); ++i) square.new_plots[i] = old[i - turns];
+  return square;
+}
+
+int LandMap::new_plots_near(Place place) const {
+  int count = 0;
+  for (int north = -kSquare; north <= kSquare; north += kSquare)
+    for (int east = -kSquare; east <= kSquare; east += kSquare)
+      for (const std::uint8_t each : square_now({place.east + east, place.north + north}).new_plots)
+        count += each;
+  return count;
+}
+
+void LandMap::raise(Place place) {
+  for (int north = -kSquare; north <= kSquare; north += kSquare) {
+    for (int east = -kSquare; east <= kSquare; east += kSquare) {
+      const Place at{place.east + east, place.north + north};
+      Square square = square_now(at);
+      const int by = 2 * (north == 0 && east == 0 ? kRaise : kRaise / 3);
+      square.half_levels =
+          static_cast<std::uint16_t>(std::min(square.half_levels + by, 2 * kMostBar));
+      squares_[square_of(at)] = square;
+    }
+  }
 }
 
 void LandMap::add_echo(const GeoPoint& own_ship, TrueBearing bearing, double width_rad,
@@ -110,65 +177,74 @@ void LandMap::add_echo(const GeoPoint& own_ship, TrueBearing bearing, double wid
     for (int i = 0; i < across; ++i) {
       const double off = ((i + 0.5) / across - 0.5) * width;
       const Place place = place_of(ship + ahead * range + right * off);
-      Cell cell = now(place);
+      Cell& cell = renewed(place);
       cell.echo |= 1;
       if (extended) cell.land |= 1;
-      cells_[index_of(place)] = cell;
     }
     if (range >= to_m) return;
   }
 }
 
-void LandMap::add_plot(const GeoPoint& own_ship, TrueBearing bearing, double range_m) {
-  const auto toward = echo::sin_cos_units(bearing.units());
-  const Place place = place_of(ground(own_ship) + PlanePoint{toward.sin, toward.cos} * range_m);
-  Cell cell = now(place);
-  const auto before = [&](int east, int north) {
-    return (now({place.east + east, place.north + north}).plots & 2u) != 0;
-  };
-  if (turn_ - began_turn_ >= 2 && !before(0, 0) && !before(1, 0) && !before(-1, 0) &&
-      !before(0, 1) && !before(0, -1))
-    cell.new_plots |= 1;
+void LandMap::add_plot(Spot spot, bool told) {
+  const Place place = place_of(spot.at);
+  Cell& cell = renewed(place);
+  unsigned plots = cell.plots, told_before = cell.told;
+  for (const auto& [east, north] : {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}}) {
+    const Cell beside = now({place.east + east, place.north + north});
+    plots |= beside.plots;
+    told_before |= beside.told;
+  }
   cell.plots |= 1;
-  cells_[index_of(place)] = cell;
+  if (told) cell.told |= 1;
+  if (turn_ - began_turn_ < 2) return;
+  if ((plots & 2u) == 0) {
+    Square square = square_now(place);
+    if (square.new_plots[0] < 255) ++square.new_plots[0];
+    squares_[square_of(place)] = square;
+  }
+  if (told && (told_before & 2u) == 0 && new_plots_near(place) >= kFew) raise(place);
 }
 
 double LandMap::land_at(PlanePoint point) const {
   const auto share = [&](double east, double north) {
     const Cell cell = now(place_of(point + PlanePoint{east, north} * cell_m_));
-    return clamped(std::popcount(cell.land) / 12.0);
+    return clamped(bits_of(cell.land) / 12.0);
   };
   // Half a cell away lies the next cell, or this one.
   return std::max({share(0.0, 0.0), 0.5 * share(0.5, 0.0), 0.5 * share(-0.5, 0.0),
                    0.5 * share(0.0, 0.5), 0.5 * share(0.0, -0.5)});
 }
 
-double LandMap::surrounded_at(Place place) const {
+double LandMap::surrounded_at(Place place, double half_m) const {
+  const int own = 1 + static_cast<int>(std::min(half_m / cell_m_, kMostOwn));
   unsigned directions = 0;
-  for (int north = -kAround; north <= kAround; ++north) {
-    for (int east = -kAround; east <= kAround; ++east) {
-      if (std::abs(north) <= 1 && std::abs(east) <= 1) continue;
-      const Cell cell = now({place.east + east, place.north + north});
-      if (std::popcount(cell.echo) >= 6) directions |= 1u << direction_of(east, north);
+  for (int north = -own - 2; north <= own + 2; ++north) {
+    for (int east = -own - 2; east <= own + 2; ++east) {
+      if (std::abs(north) <= own && std::abs(east) <= own) continue;
+      if (echo_lasts({place.east + east, place.north + north}))
+        directions |= 1u << direction_of(east, north);
     }
   }
-  return clamped((std::popcount(directions) - 5) / 3.0);
+  return clamped((bits_of(directions) - 4) / 4.0);
 }
 
-double LandMap::clutter_at(Place place) const {
-  const int near = std::clamp(static_cast<int>(kNearM / cell_m_), 1, kMostNear);
-  int fresh = 0;  // in eight turns
-  for (int north = -near; north <= near; ++north)
-    for (int east = -near; east <= near; ++east)
-      fresh += std::popcount(now({place.east + east, place.north + north}).new_plots);
-  return clamped((fresh / 8.0 - 1.5) / 4.5);
-}
-
-LandMap::Marks LandMap::at(const GeoPoint& own_ship, TrueBearing bearing, double range_m) const {
+LandMap::Spot LandMap::spot(const GeoPoint& own_ship, TrueBearing bearing, double range_m) const {
   const auto toward = echo::sin_cos_units(bearing.units());
-  const PlanePoint point = ground(own_ship) + PlanePoint{toward.sin, toward.cos} * range_m;
-  const Place place = place_of(point);
-  return {std::max(land_at(point), surrounded_at(place)), clutter_at(place)};
+  return {ground(own_ship) + PlanePoint{toward.sin, toward.cos} * range_m};
+}
+
+double LandMap::on_land(Spot spot, double half_m) const {
+  return std::max(land_at(spot.at), surrounded_at(place_of(spot.at), half_m));
+}
+
+double LandMap::clutter(Spot spot) const {
+  return clamped((new_plots_near(place_of(spot.at)) / 8.0 - 1.5) / 4.5);
+}
+
+double LandMap::bar(Spot spot) const { return 0.5 * square_now(place_of(spot.at)).half_levels; }
+
+bool LandMap::lasts(Spot spot) const {
+  return bits_of(now(place_of(spot.at)).plots >> 1) >= kLasting;
 }
 
 }  // namespace skerry::server

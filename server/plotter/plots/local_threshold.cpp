@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <stdexcept>
 
 namespace skerry::server {
@@ -21,8 +22,8 @@ std::size_t rank_of(double share, std::size_t count) {
 }
 
 // A block of less than kBlockCells cells.
-void measure_rest(std::span<const std::uint8_t> cells, std::uint16_t& mean,
-                  std::uint16_t& deviation, std::uint8_t& greatest) {
+void measure_rest(std::span<const std::uint8_t> cells, std::int16_t& mean, std::int16_t& deviation,
+                  std::uint8_t& greatest) {
   const auto count = static_cast<std::uint32_t>(cells.size());
   std::uint32_t sum = 0, off = 0;
   greatest = 0;
@@ -32,8 +33,8 @@ void measure_rest(std::span<const std::uint8_t> cells, std::uint16_t& mean,
   }
   for (const std::uint8_t cell : cells)
     off += std::max(cell * count, sum) - std::min(cell * count, sum);
-  mean = static_cast<std::uint16_t>(sum * kFine / count);
-  deviation = static_cast<std::uint16_t>(off * kFine / (count * count));
+  mean = static_cast<std::int16_t>(sum * kFine / count);
+  deviation = static_cast<std::int16_t>(off * kFine / (count * count));
 }
 
 }  // namespace
@@ -59,19 +60,19 @@ void LocalThreshold::measure(std::span<const std::uint8_t> levels) {
                  greatest_[full]);
 }
 
-void LocalThreshold::rank_all(Padded& of, std::vector<std::uint16_t>& into) {
+void LocalThreshold::rank_all(Padded& of, std::vector<std::int16_t>& into) {
   const std::size_t side = rule_.around - rule_.guard, all = 2 * side;
   const std::size_t rank = rank_of(rule_.rank, all);
-  std::uint16_t* values = of.blocks();
+  std::int16_t* values = of.blocks();
   if (blocks_ > 2 * rule_.around) {
     // Beyond the ends stand the smallest and the greatest of values, so many of each that the rank
     // among all of them is the wanted one among those there are.
     std::size_t low = 0;
     for (std::size_t missing = 1; missing <= rule_.around; ++missing) {
-      std::uint16_t pad = 0;
+      std::int16_t pad = 0;
       if (missing <= side) {
         const std::size_t lows = rank - rank_of(rule_.rank, all - missing);
-        pad = lows > low ? 0 : 0xffff;
+        pad = lows > low ? 0 : 0x7fff;
         low = lows;
       } else {  // of the guard: each block beyond misses one more of the far ones instead
         pad = values[-static_cast<std::ptrdiff_t>(missing - side)];
@@ -83,22 +84,23 @@ void LocalThreshold::rank_all(Padded& of, std::vector<std::uint16_t>& into) {
     return;
   }
   for (std::size_t b = 0; b < blocks_; ++b) {
-    std::array<std::uint16_t, 2 * kMostAround> near;
+    std::array<std::int16_t, 2 * kMostAround> near;
     std::size_t count = 0;
     for (std::size_t i = 0; i < blocks_; ++i) {
       const std::size_t off = i > b ? i - b : b - i;
       if (off > rule_.guard && off <= rule_.around) near[count++] = values[i];
     }
     std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
-    into[b] = count > 0 ? near[rank_of(rule_.rank, count)] : std::uint16_t{0};
+    into[b] = count > 0 ? near[rank_of(rule_.rank, count)] : std::int16_t{0};
   }
 }
 
-void LocalThreshold::average_all(Padded& of, std::vector<std::uint16_t>& into) {
-  const std::uint16_t* values = of.blocks();
+void LocalThreshold::average_all(Padded& of, std::vector<std::int16_t>& into) {
+  const std::int16_t* values = of.blocks();
   sums_.resize(blocks_ + 1);
   sums_[0] = 0;
-  for (std::size_t b = 0; b < blocks_; ++b) sums_[b + 1] = sums_[b] + values[b];
+  for (std::size_t b = 0; b < blocks_; ++b)
+    sums_[b + 1] = sums_[b] + static_cast<std::uint32_t>(values[b]);
   for (std::size_t b = 0; b < blocks_; ++b) {
     const std::size_t from = b > rule_.around ? b - rule_.around : 0;
     const std::size_t to = b > rule_.guard ? b - rule_.guard : 0;
@@ -115,7 +117,7 @@ void LocalThreshold::average_all(Padded& of, std::vector<std::uint16_t>& into) {
       mean =
           rule_.statistic == Statistic::greatest_of ? std::max(one, other) : std::min(one, other);
     }
-    into[b] = static_cast<std::uint16_t>(mean);
+    into[b] = static_cast<std::int16_t>(mean);
   }
 }
 
@@ -124,6 +126,7 @@ void LocalThreshold::set_thresholds() {
   deviation_around_.resize(blocks_);
   backgrounds_.resize(blocks_);
   thresholds_.resize(blocks_);
+  over_.resize(blocks_);
   if (rule_.statistic == Statistic::ordered) {
     rank_all(means_, mean_around_);
     rank_all(deviations_, deviation_around_);
@@ -131,26 +134,32 @@ void LocalThreshold::set_thresholds() {
     average_all(means_, mean_around_);
     average_all(deviations_, deviation_around_);
   }
-  const auto roughnesses = static_cast<std::uint32_t>(rule_.roughnesses * 256.0 + 0.5);
-  const std::uint32_t most = rule_.most_background * kFine, least = rule_.least_step * kFine;
-  for (std::size_t b = 0; b < blocks_; ++b) {
-    const std::uint32_t background = std::min<std::uint32_t>(mean_around_[b], most);
-    const std::uint32_t over = std::max(least, (deviation_around_[b] * roughnesses) >> 8);
-    backgrounds_[b] = static_cast<std::uint8_t>(background / kFine);
-    thresholds_[b] = static_cast<std::uint8_t>(std::min((background + over) / kFine, 255u));
-  }
+  // A deviation is at most 2040: far from 2^31, with 100 roughnesses.
+  set_block_thresholds(mean_around_.data(), deviation_around_.data(), greatest_.data(), blocks_,
+                       static_cast<std::int32_t>(rule_.most_background * kFine),
+                       static_cast<std::int32_t>(rule_.least_step * kFine),
+                       static_cast<std::int32_t>(rule_.roughnesses * 256.0 + 0.5),
+                       backgrounds_.data(), thresholds_.data(), over_.data());
 }
 
 void LocalThreshold::find(std::span<const std::uint8_t> levels, std::vector<Run>& out) {
   measure(levels);
   set_thresholds();
+  std::size_t before = 0;  // the block after the last one with a run
   bool open = false;
   for (std::size_t b = 0; b < blocks_; ++b) {
-    const std::uint8_t threshold = thresholds_[b];
-    if (greatest_[b] <= threshold) {
-      open = false;
-      continue;
+    std::uint64_t eight = 0;
+    if (b + sizeof eight <= blocks_) {
+      std::memcpy(&eight, &over_[b], sizeof eight);
+      if (eight == 0) {  // nearly all
+        b += sizeof eight - 1;
+        continue;
+      }
     }
+    if (over_[b] == 0) continue;
+    open = open && b == before;
+    before = b + 1;
+    const std::uint8_t threshold = thresholds_[b];
     const std::size_t first = b * kBlock;
     const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - first);
     const std::uint8_t* cells = levels.data() + first;

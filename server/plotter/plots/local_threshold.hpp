@@ -66,20 +66,20 @@ class LocalThreshold {
  private:
   // Of blocks, in 16ths of a level; kMostAround more at either end, for the kernels.
   struct Padded {
-    std::vector<std::uint16_t> values;
-    std::uint16_t* blocks() { return values.data() + kMostAround; }
+    std::vector<std::int16_t> values;
+    std::int16_t* blocks() { return values.data() + kMostAround; }
   };
 
   void measure(std::span<const std::uint8_t> levels);
-  void rank_all(Padded& of, std::vector<std::uint16_t>& into);
-  void average_all(Padded& of, std::vector<std::uint16_t>& into);
+  void rank_all(Padded& of, std::vector<std::int16_t>& into);
+  void average_all(Padded& of, std::vector<std::int16_t>& into);
   void set_thresholds();
 
   Rule rule_;
   std::size_t blocks_ = 0;
   Padded means_, deviations_;
-  std::vector<std::uint8_t> greatest_;
-  std::vector<std::uint16_t> mean_around_, deviation_around_;
+  std::vector<std::uint8_t> greatest_, over_;  // over_: blocks with cells above their threshold
+  std::vector<std::int16_t> mean_around_, deviation_around_;
   std::vector<std::uint32_t> sums_;  // of all blocks before
   std::vector<std::uint8_t> backgrounds_, thresholds_;
 };

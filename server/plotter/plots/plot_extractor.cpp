@@ -10,6 +10,9 @@
 namespace skerry::server {
 namespace {
 
+// An echo in a single row is noise, or another radar's pulse.
+constexpr int kLeastRows = 2;
+
 // Weighted mean and standard deviation of one coordinate.
 struct Spread {
   double mean = 0.0, sigma = 0.0;
@@ -46,21 +49,43 @@ double uncertainty(const Spread& spread, double line) {
 // dB, there and back, a beam width off its middle.
 double point_width(double beam, double over_db) { return 2.0 * beam * std::sqrt(over_db / 24.0); }
 
+// Two peaks and a valley are three lines, of rows or of cells.
+bool may_be_several(const Blob& blob) {
+  if (blob.rows.size() >= 3) return true;
+  std::uint16_t nearest = 0xffff, farthest = 0;
+  for (const BlobCell& cell : blob.cells) {
+    nearest = std::min(nearest, cell.cell);
+    farthest = std::max(farthest, cell.cell);
+  }
+  return farthest - nearest >= 2;
+}
+
+// How far it reaches along the range or across, the larger; metres, as the radar sees it.
+double size_of(const Blob& blob, const std::vector<BlobCell>& cells) {
+  std::uint16_t nearest = 0xffff, farthest = 0;
+  for (const BlobCell& cell : cells) {
+    nearest = std::min(nearest, cell.cell);
+    farthest = std::max(farthest, cell.cell);
+  }
+  const double rows = cells.back().row - cells.front().row + 1.0;
+  return std::max((farthest - nearest + 1.0) * blob.cell_m,
+                  rows * blob.row_width_rad * farthest * blob.cell_m);
+}
+
 }  // namespace
 
 PlotExtractor::PlotExtractor(const Rule& rule)
     : rule_(rule),
       beam_rad_(rule.beam_deg * kRadiansPerTurn / 360.0),
       rows_(rule.grain),
-      threshold_(rule.threshold) {
+      threshold_(rule.threshold),
+      builder_({rule.least_cells, kLeastRows}) {
   if (!(rule.beam_deg >= 0.1 && rule.beam_deg <= 10.0))
     throw std::invalid_argument("beam_deg: must be 0.1 to 10");
   if (!(rule.pulse_m >= 0.0 && rule.pulse_m <= 500.0))
     throw std::invalid_argument("pulse_m: must be 0 to 500");
   if (!(rule.levels_per_db >= 0.5 && rule.levels_per_db <= 20.0))
     throw std::invalid_argument("levels_per_db: must be 0.5 to 20");
-  if (!(rule.clutter_step >= 0.0 && rule.clutter_step <= 255.0))
-    throw std::invalid_argument("clutter_step: must be 0 to 255");
 }
 
 bool PlotExtractor::add(const Spoke& spoke, std::vector<Plot>& out) {
@@ -104,29 +129,41 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
   counts_.blobs += blobs_.size();
   const std::size_t before = out.size();
   for (const Blob& blob : blobs_) {
-    for (const std::vector<BlobCell>& cells : split(blob, rule_.valley)) {
-      if (cells.size() < rule_.least_cells) continue;
-      const auto rows =
-          std::minmax_element(cells.begin(), cells.end(),
-                              [](const BlobCell& a, const BlobCell& b) { return a.row < b.row; });
-      const int width = rows.second->row - rows.first->row + 1;
-      if (width < 2 || width * blob.row_width_rad < rule_.least_width * beam_rad_) continue;
-      std::uint8_t over = 0;
-      for (const BlobCell& cell : cells) over = std::max(over, cell.over);
-      Plot plot = plot_of(blob, cells, over);
-      const LandMap::Marks marks = land_.at(plot.own_ship, plot.bearing, plot.range_m);
-      plot.on_land = marks.on_land;
-      plot.clutter = marks.clutter;
-      learn(blob, cells, plot);
-      if (!plot.extended && over <= plot.clutter * rule_.clutter_step) {
-        ++counts_.in_clutter;
-        continue;
-      }
-      out.push_back(plot);
+    if (blob.extended || !may_be_several(blob)) {
+      take(blob, blob.cells, false, out);
+      continue;
     }
+    // What is below a bar as a whole is not told apart.
+    if (take(blob, blob.cells, true, out)) continue;
+    for (const std::vector<BlobCell>& cells : split(blob, rule_.valley))
+      take(blob, cells, false, out);
   }
-  blobs_.clear();
+  builder_.give_back(blobs_);
   counts_.plots += out.size() - before;
+}
+
+bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, bool only_below,
+                         std::vector<Plot>& out) {
+  if (cells.size() < rule_.least_cells) return true;
+  const int width = cells.back().row - cells.front().row + 1;  // they come by row
+  if (width < kLeastRows || width * blob.row_width_rad < rule_.least_width * beam_rad_) return true;
+  std::uint8_t over = 0;
+  for (const BlobCell& cell : cells) over = std::max(over, cell.over);
+  if (only_below && (!rule_.bars || over > LandMap::kMostBar)) return false;
+  Plot plot = plot_of(blob, cells, over);
+  const LandMap::Spot spot = land_.spot(plot.own_ship, plot.bearing, plot.range_m);
+  const bool told = plot.extended || !rule_.bars || over > land_.bar(spot) || land_.lasts(spot);
+  if (told && only_below) return false;
+  if (told) {
+    plot.on_land = land_.on_land(spot, 0.5 * size_of(blob, cells));
+    plot.clutter = land_.clutter(spot);
+    out.push_back(plot);
+    add_echo(blob, cells, plot.extended);
+  } else {
+    ++counts_.in_clutter;
+  }
+  if (!plot.extended) land_.add_plot(spot, told);
+  return true;
 }
 
 Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells,
@@ -155,8 +192,7 @@ Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells
   return plot;
 }
 
-void PlotExtractor::learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot) {
-  if (!plot.extended) land_.add_plot(plot.own_ship, plot.bearing, plot.range_m);
+void PlotExtractor::add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended) {
   for (std::size_t i = 0; i < cells.size();) {
     std::size_t end = i + 1;
     while (end < cells.size() && cells[end].row == cells[i].row &&
@@ -164,7 +200,7 @@ void PlotExtractor::learn(const Blob& blob, const std::vector<BlobCell>& cells, 
       ++end;
     const BlobRow& row = blob.rows[cells[i].row];
     land_.add_echo(row.own_ship, row.bearing, blob.row_width_rad, cells[i].cell * blob.cell_m,
-                   (cells[end - 1].cell + 1) * blob.cell_m, plot.extended);
+                   (cells[end - 1].cell + 1) * blob.cell_m, extended);
     i = end;
   }
 }

@@ -34,9 +34,8 @@ class PlotExtractor {
     // Longer or wider than this, after the deduction, is land or rain: an extended plot.
     double most_size_m = 500.0;
     double valley = 0.6;  // of echoes that lie together (blob_split.hpp)
-    // Where echoes come and go, a plot must stand so many levels more over the threshold: all of
-    // them where Plot::clutter is 1, none where it is 0.
-    double clutter_step = 16.0;  // 0 to 255
+    // Where plots come and go, a plot must stand farther over the threshold (land_map.hpp).
+    bool bars = true;
   };
   PlotExtractor() : PlotExtractor(Rule{}) {}
   // Errors: std::invalid_argument, says which value is out of its range.
@@ -51,7 +50,7 @@ class PlotExtractor {
 
   struct Counts {
     std::uint64_t rows = 0, runs = 0, blobs = 0, plots = 0;
-    std::uint64_t in_clutter = 0;  // plots that did not stand out of it, not among the above
+    std::uint64_t in_clutter = 0;  // plots below a bar: not told, and not among the above
     std::uint64_t spokes_left_out = 0, runs_left_out = 0;
   };
   Counts counts() const;
@@ -59,8 +58,12 @@ class PlotExtractor {
  private:
   void take_row(std::vector<Plot>& out);
   void take_blobs(std::vector<Plot>& out);
+  // Makes a plot of cells of a blob, unless they are too little or below a bar.  `only_below`: does
+  // nothing if it would tell one, and says so by false.
+  bool take(const Blob& blob, const std::vector<BlobCell>& cells, bool only_below,
+            std::vector<Plot>& out);
   Plot plot_of(const Blob& blob, const std::vector<BlobCell>& cells, std::uint8_t over) const;
-  void learn(const Blob& blob, const std::vector<BlobCell>& cells, const Plot& plot);
+  void add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended);
 
   Rule rule_;
   double beam_rad_;

@@ -25,8 +25,8 @@ SKERRY_KERNEL_BODY scale_sums_body(const std::uint16_t* __restrict sums, std::ui
 }
 
 SKERRY_KERNEL_BODY measure_blocks_body(const std::uint8_t* __restrict levels, std::size_t blocks,
-                                       std::uint16_t* __restrict means,
-                                       std::uint16_t* __restrict deviations,
+                                       std::int16_t* __restrict means,
+                                       std::int16_t* __restrict deviations,
                                        std::uint8_t* __restrict greatest) noexcept {
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::uint8_t* cells = levels + b * kBlockCells;
@@ -42,46 +42,109 @@ SKERRY_KERNEL_BODY measure_blocks_body(const std::uint8_t* __restrict levels, st
       const auto cell = static_cast<std::uint16_t>(cells[i] * kBlockCells);
       off = static_cast<std::uint16_t>(off + (std::max(cell, sum) - std::min(cell, sum)));
     }
-    means[b] = sum;
-    deviations[b] = static_cast<std::uint16_t>(off / kBlockCells);
+    means[b] = static_cast<std::int16_t>(sum);
+    deviations[b] = static_cast<std::int16_t>(off / kBlockCells);
     greatest[b] = most;
   }
 }
 
+constexpr std::size_t kTile = 32;
+
+static inline __attribute__((always_inline)) void order(std::int16_t* __restrict low,
+                                                        std::int16_t* __restrict high) {
+  for (std::size_t i = 0; i < kTile; ++i) {
+    const std::int16_t a = low[i], b = high[i];
+    low[i] = a < b ? a : b;
+    high[i] = a < b ? b : a;
+  }
+}
+
+// Of eight neighbours, the usual number: Batcher's merge sort in registers, of which the compiler
+// leaves out what the wanted rank does not need.
+template <std::size_t kRank>
+inline __attribute__((always_inline)) void rank_eight(const std::int16_t* __restrict before,
+                                                      const std::int16_t* __restrict after,
+                                                      std::size_t blocks,
+                                                      std::int16_t* __restrict ranked) {
+  for (std::size_t b = 0; b < blocks; ++b) {
+    std::int16_t v[8] = {before[b], before[b + 1], before[b + 2], before[b + 3],
+                         after[b],  after[b + 1],  after[b + 2],  after[b + 3]};
+    const auto order = [&v](std::size_t low, std::size_t high) {
+      const std::int16_t x = v[low], y = v[high];
+      v[low] = x < y ? x : y;
+      v[high] = x < y ? y : x;
+    };
+    order(0, 1), order(2, 3), order(4, 5), order(6, 7);
+    order(0, 2), order(1, 3), order(4, 6), order(5, 7);
+    order(1, 2), order(5, 6);
+    order(0, 4), order(1, 5), order(2, 6), order(3, 7);
+    order(2, 4), order(3, 5);
+    order(1, 2), order(3, 4), order(5, 6);
+    ranked[b] = v[kRank];
+  }
+}
+
 // A tile of blocks side by side, whose neighbours are sorted all at once by swaps of neighbours
-// (odd-even transposition), until the wanted one is in its place.
-SKERRY_KERNEL_BODY rank_blocks_body(const std::uint16_t* __restrict values, std::size_t blocks,
+// (odd-even transposition).
+SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::size_t blocks,
                                     std::size_t near, std::size_t far, std::size_t rank,
-                                    std::uint16_t* __restrict ranked) noexcept {
-  constexpr std::size_t kTile = 32;
-  std::array<std::array<std::uint16_t, kTile>, kMostRanked> sorted;
+                                    std::int16_t* __restrict ranked) noexcept {
+  if (far - near == 3) {
+    const std::int16_t *before = values - far, *after = values + near;
+    switch (rank) {
+      case 0:
+        return rank_eight<0>(before, after, blocks, ranked);
+      case 1:
+        return rank_eight<1>(before, after, blocks, ranked);
+      case 2:
+        return rank_eight<2>(before, after, blocks, ranked);
+      case 3:
+        return rank_eight<3>(before, after, blocks, ranked);
+      case 4:
+        return rank_eight<4>(before, after, blocks, ranked);
+      case 5:
+        return rank_eight<5>(before, after, blocks, ranked);
+      case 6:
+        return rank_eight<6>(before, after, blocks, ranked);
+      default:
+        return rank_eight<7>(before, after, blocks, ranked);
+    }
+  }
+  alignas(64) std::array<std::array<std::int16_t, kTile>, kMostRanked> sorted;
   for (std::size_t first = 0; first < blocks; first += kTile) {
     const std::size_t size = std::min(kTile, blocks - first);
     std::size_t count = 0;
-    const auto take = [&](const std::uint16_t* from) {
-      std::uint16_t* to = sorted[count++].data();
+    const auto take = [&](const std::int16_t* from) {
+      std::int16_t* to = sorted[count++].data();
       if (size == kTile) {
         for (std::size_t i = 0; i < kTile; ++i) to[i] = from[i];
       } else {
-        for (std::size_t i = 0; i < kTile; ++i) to[i] = i < size ? from[i] : std::uint16_t{0};
+        for (std::size_t i = 0; i < kTile; ++i) to[i] = i < size ? from[i] : std::int16_t{0};
       }
     };
     for (std::size_t off = near; off <= far; ++off) {
       take(values + first - off);
       take(values + first + off);
     }
-    for (std::size_t round = 0; round < count; ++round) {
-      for (std::size_t k = round % 2; k + 1 < count; k += 2) {
-        std::uint16_t* __restrict low = sorted[k].data();
-        std::uint16_t* __restrict high = sorted[k + 1].data();
-        for (std::size_t i = 0; i < kTile; ++i) {
-          const std::uint16_t a = low[i], b = high[i];
-          low[i] = std::min(a, b);
-          high[i] = std::max(a, b);
-        }
-      }
-    }
+    for (std::size_t round = 0; round < count; ++round)
+      for (std::size_t k = round % 2; k + 1 < count; k += 2)
+        order(sorted[k].data(), sorted[k + 1].data());
     for (std::size_t i = 0; i < size; ++i) ranked[first + i] = sorted[rank][i];
+  }
+}
+
+SKERRY_KERNEL_BODY set_block_thresholds_body(
+    const std::int16_t* __restrict means, const std::int16_t* __restrict deviations,
+    const std::uint8_t* __restrict greatest, std::size_t blocks, std::int32_t most,
+    std::int32_t least, std::int32_t times, std::uint8_t* __restrict backgrounds,
+    std::uint8_t* __restrict thresholds, std::uint8_t* __restrict over) noexcept {
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::int32_t background = std::min<std::int32_t>(means[b], most);
+    const std::int32_t step = std::max(least, (deviations[b] * times) >> 8);
+    const std::int32_t threshold = std::min((background + step) >> 4, 255);
+    backgrounds[b] = static_cast<std::uint8_t>(background >> 4);
+    thresholds[b] = static_cast<std::uint8_t>(threshold);
+    over[b] = greatest[b] > threshold ? 1 : 0;
   }
 }
 
@@ -96,13 +159,21 @@ SKERRY_KERNEL(scale_sums,
               (sums, scale, levels, count))
 
 SKERRY_KERNEL(measure_blocks,
-              (const std::uint8_t* levels, std::size_t blocks, std::uint16_t* means,
-               std::uint16_t* deviations, std::uint8_t* greatest),
+              (const std::uint8_t* levels, std::size_t blocks, std::int16_t* means,
+               std::int16_t* deviations, std::uint8_t* greatest),
               (levels, blocks, means, deviations, greatest))
 
 SKERRY_KERNEL(rank_blocks,
-              (const std::uint16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
-               std::size_t rank, std::uint16_t* ranked),
+              (const std::int16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
+               std::size_t rank, std::int16_t* ranked),
               (values, blocks, near, far, rank, ranked))
+
+SKERRY_KERNEL(set_block_thresholds,
+              (const std::int16_t* means, const std::int16_t* deviations,
+               const std::uint8_t* greatest, std::size_t blocks, std::int32_t most,
+               std::int32_t least, std::int32_t times, std::uint8_t* backgrounds,
+               std::uint8_t* thresholds, std::uint8_t* over),
+              (means, deviations, greatest, blocks, most, least, times, backgrounds, thresholds,
+               over))
 
 }  // namespace skerry::server

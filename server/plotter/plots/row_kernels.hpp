@@ -21,13 +21,22 @@ void scale_sums(const std::uint16_t* sums, std::uint32_t scale, std::uint8_t* le
 
 // Of `blocks` blocks of kBlockCells cells: the mean, the mean deviation from it, both in 16ths of a
 // level (the deviation rounded down), and the greatest cell.
-void measure_blocks(const std::uint8_t* levels, std::size_t blocks, std::uint16_t* means,
-                    std::uint16_t* deviations, std::uint8_t* greatest) noexcept;
+void measure_blocks(const std::uint8_t* levels, std::size_t blocks, std::int16_t* means,
+                    std::int16_t* deviations, std::uint8_t* greatest) noexcept;
 
 // ranked[b] = the `rank`-th smallest (from 0) of values[b - far .. b - near] and
 // values[b + near .. b + far], for b in [0, blocks).  Requires 1 <= near <= far, 2 * (far - near +
-// 1) <= kMostRanked, rank among them, and values that reach so far beyond both ends.
-void rank_blocks(const std::uint16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
-                 std::size_t rank, std::uint16_t* ranked) noexcept;
+// 1) <= kMostRanked, rank among them, and values that reach so far beyond both ends.  Signed, since
+// SSE2 has the lesser of such alone.
+void rank_blocks(const std::int16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
+                 std::size_t rank, std::int16_t* ranked) noexcept;
+
+// thresholds[b] = (min(means[b], most) + max(deviations[b] * times / 256, least)) / 16, at most
+// 255; backgrounds[b] = min(means[b], most) / 16; over[b] = 1 where greatest[b] is above the
+// threshold, else 0.  Requires no negative means and deviations, and deviations[b] * times < 2^31.
+void set_block_thresholds(const std::int16_t* means, const std::int16_t* deviations,
+                          const std::uint8_t* greatest, std::size_t blocks, std::int32_t most,
+                          std::int32_t least, std::int32_t times, std::uint8_t* backgrounds,
+                          std::uint8_t* thresholds, std::uint8_t* over) noexcept;
 
 }  // namespace skerry::server

@@ -41,10 +41,19 @@ void see_land(LandMap& map, PlanePoint ship, PlanePoint from, PlanePoint to) {
   }
 }
 
-LandMap::Marks marks_at(const LandMap& map, PlanePoint ship, PlanePoint there) {
+struct Marks {
+  double on_land = 0.0, clutter = 0.0;
+};
+
+Marks marks_of(const LandMap& map, const GeoPoint& own_ship, TrueBearing bearing, double range_m) {
+  const LandMap::Spot spot = map.spot(own_ship, bearing, range_m);
+  return {map.on_land(spot, 0.0), map.clutter(spot)};
+}
+
+Marks marks_at(const LandMap& map, PlanePoint ship, PlanePoint there) {
   const PlanePoint way = there - ship;
   const double deg = std::atan2(way.east_m, way.north_m) * kDegreesPerRadian;
-  return map.at(place(ship.east_m, ship.north_m), toward(deg), length_of(way));
+  return marks_of(map, place(ship.east_m, ship.north_m), toward(deg), length_of(way));
 }
 
 TEST(LandMap, LearnsLandInSomeTurnsAndForgetsItInMore) {
@@ -80,7 +89,7 @@ TEST(LandMap, HasNoHolesInLandOnAnyRange) {
     }
     for (double deg = 0.0; deg < 360.0; deg += 0.37)
       for (double range = 0.55; range < 0.95; range += 0.013)
-        ASSERT_EQ(map.at(place(0.0, 0.0), toward(deg), range * reach).on_land, 1.0)
+        ASSERT_EQ(marks_of(map, place(0.0, 0.0), toward(deg), range * reach).on_land, 1.0)
             << reach << " " << deg << " " << range;
   }
 }
@@ -104,7 +113,7 @@ TEST(LandMap, IsNotShipsAtAnchorButIsAHarbourFullOfThem) {
   LandMap map;
   const GeoPoint ship = place(0.0, 0.0);
   const auto see = [&](double bearing_deg, double range_m) {
-    map.add_plot(ship, toward(bearing_deg), range_m);
+    map.add_plot(map.spot(ship, toward(bearing_deg), range_m), true);
     for (int row = -2; row <= 2; ++row)  // 1.7 degrees, 90 m
       map.add_echo(ship, toward(bearing_deg + 0.35 * row), 0.35 * kRadiansPerDegree, range_m - 20.0,
                    range_m + 20.0, false);
@@ -114,12 +123,12 @@ TEST(LandMap, IsNotShipsAtAnchorButIsAHarbourFullOfThem) {
     for (int i = 0; i < 4; ++i) see(90.0 + 4.0 * i, 3000.0);  // 210 m apart
     for (int i = 0; i < 25; ++i) see(200.0 + i % 5 * 2.5, 2800.0 + i / 5 * 110.0);
     for (const double deg : {90.0, 94.0, 98.0}) {
-      EXPECT_LT(map.at(ship, toward(deg), 3000.0).on_land, 0.5);
-      EXPECT_EQ(map.at(ship, toward(deg), 3000.0).clutter, 0.0);
+      EXPECT_LT(marks_of(map, ship, toward(deg), 3000.0).on_land, 0.5);
+      EXPECT_EQ(marks_of(map, ship, toward(deg), 3000.0).clutter, 0.0);
     }
   }
-  EXPECT_EQ(map.at(ship, toward(205.0), 3020.0).on_land, 1.0);
-  EXPECT_EQ(map.at(ship, toward(205.0), 3020.0).clutter, 0.0) << "it stays";
+  EXPECT_EQ(marks_of(map, ship, toward(205.0), 3020.0).on_land, 1.0);
+  EXPECT_EQ(marks_of(map, ship, toward(205.0), 3020.0).clutter, 0.0) << "it stays";
 }
 
 TEST(LandMap, CallsThatClutterWhichComesAndGoes) {
@@ -131,18 +140,18 @@ TEST(LandMap, CallsThatClutterWhichComesAndGoes) {
     map.go_on(ship, kTurn, kReach);
     for (int i = 0; i < 80; ++i) {  // within 1200 x 1000 m: 24 within 300 m of a place
       const double deg = 45.0 + 10.0 * next_draw(state);
-      map.add_plot(ship, toward(deg), 2000.0 + 200.0 * next_draw(state));
+      map.add_plot(map.spot(ship, toward(deg), 2000.0 + 200.0 * next_draw(state)), true);
     }
     const double mover_m = 1000.0 + 25.0 * turn;
-    at_mover = std::max(at_mover, map.at(ship, toward(200.0), mover_m).clutter);
-    map.add_plot(ship, toward(200.0), mover_m);
-    map.add_plot(ship, toward(203.0), mover_m);
-    in_sea = map.at(ship, toward(45.0), 2000.0).clutter;
+    at_mover = std::max(at_mover, marks_of(map, ship, toward(200.0), mover_m).clutter);
+    map.add_plot(map.spot(ship, toward(200.0), mover_m), true);
+    map.add_plot(map.spot(ship, toward(203.0), mover_m), true);
+    in_sea = marks_of(map, ship, toward(45.0), 2000.0).clutter;
   }
   EXPECT_GT(in_sea, 0.9);
   EXPECT_EQ(at_mover, 0.0) << "two ships under way are no clutter";
-  EXPECT_EQ(map.at(ship, toward(300.0), 2000.0).clutter, 0.0);
-  EXPECT_LT(map.at(ship, toward(45.0), 2000.0).on_land, 0.5);
+  EXPECT_EQ(marks_of(map, ship, toward(300.0), 2000.0).clutter, 0.0);
+  EXPECT_LT(marks_of(map, ship, toward(45.0), 2000.0).on_land, 0.5);
 }
 
 TEST(LandMap, TakesPlacesAndRangesThatAreNone) {
@@ -153,9 +162,9 @@ TEST(LandMap, TakesPlacesAndRangesThatAreNone) {
   for (int turn = 0; turn < 40; ++turn) {
     const GeoPoint& at = places[static_cast<std::size_t>(turn) % places.size()];
     map.go_on(at, kTurn * (turn % 3), turn % 2 == 0 ? 1.0 : 1e6);
-    map.add_plot(at, toward(10.0 * turn), 1000.0);
+    map.add_plot(map.spot(at, toward(10.0 * turn), 1000.0), true);
     map.add_echo(at, toward(10.0 * turn), 0.05, 0.0, turn % 2 == 0 ? 1.0 : 1e6, true);
-    const LandMap::Marks marks = map.at(at, toward(20.0), 500.0);
+    const Marks marks = marks_of(map, at, toward(20.0), 500.0);
     EXPECT_TRUE(marks.on_land >= 0.0 && marks.on_land <= 1.0);
     EXPECT_TRUE(marks.clutter >= 0.0 && marks.clutter <= 1.0);
   }
@@ -225,36 +234,62 @@ TEST(LandMap, MarksWhatIsOnLandAndLetsShipsPass) {
   EXPECT_GE(beacon, 0.5);
 }
 
-// Spikes of the sea come and go; a ship among them is stronger and stays.
+// Spikes of the sea come and go; a ship among them is stronger, and a buoy no stronger than they
+// are stays.
 TEST(LandMap, RaisesTheBarInClutterAndNotOverShips) {
-  const auto run = [](double clutter_step) {
+  struct Seen {
+    int spikes = 0, ship = 0, buoy = 0;
+  };
+  const auto run = [](bool bars) {
     MadeRadar radar;
     PlotExtractor::Rule rule;
-    rule.clutter_step = clutter_step;
+    rule.bars = bars;
     PlotExtractor extractor(rule);
     std::uint64_t state = 5;
-    std::pair<int, int> spikes_and_ship;
+    Seen seen;
     const std::uint64_t spokes = radar.geometry.spokes_per_turn;
-    for (std::uint64_t turn = 0; turn < 30; ++turn) {
-      radar.echoes = {{45.0, 2000.0, 120.0}};
-      for (int i = 0; i < 60; ++i)
-        radar.echoes.push_back({45.0 + 8.0 * next_draw(state), 2000.0 + 250.0 * next_draw(state),
+    for (std::uint64_t turn = 0; turn < 35; ++turn) {
+      radar.echoes = {{45.0, 2000.0, 120.0}, {56.0, 2060.0, 48.0}};
+      for (int i = 0; i < 50; ++i)
+        radar.echoes.push_back({45.0 + 11.0 * next_draw(state), 2000.0 + 350.0 * next_draw(state),
                                 45.0 + 3.0 * next_draw(state)});
       std::vector<Plot> plots;
       for (std::uint64_t i = 0; i < spokes; ++i)
         extractor.add(radar.spoke(turn * spokes + i), plots);
-      if (turn < 15) continue;
+      if (turn < 20) continue;
       for (const Plot& plot : plots) {
+        const bool buoy = std::fabs(plot.bearing.in_degrees() - 56.0) < 0.3 &&
+                          std::fabs(plot.range_m - 2060.0) < 10.0;
         const bool ship = plot.greatest > 100;
-        (ship ? spikes_and_ship.second : spikes_and_ship.first) += 1;
+        (ship ? seen.ship : buoy ? seen.buoy : seen.spikes) += 1;
+        EXPECT_TRUE(!ship || plot.on_land < 0.5);
       }
     }
-    return spikes_and_ship;
+    return seen;
   };
-  const auto with = run(16.0), without = run(0.0);
-  EXPECT_GT(without.first, 300);
-  EXPECT_LT(with.first, without.first / 5);
-  EXPECT_EQ(with.second, 15) << "once a turn";
+  const Seen with = run(true), without = run(false);
+  EXPECT_GT(without.spikes, 300);
+  EXPECT_LT(with.spikes, without.spikes / 10);
+  EXPECT_EQ(with.ship, 15) << "once a turn";
+  EXPECT_GE(with.buoy, 10);
+}
+
+// A weak boat under way in the open: nothing raises a bar over it.
+TEST(LandMap, RaisesNoBarOverAWeakBoat) {
+  MadeRadar radar;
+  PlotExtractor extractor;
+  std::size_t seen = 0;
+  for (std::uint64_t turn = 0; turn < 40; ++turn) {
+    radar.echoes = {{45.0, 1500.0 + 15.0 * static_cast<double>(turn), 50.0}};
+    std::vector<Plot> plots;
+    for (std::uint64_t i = 0; i < 2048; ++i) extractor.add(radar.spoke(turn * 2048 + i), plots);
+    seen += plots.size();
+    for (const Plot& plot : plots) {
+      EXPECT_EQ(plot.clutter, 0.0);
+      EXPECT_EQ(plot.on_land, 0.0);
+    }
+  }
+  EXPECT_GE(seen, 37u) << extractor.counts().in_clutter << " below a bar";
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 struct Capture {
   const char* file;
-  double most_a_turn;  // plots that are neither extended nor on land
+  double least_a_turn, most_a_turn;  // plots that are neither extended nor on land
 };
 
 struct Seen {
@@ -44,14 +44,12 @@ TEST_P(PlotsOfCaptures, ArePlausibleAndTheSameAgain) {
   ASSERT_FALSE(got.spokes.empty());
   for (const auto& [radar, spokes] : got.spokes) {
     const Seen seen = plots_of(spokes), again = plots_of(spokes);
-    double extended = 0, on_land = 0, in_clutter = 0, free = 0, cells = 0;
+    double extended = 0, on_land = 0, in_clutter = 0, free = 0;
     for (const Plot& plot : seen.plots) {
       extended += plot.extended;
       on_land += !plot.extended && plot.on_land >= 0.5;
       in_clutter += !plot.extended && plot.clutter >= 0.5;
       free += !plot.extended && plot.on_land < 0.5;
-      cells += plot.cells;
-      EXPECT_LE(plot.range_m, spokes[0].header.range_scale.length().in_metres() * 1000.0);
     }
     const double turns = std::max(seen.turns, 1.0);
     std::printf(
@@ -60,6 +58,7 @@ TEST_P(PlotsOfCaptures, ArePlausibleAndTheSameAgain) {
         GetParam().file, radar, seen.turns, static_cast<double>(seen.plots.size()) / turns,
         extended / turns, on_land / turns, free / turns, in_clutter / turns,
         static_cast<double>(seen.counts.in_clutter) / turns);
+    EXPECT_GE(free / turns, GetParam().least_a_turn);
     EXPECT_LE(free / turns, GetParam().most_a_turn);
     EXPECT_EQ(seen.counts.runs_left_out, 0u);
     ASSERT_EQ(seen.plots.size(), again.plots.size());
@@ -74,14 +73,17 @@ TEST_P(PlotsOfCaptures, ArePlausibleAndTheSameAgain) {
 
 INSTANTIATE_TEST_SUITE_P(
     Recorded, PlotsOfCaptures,
-    testing::Values(Capture{"3g-trueheading.pcap.gz", 200}, Capture{"4g-ranges-nm.pcap.gz", 200},
-                    Capture{"br24-ranges-nm.pcap.gz", 200}, Capture{"furuno-drs4dnxt.pcap.gz", 200},
-                    Capture{"garminxhd_txon_txoff.pcap.gz", 200},
-                    Capture{"halo-velocitytrack-notarget.pcap.gz", 200},
-                    Capture{"halo20-ranges.pcap.gz", 200},
-                    Capture{"halo3-5-connect-transmit.pcap.gz", 200},
-                    Capture{"quantum2-solent-03-gain-sea-rain.pcap.gz", 200},
-                    Capture{"raymarine-e120-analog-tx-stdby.pcap.gz", 200}),
+    // Those of a turn or two, and of a radar switched on, are too short for the map to learn land.
+    testing::Values(Capture{"3g-trueheading.pcap.gz", 100, 180},
+                    Capture{"4g-ranges-nm.pcap.gz", 50, 125},
+                    Capture{"br24-ranges-nm.pcap.gz", 20, 60},
+                    Capture{"furuno-drs4dnxt.pcap.gz", 1, 5},
+                    Capture{"garminxhd_txon_txoff.pcap.gz", 100, 400},
+                    Capture{"halo-velocitytrack-notarget.pcap.gz", 50, 150},
+                    Capture{"halo20-ranges.pcap.gz", 10, 55},
+                    Capture{"halo3-5-connect-transmit.pcap.gz", 100, 750},
+                    Capture{"quantum2-solent-03-gain-sea-rain.pcap.gz", 10, 40},
+                    Capture{"raymarine-e120-analog-tx-stdby.pcap.gz", 30, 85}),
     [](const testing::TestParamInfo<Capture>& each) { return test_name_of(each.param.file); });
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST(RowKernels, AreThePlainLoopsOnEveryInstructionSet) {
         ASSERT_EQ(levels[i], std::min(255u, sums[i] * kScale / 65536));
       }
       const std::size_t blocks = count / kBlockCells;
-      std::vector<std::uint16_t> means(blocks), deviations(blocks);
+      std::vector<std::int16_t> means(blocks), deviations(blocks);
       std::vector<std::uint8_t> greatest(blocks);
       if (count % 7 == 0)
         std::fill(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(count / 2),
