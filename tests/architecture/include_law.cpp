@@ -180,13 +180,35 @@ const std::vector<Room>& table() {
       {"server/app/options", {"protocol/", "echo/", "server/"}},
       // What happened in a recorded exercise, as values, a page and tables.
       {"server/debrief",
-       {"protocol/", "server/world/", "server/replay/", "server/app/control/control_change.hpp"}},
+       {"protocol/", "server/page/", "server/world/", "server/replay/",
+        "server/app/control/control_change.hpp"}},
+      // Pages with tables and figures, as one file.
+      {"server/page", {"protocol/quantity/"}},
       // The tool that makes, checks and runs exercises without a network.
       {"server/exercise_tool", {"protocol/", "echo/", "server/"}},
       // The tool that tracks targets in recordings: it knows spokes, never how they were made.
       {"server/track_tool",
        {"protocol/", "echo/tool_console/", "echo/chart/local_plane.hpp", "server/plotter/",
         "server/playback/play_request.hpp", "server/relay/values_in_range.hpp"}},
+      // Targets out of the video of any source: it knows spokes, neither radar model nor truth.
+      {"server/plotter",
+       {"protocol/quantity/", "protocol/video/", "server/plotter/plots/",
+        "server/plotter/tracks/"}},
+      {"server/plotter/assignment", {"protocol/quantity/"}},
+      {"server/plotter/motion", {"protocol/quantity/", "echo/kernel/exact_math.hpp"}},
+      {"server/plotter/plots",
+       {"protocol/quantity/", "protocol/video/", "echo/kernel/exact_math.hpp",
+        "echo/kernel/isa.hpp"}},
+      {"server/plotter/tracks",
+       {"protocol/quantity/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp",
+        "server/plotter/assignment/", "server/plotter/motion/", "server/plotter/plots/"}},
+      // Who judges trackers knows the truth, and what any of them told.
+      {"server/plotter/judge",
+       {"protocol/quantity/", "protocol/nmea/", "protocol/signalk/json.hpp",
+        "echo/chart/local_plane.hpp", "server/page/", "server/plotter/assignment/",
+        "server/plotter/judge/baselines/", "server/plotter/tracks/"}},
+      {"server/plotter/judge/baselines",
+       {"protocol/quantity/", "echo/chart/local_plane.hpp", "server/plotter/judge/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.

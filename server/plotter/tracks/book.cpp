@@ -21,6 +21,7 @@ constexpr auto kLongestBack = std::chrono::seconds(1);  // a clock that is put r
 constexpr double kWidestGate_m = 800.0;
 // Competing for plots at once; in clutter chains of rivals would have no end.
 constexpr std::size_t kMostRivals = 48;
+constexpr double kOnLand = 0.45;           // Plot::on_land; half is beside it
 constexpr double kLongestLeap_m = 2000.0;  // of own ship, between two rows
 
 bool is_on_earth(GeoPoint point) {
@@ -40,15 +41,17 @@ bool is_sound(const Plot& plot) {
 // --- what comes
 
 void Tracker::Book::add(const Plot& plot) {
-  if (!plane_ || plot.extended || !is_sound(plot) || plot.range_m > rule_.furthest_nm * 1852.0) {
-    return;
-  }
+  if (!plane_ || !is_sound(plot)) return;
+  strong_echoes_.add(plot);
+  if (plot.extended || plot.range_m > rule_.furthest_nm * 1852.0) return;
   ++counts_.plots;
   if (open_.size() >= kMostPlots) {
     ++counts_.left_out;
     return;
   }
   open_.push_back({place(plot), false});
+  // What lies on land, or may be a side lobe, begins no track by itself.
+  open_.back().placed.suspect = plot.on_land > kOnLand || strong_echoes_.is_suspect(plot);
 }
 
 void Tracker::Book::pass(const AntennaPass& antenna) {

@@ -11,6 +11,7 @@
 #include "server/plotter/tracks/ground_plane.hpp"
 #include "server/plotter/tracks/look.hpp"
 #include "server/plotter/tracks/own_motion.hpp"
+#include "server/plotter/tracks/strong_echoes.hpp"
 #include "server/plotter/tracks/target.hpp"
 #include "server/plotter/tracks/tracker.hpp"
 
@@ -96,6 +97,7 @@ class Tracker::Book {
   ByEast targets_by_east_, plots_by_east_;
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
+  StrongEchoes strong_echoes_;
   std::vector<PlottedTrack> lost_;
   std::uint32_t numbers_ = 0, shown_ = 0;
   Counts counts_;

@@ -17,6 +17,7 @@ void Tracker::Book::begin(const AntennaPass& antenna) {
   followed_.clear();
   open_.clear();
   false_plots_ = {};
+  strong_echoes_ = {};
   shown_ = 0;
   plane_.emplace(antenna.own_ship);
   own_motion_.start(plane_->to_plane(antenna.own_ship), antenna.time);
@@ -49,7 +50,11 @@ void Tracker::Book::lay_plane_anew(GeoPoint anchor) {
     followed.target.move_first_place(moved(followed.target.first_place()));
   }
   own_motion_.change(change);
-  for (Open& open : open_) open.placed = place(open.placed.plot);
+  for (Open& open : open_) {
+    const bool suspect = open.placed.suspect;
+    open.placed = place(open.placed.plot);
+    open.placed.suspect = suspect;
+  }
 }
 
 PlacedPlot Tracker::Book::place(const Plot& plot) const {
@@ -57,7 +62,7 @@ PlacedPlot Tracker::Book::place(const Plot& plot) const {
   const double plane_deg =
       plot.bearing.in_degrees() - plane_->true_less_plane_degrees(plot.own_ship);
   const echo::SinCos along = echo::sin_cos_degrees(plane_deg);
-  PlacedPlot placed{plot, {}};
+  PlacedPlot placed{plot, {}, false};
   placed.measured.place = {own.east_m + plot.range_m * along.sin,
                            own.north_m + plot.range_m * along.cos};
   const double floor_rad = rule_.bearing_sigma_deg / kDegreesPerRadian;

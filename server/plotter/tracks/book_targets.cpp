@@ -27,7 +27,8 @@ void Tracker::Book::judge(Followed& followed) {
 bool Tracker::Book::deserves_a_track(const Followed& followed) const {
   const Target& target = followed.target;
   if (rule_.acquire == Acquire::none || target.hits_ever() < rule_.least_hits ||
-      2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits) {
+      2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits ||
+      target.suspicion() > 0.3) {
     return false;
   }
   if (rule_.acquire == Acquire::all) return true;

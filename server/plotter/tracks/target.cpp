@@ -30,6 +30,7 @@ Target::Target(const PlacedPlot& plot, double fastest_mps)
       last_seen_(plot.plot.time),
       first_place_{plot.measured.place(0), plot.measured.place(1)},
       plot_sigma_m_(larger_sigma(plot.measured.covariance)),
+      suspicion_(plot.suspect ? 1.0 : 0.0),
       length_m_(plot.plot.length_m),
       width_m_(plot.plot.width_m) {
   MotionState state;
@@ -96,6 +97,7 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
     noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) * share), 0.4, 9.0);
   }
   plot_sigma_m_ = larger_sigma(plot.measured.covariance);
+  suspicion_ += ((plot.suspect ? 1.0 : 0.0) - suspicion_) * std::max(0.1, 1.0 / (hits_ever_ + 1.0));
   length_m_ += (plot.plot.length_m - length_m_) / 5.0;
   width_m_ += (plot.plot.width_m - width_m_) / 5.0;
   last_seen_ = time_;

@@ -12,6 +12,7 @@ namespace skerry::server {
 struct PlacedPlot {
   Plot plot;
   MeasuredPlace measured;
+  bool suspect = false;  // land, or a side lobe
 };
 
 class Target {
@@ -42,6 +43,8 @@ class Target {
   unsigned hits() const;
   unsigned misses_in_a_row() const { return misses_; }
   unsigned hits_ever() const { return hits_ever_; }
+  // Share of its plots that were suspect, of the last ten or so.
+  double suspicion() const { return suspicion_; }
   double length_m() const { return length_m_; }
   double width_m() const { return width_m_; }
   // Distance from its place within which the next plot is, m: 99.9 % of them.
@@ -67,7 +70,7 @@ class Target {
   // What plots of it are off by, in terms of what they say: learnt.
   double noise_scale_ = 1.0;
   double plot_sigma_m_ = 30.0;  // of the last plot, the larger axis
-  double score_bits_ = 0.0;
+  double score_bits_ = 0.0, suspicion_ = 0.0;
   unsigned looks_ = 1, misses_ = 0, hits_ever_ = 1;
   std::uint16_t seen_ = 1;  // a bit for each of the last ten looks, the lowest is the last
   double length_m_ = 0.0, width_m_ = 0.0;
