@@ -42,7 +42,7 @@ bool is_sound(const Plot& plot) {
 
 void Tracker::Book::add(const Plot& plot) {
   if (!plane_ || !is_sound(plot)) return;
-  strong_echoes_.add(plot);
+  suspects_.add(plot);
   if (plot.extended || plot.range_m > rule_.furthest_nm * 1852.0) return;
   ++counts_.plots;
   if (open_.size() >= kMostPlots) {
@@ -50,8 +50,6 @@ void Tracker::Book::add(const Plot& plot) {
     return;
   }
   open_.push_back({place(plot), false});
-  // What lies on land, or may be a side lobe, begins no track by itself.
-  open_.back().placed.suspect = plot.on_land > kOnLand || strong_echoes_.is_suspect(plot);
 }
 
 void Tracker::Book::pass(const AntennaPass& antenna) {
@@ -82,6 +80,11 @@ void Tracker::Book::pass(const AntennaPass& antenna) {
   stepped_deg_ = bearing_deg;
   step();
   gap_ = false;
+}
+
+// What lies on land, or may be another echo's doing, begins no track by itself.
+void Tracker::Book::look_into(PlacedPlot& placed) const {
+  placed.suspect = placed.plot.on_land > kOnLand || suspects_.is_suspect(placed.plot);
 }
 
 // --- a step
@@ -206,6 +209,7 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
     if (pairs[i] != kUnpaired) {
       Open& open = open_[plots[pairs[i]]];
       open.taken = true;
+      look_into(open.placed);
       ++counts_.paired;
       const Plot& plot = open.placed.plot;
       // Whether it is a target is not known yet: it counts as there by chance, so that what comes
@@ -243,6 +247,7 @@ void Tracker::Book::begin_new_ones() {
       continue;
     }
     ++counts_.begun;
+    look_into(open.placed);
     followed_.push_back({.target = Target(open.placed, rule_.fastest_kn * kKnot), .look = {}});
   }
   open_.resize(kept);

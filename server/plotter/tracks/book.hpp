@@ -11,7 +11,7 @@
 #include "server/plotter/tracks/ground_plane.hpp"
 #include "server/plotter/tracks/look.hpp"
 #include "server/plotter/tracks/own_motion.hpp"
-#include "server/plotter/tracks/strong_echoes.hpp"
+#include "server/plotter/tracks/suspect_echoes.hpp"
 #include "server/plotter/tracks/target.hpp"
 #include "server/plotter/tracks/tracker.hpp"
 
@@ -61,6 +61,7 @@ class Tracker::Book {
   void begin(const AntennaPass& antenna);
   void lay_plane_anew(GeoPoint anchor);
   PlacedPlot place(const Plot& plot) const;
+  void look_into(PlacedPlot& placed) const;
   double bearing_of(PlanePoint from_own) const;
   double off_deg(PlanePoint place) const;
 
@@ -97,7 +98,7 @@ class Tracker::Book {
   ByEast targets_by_east_, plots_by_east_;
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
-  StrongEchoes strong_echoes_;
+  SuspectEchoes suspects_;
   std::vector<PlottedTrack> lost_;
   std::uint32_t numbers_ = 0, shown_ = 0;
   Counts counts_;

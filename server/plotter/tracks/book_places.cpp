@@ -17,7 +17,7 @@ void Tracker::Book::begin(const AntennaPass& antenna) {
   followed_.clear();
   open_.clear();
   false_plots_ = {};
-  strong_echoes_ = {};
+  suspects_ = {};
   shown_ = 0;
   plane_.emplace(antenna.own_ship);
   own_motion_.start(plane_->to_plane(antenna.own_ship), antenna.time);
@@ -50,11 +50,7 @@ void Tracker::Book::lay_plane_anew(GeoPoint anchor) {
     followed.target.move_first_place(moved(followed.target.first_place()));
   }
   own_motion_.change(change);
-  for (Open& open : open_) {
-    const bool suspect = open.placed.suspect;
-    open.placed = place(open.placed.plot);
-    open.placed.suspect = suspect;
-  }
+  for (Open& open : open_) open.placed = place(open.placed.plot);
 }
 
 PlacedPlot Tracker::Book::place(const Plot& plot) const {

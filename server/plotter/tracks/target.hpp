@@ -12,7 +12,7 @@ namespace skerry::server {
 struct PlacedPlot {
   Plot plot;
   MeasuredPlace measured;
-  bool suspect = false;  // land, or a side lobe
+  bool suspect = false;  // land, or another echo's doing
 };
 
 class Target {

@@ -1,0 +1,67 @@
+#include "server/plotter/tracks/suspect_echoes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skerry::server {
+namespace {
+
+bool is_old(ScenarioTime then, ScenarioTime now) {
+  const double seconds = std::chrono::duration<double>(now - then).count();
+  return !(std::fabs(seconds) <= SuspectEchoes::kRemembered_s);
+}
+
+std::size_t bin_of(double range_m) {
+  return static_cast<std::size_t>(
+      std::clamp(range_m / SuspectEchoes::kBin_m, 0.0, static_cast<double>(SuspectEchoes::kBins)));
+}
+
+}  // namespace
+
+void SuspectEchoes::add(const Plot& plot) {
+  if (lately_.size() < kLately) lately_.emplace_back();
+  lately_[next_] = {plot.range_m, plot.bearing, plot.greatest, plot.time};
+  next_ = (next_ + 1) % kLately;
+  if (plot.greatest < kStrong) return;
+  const double half_m = std::min(0.5 * plot.length_m, 1000.0) + 0.5 * kBin_m;
+  const std::size_t last = std::min(bin_of(plot.range_m + half_m), kBins - 1);
+  for (std::size_t i = bin_of(plot.range_m - half_m); i <= last; ++i) {
+    Bin& bin = bins_[i];
+    if (plot.greatest < bin.level && !is_old(bin.time, plot.time)) continue;
+    bin = {plot.greatest, plot.time};
+  }
+}
+
+bool SuspectEchoes::is_suspect(const Plot& plot) const {
+  return is_lobe(plot) || shares_its_bearing_with_a_cause(plot);
+}
+
+bool SuspectEchoes::is_lobe(const Plot& plot) const {
+  const std::size_t at = bin_of(plot.range_m);
+  return at < kBins && bins_[at].level >= plot.greatest + kLobeBelow &&
+         !is_old(bins_[at].time, plot.time);
+}
+
+bool SuspectEchoes::shares_its_bearing_with_a_cause(const Plot& plot) const {
+  std::array<bool, 12> dots{};  // so many steps off
+  for (const Late& late : lately_) {
+    const double off_deg = std::fabs((late.bearing - plot.bearing).in_degrees());
+    if (off_deg > kSameBearing_deg || is_old(late.time, plot.time)) continue;
+    for (const double times : {2.0, 3.0}) {
+      const double off_m = plot.range_m - times * late.range_m;
+      const double reach_m = 40.0 + 0.5 * plot.length_m + 0.01 * plot.range_m;
+      if (late.level >= kStrong && late.level >= plot.greatest + kMultipleBelow &&
+          std::fabs(off_m) < reach_m) {
+        return true;
+      }
+    }
+    const double steps = std::fabs(late.range_m - plot.range_m) / kSartStep_m;
+    const double whole = std::floor(steps + 0.5);
+    if (whole >= 1.0 && whole <= 11.0 && std::fabs(steps - whole) * kSartStep_m < kSartOff_m) {
+      dots[static_cast<std::size_t>(whole)] = true;
+    }
+  }
+  return std::count(dots.begin(), dots.end(), true) + 1 >= kSartDots;
+}
+
+}  // namespace skerry::server

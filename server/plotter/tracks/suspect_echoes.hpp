@@ -1,0 +1,56 @@
+// SuspectEchoes: which plots may be no target but another echo's doing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "server/plotter/plots/plot.hpp"
+
+namespace skerry::server {
+
+// Side lobes show a strong echo all round at its own range; its ship reflects it to and fro, so
+// that it shows again at twice and three times the range; a SART answers with twelve dots, 0.64 NM
+// apart (echo/beacons/sart_returns.hpp).  All of that
+// moves as steadily as a ship.  A boat may lie at a ship's range, or behind her, too: that is why a
+// suspect plot may still be a track's, and only begins none by itself.
+//
+// Thread: one at a time.
+class SuspectEchoes {
+ public:
+  static constexpr std::uint8_t kStrong = 200;  // levels of 255
+  // A lobe stands so much lower, levels: 15 dB at 4 levels a dB; an echo's echo so much.
+  static constexpr std::uint8_t kLobeBelow = 60, kMultipleBelow = 15;
+  static constexpr double kBin_m = 50.0;
+  static constexpr std::size_t kBins = 1000;  // farther, nothing is a lobe
+  static constexpr double kRemembered_s = 8.0;
+  static constexpr std::size_t kLately = 512;  // plots that are compared
+  static constexpr double kSameBearing_deg = 1.5;
+  static constexpr double kSartStep_m = 0.64 * 1852.0;
+  static constexpr double kSartOff_m = 60.0;  // of a step
+  static constexpr int kSartDots = 4;         // with this one
+
+  void add(const Plot& plot);
+  // Of one that was added, once the antenna is some degrees past it.
+  bool is_suspect(const Plot& plot) const;
+
+ private:
+  struct Bin {
+    std::uint8_t level = 0;
+    ScenarioTime time{};
+  };
+  struct Late {
+    double range_m = 0.0;
+    TrueBearing bearing;
+    std::uint8_t level = 0;
+    ScenarioTime time{};
+  };
+  bool is_lobe(const Plot& plot) const;
+  bool shares_its_bearing_with_a_cause(const Plot& plot) const;
+
+  std::vector<Bin> bins_ = std::vector<Bin>(kBins);
+  std::vector<Late> lately_;  // a ring
+  std::size_t next_ = 0;
+};
+
+}  // namespace skerry::server
