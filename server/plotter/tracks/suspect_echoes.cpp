@@ -43,22 +43,23 @@ bool SuspectEchoes::is_lobe(const Plot& plot) const {
 }
 
 bool SuspectEchoes::shares_its_bearing_with_a_cause(const Plot& plot) const {
-  std::array<bool, 12> dots{};  // so many steps off
+  constexpr int kMostSteps = 11;
+  std::array<bool, 2 * kMostSteps + 1> dots{};  // so many steps off, from the farthest before it
   for (const Late& late : lately_) {
     const double off_deg = std::fabs((late.bearing - plot.bearing).in_degrees());
     if (off_deg > kSameBearing_deg || is_old(late.time, plot.time)) continue;
     for (const double times : {2.0, 3.0}) {
       const double off_m = plot.range_m - times * late.range_m;
-      const double reach_m = 40.0 + 0.5 * plot.length_m + 0.01 * plot.range_m;
-      if (late.level >= kStrong && late.level >= plot.greatest + kMultipleBelow &&
-          std::fabs(off_m) < reach_m) {
+      const double reach_m = 40.0 + 0.5 * plot.length_m + 0.003 * plot.range_m;
+      if (late.level >= kStrong && late.level >= plot.greatest && std::fabs(off_m) < reach_m) {
         return true;
       }
     }
-    const double steps = std::fabs(late.range_m - plot.range_m) / kSartStep_m;
+    const double steps = (late.range_m - plot.range_m) / kSartStep_m;
     const double whole = std::floor(steps + 0.5);
-    if (whole >= 1.0 && whole <= 11.0 && std::fabs(steps - whole) * kSartStep_m < kSartOff_m) {
-      dots[static_cast<std::size_t>(whole)] = true;
+    if (whole != 0.0 && std::fabs(whole) <= kMostSteps &&
+        std::fabs(steps - whole) * kSartStep_m < kSartOff_m) {
+      dots[static_cast<std::size_t>(whole + kMostSteps)] = true;
     }
   }
   return std::count(dots.begin(), dots.end(), true) + 1 >= kSartDots;

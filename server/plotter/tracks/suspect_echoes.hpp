@@ -18,9 +18,8 @@ namespace skerry::server {
 // Thread: one at a time.
 class SuspectEchoes {
  public:
-  static constexpr std::uint8_t kStrong = 200;  // levels of 255
-  // A lobe stands so much lower, levels: 15 dB at 4 levels a dB; an echo's echo so much.
-  static constexpr std::uint8_t kLobeBelow = 60, kMultipleBelow = 15;
+  static constexpr std::uint8_t kStrong = 200;    // levels of 255
+  static constexpr std::uint8_t kLobeBelow = 25;  // levels; video that is cut off shows no more
   static constexpr double kBin_m = 50.0;
   static constexpr std::size_t kBins = 1000;  // farther, nothing is a lobe
   static constexpr double kRemembered_s = 8.0;
