@@ -225,7 +225,7 @@ double LandMap::surrounded_at(Place place, double half_m) const {
         directions |= 1u << direction_of(east, north);
     }
   }
-  return clamped((bits_of(directions) - 4) / 4.0);
+  return clamped((bits_of(directions) - 5) / 3.0);
 }
 
 LandMap::Spot LandMap::spot(const GeoPoint& own_ship, TrueBearing bearing, double range_m) const {
