@@ -53,8 +53,8 @@ class LandMap {
   //
   // 0 to 1, the greatest of:
   // - 1 where an extended echo was in twelve of the last sixteen turns, less in fewer; half of that
-  //   within half a cell of such a cell.  Not more than 1.8 cells, 90 m, from the echo, so a ship
-  //   that passes 100 m off is free;
+  //   within half a cell of such a cell.  Not more than 1.8 cells from the echo, so a ship that
+  //   passes 100 m off is free; 200 m on 6 NM, where a beam is as wide;
   // - a third where lasting echoes (six turns of sixteen) lie in six of the eight directions, two
   // or
   //   three cells off, or the next two beyond half the echo's size; two thirds in seven, 1 in all.
