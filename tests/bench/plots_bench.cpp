@@ -116,6 +116,8 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   const scenes::NamedScene sea = bench::sea_and_ships();
   const auto spokes = bench::spokes_of(sea);
+  bench::add("noise alone",
+             bench::spokes_of(scenes::with(scenes::with(sea, scenes::no_sea), scenes::no_targets)));
   bench::add("noise and 20 ships", bench::spokes_of(scenes::with(sea, scenes::no_sea)));
   bench::add("sea and 20 ships", spokes);
   server::PlotExtractor::Rule mean;

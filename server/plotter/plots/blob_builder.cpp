@@ -39,8 +39,9 @@ void BlobBuilder::add(const VideoRow& row, std::span<const Run> runs,
     put(open_[owner], row, run, thresholds, out);
     now_.push_back({run, owner});
   }
-  for (std::size_t i = 0; i < open_.size(); ++i) {
-    if (open_[i].used && open_[i].last != next_) end(i, out);
+  // Of those open, each has a run in the row before, or in this one.
+  for (const OwnedRun& each : before_) {
+    if (open_[each.open].used && open_[each.open].last != next_) end(each.open, out);
   }
   std::swap(before_, now_);
   ++next_;

@@ -190,9 +190,12 @@ void LandMap::add_plot(Spot spot, bool told) {
   Cell& cell = renewed(place);
   unsigned plots = cell.plots, told_before = cell.told;
   for (const auto& [east, north] : {Place{1, 0}, Place{-1, 0}, Place{0, 1}, Place{0, -1}}) {
-    const Cell beside = now({place.east + east, place.north + north});
-    plots |= beside.plots;
-    told_before |= beside.told;
+    const Place at{place.east + east, place.north + north};
+    const Cell& beside = cells_[index_of(at)];
+    const std::uint32_t turns = turn_ - beside.turn;
+    if (turns > 1 || beside.where != where_of(at)) continue;
+    plots |= static_cast<unsigned>(beside.plots) << turns;
+    told_before |= static_cast<unsigned>(beside.told) << turns;
   }
   cell.plots |= 1;
   if (told) cell.told |= 1;
@@ -225,7 +228,7 @@ double LandMap::surrounded_at(Place place, double half_m) const {
         directions |= 1u << direction_of(east, north);
     }
   }
-  return clamped((bits_of(directions) - 4) / 4.0);
+  return clamped((bits_of(directions) - 5) / 3.0);
 }
 
 LandMap::Spot LandMap::spot(const GeoPoint& own_ship, TrueBearing bearing, double range_m) const {

@@ -53,13 +53,13 @@ class LandMap {
   //
   // 0 to 1, the greatest of:
   // - 1 where an extended echo was in twelve of the last sixteen turns, less in fewer; half of that
-  //   within half a cell of such a cell.  Not more than 1.8 cells, 90 m, from the echo, so a ship
-  //   that passes 100 m off is free;
-  // - a quarter where lasting echoes (six turns of sixteen) lie in five of the eight directions,
-  // two
-  //   or three cells off, or the next two beyond half the echo's size; half in six, and so on.  A
-  //   straight coast is in four, ships at anchor in less; a channel less than five cells wide is in
-  //   all.
+  //   within half a cell of such a cell.  Not more than 1.8 cells from the echo, so a ship that
+  //   passes 100 m off is free; 200 m on 6 NM, where a beam is as wide;
+  // - a third where lasting echoes (six turns of sixteen) lie in six of the eight directions, two
+  // or
+  //   three cells off, or the next two beyond half the echo's size; two thirds in seven, 1 in all.
+  //   A straight coast is in four, ships at anchor in less; a channel less than five cells wide is
+  //   in all.
   double on_land(Spot spot, double half_m) const;
   // 0 to 1: 0 where a plot and a half a turn, or less, are new in the nine squares around; 1 where
   // six are.  Two ships under way make less.

@@ -164,16 +164,16 @@ void LocalThreshold::find(std::span<const std::uint8_t> levels, std::vector<Run>
     const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - first);
     const std::uint8_t* cells = levels.data() + first;
     for (std::size_t i = 0; i < count; ++i) {
-      if (cells[i] <= threshold) {
-        open = false;
-      } else if (open) {
-        out.back().end = static_cast<std::uint32_t>(first + i + 1);
+      if ((cells[i] > threshold) == open) continue;  // mostly: as the cell before
+      const auto at = static_cast<std::uint32_t>(first + i);
+      if (open) {
+        out.back().end = at;
       } else {
-        out.push_back(
-            {static_cast<std::uint32_t>(first + i), static_cast<std::uint32_t>(first + i + 1)});
-        open = true;
+        out.push_back({at, at});
       }
+      open = !open;
     }
+    if (open) out.back().end = static_cast<std::uint32_t>(first + count);
   }
 }
 

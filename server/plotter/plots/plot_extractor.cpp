@@ -13,66 +13,64 @@ namespace {
 // An echo in a single row is noise, or another radar's pulse.
 constexpr int kLeastRows = 2;
 
-// Weighted mean and standard deviation of one coordinate.
-struct Spread {
-  double mean = 0.0, sigma = 0.0;
-  std::uint16_t first = 0xffff, last = 0;
+// One coordinate of an echo, in lines, and how uncertain it is.
+struct Coordinate {
+  double mean = 0.0, lines = 0.0, sigma = 0.0;
 };
 
-template <typename Line>
-Spread spread_of(const std::vector<BlobCell>& cells, Line&& line) {
-  // Integers, so that the order of cells does not matter.
-  std::uint64_t weight = 0, sum = 0, squares = 0;
-  Spread spread;
-  for (const BlobCell& cell : cells) {
-    const std::uint64_t at = line(cell);
-    weight += cell.over;
-    sum += cell.over * at;
-    squares += cell.over * at * at;
-    spread.first = std::min<std::uint16_t>(spread.first, line(cell));
-    spread.last = std::max<std::uint16_t>(spread.last, line(cell));
-  }
-  spread.mean = static_cast<double>(sum) / static_cast<double>(weight);
-  const double square = static_cast<double>(squares) / static_cast<double>(weight);
-  spread.sigma = std::sqrt(std::max(square - spread.mean * spread.mean, 0.0));
-  return spread;
-}
-
+// `sum` and `squares` of the places of lines from `first` to `last`, each weighed, over the weight.
 // A coordinate is as uncertain as a cell (uniform), and as the echo's own spread over the root of
 // the lines that it has: fading makes each line's strength a draw of its own.
-double uncertainty(const Spread& spread, double line) {
-  const double lines = spread.last - spread.first + 1.0;
-  return line * std::sqrt(1.0 / 12.0 + spread.sigma * spread.sigma / lines);
+Coordinate coordinate(std::uint64_t weight, std::uint64_t sum, std::uint64_t squares, int first,
+                      int last) {
+  Coordinate one;
+  one.mean = static_cast<double>(sum) / static_cast<double>(weight);
+  one.lines = last - first + 1.0;
+  const double square = static_cast<double>(squares) / static_cast<double>(weight);
+  const double spread = std::max(square - one.mean * one.mean, 0.0);
+  one.sigma = std::sqrt(1.0 / 12.0 + spread / one.lines);
+  return one;
 }
 
 // How wide a point is that stands so many levels over the threshold: a Gaussian beam falls by 24
 // dB, there and back, a beam width off its middle.
 double point_width(double beam, double over_db) { return 2.0 * beam * std::sqrt(over_db / 24.0); }
 
-// Two peaks and a valley are three lines, of rows or of cells.
-bool may_be_several(const Blob& blob) {
-  if (blob.rows.size() >= 3) return true;
-  std::uint16_t nearest = 0xffff, farthest = 0;
-  for (const BlobCell& cell : blob.cells) {
-    nearest = std::min(nearest, cell.cell);
-    farthest = std::max(farthest, cell.cell);
-  }
-  return farthest - nearest >= 2;
-}
-
-// How far it reaches along the range or across, the larger; metres, as the radar sees it.
-double size_of(const Blob& blob, const std::vector<BlobCell>& cells) {
-  std::uint16_t nearest = 0xffff, farthest = 0;
-  for (const BlobCell& cell : cells) {
-    nearest = std::min(nearest, cell.cell);
-    farthest = std::max(farthest, cell.cell);
-  }
-  const double rows = cells.back().row - cells.front().row + 1.0;
-  return std::max((farthest - nearest + 1.0) * blob.cell_m,
-                  rows * blob.row_width_rad * farthest * blob.cell_m);
-}
-
 }  // namespace
+
+// Of an echo's cells, in one pass: sums in integers, so that their order does not matter.
+struct PlotExtractor::Shape {
+  explicit Shape(const std::vector<BlobCell>& of)
+      : first_row(of.front().row), last_row(of.back().row) {  // they come by row
+    for (const BlobCell& cell : of) {
+      const std::uint64_t weighed_row = std::uint64_t{cell.over} * cell.row;
+      const std::uint64_t weighed_cell = std::uint64_t{cell.over} * cell.cell;
+      weight += cell.over;
+      rows += weighed_row;
+      row_squares += weighed_row * cell.row;
+      cells += weighed_cell;
+      cell_squares += weighed_cell * cell.cell;
+      nearest = std::min(nearest, cell.cell);
+      farthest = std::max(farthest, cell.cell);
+      over = std::max(over, cell.over);
+      greatest = std::max(greatest, cell.level);
+    }
+  }
+
+  // Two peaks and a valley are three lines, of rows or of cells.
+  bool may_be_several() const { return last_row - first_row >= 2 || farthest - nearest >= 2; }
+  // How far it reaches along the range or across, the larger; metres, as the radar sees it.
+  double size_m(const Blob& blob) const {
+    return std::max(farthest - nearest + 1.0,
+                    (last_row - first_row + 1.0) * blob.row_width_rad * farthest) *
+           blob.cell_m;
+  }
+
+  int first_row, last_row;
+  std::uint64_t weight = 0, rows = 0, row_squares = 0, cells = 0, cell_squares = 0;
+  std::uint16_t nearest = 0xffff, farthest = 0;
+  std::uint8_t over = 0, greatest = 0;
+};
 
 PlotExtractor::PlotExtractor(const Rule& rule)
     : rule_(rule),
@@ -129,33 +127,34 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
   counts_.blobs += blobs_.size();
   const std::size_t before = out.size();
   for (const Blob& blob : blobs_) {
-    if (blob.extended || !may_be_several(blob)) {
-      take(blob, blob.cells, false, out);
+    const Shape shape(blob.cells);
+    if (blob.extended || !shape.may_be_several()) {
+      take(blob, blob.cells, shape, false, out);
       continue;
     }
     // What is below a bar as a whole is not told apart.
-    if (take(blob, blob.cells, true, out)) continue;
+    if (take(blob, blob.cells, shape, true, out)) continue;
     for (const std::vector<BlobCell>& cells : split(blob, rule_.valley))
-      take(blob, cells, false, out);
+      take(blob, cells, Shape(cells), false, out);
   }
   builder_.give_back(blobs_);
   counts_.plots += out.size() - before;
 }
 
-bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, bool only_below,
-                         std::vector<Plot>& out) {
+bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, const Shape& shape,
+                         bool only_below, std::vector<Plot>& out) {
   if (cells.size() < rule_.least_cells) return true;
-  const int width = cells.back().row - cells.front().row + 1;  // they come by row
+  const int width = shape.last_row - shape.first_row + 1;
   if (width < kLeastRows || width * blob.row_width_rad < rule_.least_width * beam_rad_) return true;
-  std::uint8_t over = 0;
-  for (const BlobCell& cell : cells) over = std::max(over, cell.over);
-  if (only_below && (!rule_.bars || over > LandMap::kMostBar)) return false;
-  Plot plot = plot_of(blob, cells, over);
+  if (only_below && (!rule_.bars || shape.over > LandMap::kMostBar)) return false;
+  Plot plot = plot_of(blob, shape);
+  plot.cells = static_cast<std::uint32_t>(cells.size());
   const LandMap::Spot spot = land_.spot(plot.own_ship, plot.bearing, plot.range_m);
-  const bool told = plot.extended || !rule_.bars || over > land_.bar(spot) || land_.lasts(spot);
+  const bool told =
+      plot.extended || !rule_.bars || shape.over > land_.bar(spot) || land_.lasts(spot);
   if (told && only_below) return false;
   if (told) {
-    plot.on_land = land_.on_land(spot, 0.5 * size_of(blob, cells));
+    plot.on_land = land_.on_land(spot, 0.5 * shape.size_m(blob));
     plot.clutter = land_.clutter(spot);
     out.push_back(plot);
     add_echo(blob, cells, plot.extended);
@@ -166,11 +165,11 @@ bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, b
   return true;
 }
 
-Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells,
-                            std::uint8_t over) const {
-  const Spread across = spread_of(cells, [](const BlobCell& cell) { return cell.row; });
-  const Spread along = spread_of(cells, [](const BlobCell& cell) { return cell.cell; });
-  const double width_rad = (across.last - across.first + 1.0) * blob.row_width_rad;
+Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) const {
+  const Coordinate across =
+      coordinate(shape.weight, shape.rows, shape.row_squares, shape.first_row, shape.last_row);
+  const Coordinate along =
+      coordinate(shape.weight, shape.cells, shape.cell_squares, shape.nearest, shape.farthest);
   const auto middle = static_cast<std::size_t>(across.mean + 0.5);
   const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
   Plot plot;
@@ -180,13 +179,13 @@ Plot PlotExtractor::plot_of(const Blob& blob, const std::vector<BlobCell>& cells
   plot.bearing =
       at.bearing + radians((across.mean - static_cast<double>(middle)) * blob.row_width_rad);
   plot.range_m = (along.mean + 0.5) * blob.cell_m;
-  plot.bearing_sigma_rad = uncertainty(across, blob.row_width_rad);
-  plot.range_sigma_m = uncertainty(along, blob.cell_m);
-  plot.length_m = std::max((along.last - along.first + 1.0) * blob.cell_m - rule_.pulse_m, 0.0);
-  for (const BlobCell& cell : cells) plot.greatest = std::max(plot.greatest, cell.level);
-  const double point = point_width(beam_rad_, over / rule_.levels_per_db) + blob.row_width_rad;
-  plot.width_m = std::max((width_rad - point) * plot.range_m, 0.0);
-  plot.cells = static_cast<std::uint32_t>(cells.size());
+  plot.bearing_sigma_rad = across.sigma * blob.row_width_rad;
+  plot.range_sigma_m = along.sigma * blob.cell_m;
+  plot.length_m = std::max(along.lines * blob.cell_m - rule_.pulse_m, 0.0);
+  const double point =
+      point_width(beam_rad_, shape.over / rule_.levels_per_db) + blob.row_width_rad;
+  plot.width_m = std::max((across.lines * blob.row_width_rad - point) * plot.range_m, 0.0);
+  plot.greatest = shape.greatest;
   plot.extended =
       blob.extended || plot.length_m > rule_.most_size_m || plot.width_m > rule_.most_size_m;
   return plot;

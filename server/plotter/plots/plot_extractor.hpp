@@ -56,13 +56,15 @@ class PlotExtractor {
   Counts counts() const;
 
  private:
+  struct Shape;
+
   void take_row(std::vector<Plot>& out);
   void take_blobs(std::vector<Plot>& out);
   // Makes a plot of cells of a blob, unless they are too little or below a bar.  `only_below`: does
   // nothing if it would tell one, and says so by false.
-  bool take(const Blob& blob, const std::vector<BlobCell>& cells, bool only_below,
-            std::vector<Plot>& out);
-  Plot plot_of(const Blob& blob, const std::vector<BlobCell>& cells, std::uint8_t over) const;
+  bool take(const Blob& blob, const std::vector<BlobCell>& cells, const Shape& shape,
+            bool only_below, std::vector<Plot>& out);
+  Plot plot_of(const Blob& blob, const Shape& shape) const;
   void add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended);
 
   Rule rule_;

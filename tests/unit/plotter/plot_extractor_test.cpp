@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "echo/kernel/isa.hpp"
 #include "tests/unit/plotter/made_spokes.hpp"
 
 namespace skerry::server {
@@ -129,6 +130,35 @@ TEST(PlotExtractor, TheSamePlotsHoweverSpokesAreLostElsewhere) {
   ASSERT_EQ(plots.size(), 1u);
   EXPECT_LT(off_deg(plots[0], 90.0), 0.15);
   EXPECT_GT(extractor.counts().spokes_left_out, 0u);
+}
+
+TEST(PlotExtractor, TheSameBitsOnEveryInstructionSet) {
+  MadeRadar radar;
+  radar.range_nm = 0.75;
+  radar.noise_mean = 40.0;
+  radar.noise_sigma = 15.0;
+  radar.turn_deg_s = 1.0;
+  radar.echoes = {{90.0, 700.0, 220.0, 100.0, 300.0}, {10.0, 500.0, 110.0}, {300.0, 900.0, 90.0}};
+  PlotExtractor::Rule rule;
+  rule.threshold.roughnesses = 2.5;  // noise too
+  rule.threshold.least_step = 4;
+  std::vector<std::vector<Plot>> all;
+  for (const echo::Isa isa : {echo::Isa::baseline, echo::Isa::avx2, echo::Isa::avx512}) {
+    echo::force_isa(isa);
+    all.push_back(plots_of(radar, 0, 4 * 2048, rule));
+  }
+  echo::force_isa(echo::best_isa());
+  ASSERT_GT(all[0].size(), 20u);
+  for (const auto& plots : all) {
+    ASSERT_EQ(plots.size(), all[0].size());
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+      const Plot &a = plots[i], &b = all[0][i];
+      ASSERT_TRUE(a.bearing == b.bearing && a.range_m == b.range_m && a.length_m == b.length_m &&
+                  a.width_m == b.width_m && a.bearing_sigma_rad == b.bearing_sigma_rad &&
+                  a.range_sigma_m == b.range_sigma_m && a.on_land == b.on_land &&
+                  a.clutter == b.clutter && a.greatest == b.greatest && a.cells == b.cells);
+    }
+  }
 }
 
 TEST(PlotExtractor, RefusesRulesOutOfTheirRange) {

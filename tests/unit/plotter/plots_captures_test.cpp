@@ -73,7 +73,8 @@ TEST_P(PlotsOfCaptures, ArePlausibleAndTheSameAgain) {
 
 INSTANTIATE_TEST_SUITE_P(
     Recorded, PlotsOfCaptures,
-    // Those of a turn or two, and of a radar switched on, are too short for the map to learn land.
+    // By turns of spokes that came.  Of a turn or two, or with most spokes missing, the map learns
+    // no land.
     testing::Values(Capture{"3g-trueheading.pcap.gz", 100, 180},
                     Capture{"4g-ranges-nm.pcap.gz", 50, 125},
                     Capture{"br24-ranges-nm.pcap.gz", 20, 60},
