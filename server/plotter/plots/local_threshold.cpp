@@ -45,6 +45,7 @@ LocalThreshold::LocalThreshold(const Rule& rule) : rule_(rule) {
   require(rule.guard < rule.around, "guard", "less than around");
   require(rule.rank >= 0.0 && rule.rank <= 1.0, "rank", "0 to 1");
   require(rule.roughnesses >= 0.0 && rule.roughnesses <= 100.0, "roughnesses", "0 to 100");
+  require(rule.spreads >= 0.0 && rule.spreads <= 20.0, "spreads", "0 to 20");
   require(rule.least_step >= 1, "least_step", "at least 1 level");
 }
 
@@ -60,9 +61,9 @@ void LocalThreshold::measure(std::span<const std::uint8_t> levels) {
                  greatest_[full]);
 }
 
-void LocalThreshold::rank_all(Padded& of, std::vector<std::int16_t>& into) {
+void LocalThreshold::rank_all(Padded& of, double share, std::vector<std::int16_t>& into) {
   const std::size_t side = rule_.around - rule_.guard, all = 2 * side;
-  const std::size_t rank = rank_of(rule_.rank, all);
+  const std::size_t rank = rank_of(share, all);
   std::int16_t* values = of.blocks();
   if (blocks_ > 2 * rule_.around) {
     // Beyond the ends stand the smallest and the greatest of values, so many of each that the rank
@@ -71,7 +72,7 @@ void LocalThreshold::rank_all(Padded& of, std::vector<std::int16_t>& into) {
     for (std::size_t missing = 1; missing <= rule_.around; ++missing) {
       std::int16_t pad = 0;
       if (missing <= side) {
-        const std::size_t lows = rank - rank_of(rule_.rank, all - missing);
+        const std::size_t lows = rank - rank_of(share, all - missing);
         pad = lows > low ? 0 : 0x7fff;
         low = lows;
       } else {  // of the guard: each block beyond misses one more of the far ones instead
@@ -91,7 +92,7 @@ void LocalThreshold::rank_all(Padded& of, std::vector<std::int16_t>& into) {
       if (off > rule_.guard && off <= rule_.around) near[count++] = values[i];
     }
     std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
-    into[b] = count > 0 ? near[rank_of(rule_.rank, count)] : std::int16_t{0};
+    into[b] = count > 0 ? near[rank_of(share, count)] : std::int16_t{0};
   }
 }
 
@@ -121,6 +122,22 @@ void LocalThreshold::average_all(Padded& of, std::vector<std::int16_t>& into) {
   }
 }
 
+// Into the deviations, in such measure that `roughnesses` of them are `spreads` of it.
+void LocalThreshold::add_spread() {
+  upper_mean_.resize(blocks_);
+  rank_all(means_, kUpperRank, upper_mean_);
+  const auto share =
+      static_cast<std::int32_t>(rule_.spreads / std::max(rule_.roughnesses, 0.01) * 256.0 + 0.5);
+  for (std::size_t b = 0; b < blocks_; ++b) {
+    const std::int32_t deviation = deviation_around_[b];
+    // Less what means of noise differ by; and of land on one side no more than clutter has.
+    const std::int32_t spread =
+        std::clamp(upper_mean_[b] - mean_around_[b] - deviation * 5 / 8, 0, 2 * deviation);
+    deviation_around_[b] =
+        static_cast<std::int16_t>(std::min(deviation + (spread * share >> 8), 0x7fff));
+  }
+}
+
 void LocalThreshold::set_thresholds() {
   mean_around_.resize(blocks_);
   deviation_around_.resize(blocks_);
@@ -128,8 +145,9 @@ void LocalThreshold::set_thresholds() {
   thresholds_.resize(blocks_);
   over_.resize(blocks_);
   if (rule_.statistic == Statistic::ordered) {
-    rank_all(means_, mean_around_);
-    rank_all(deviations_, deviation_around_);
+    rank_all(means_, rule_.rank, mean_around_);
+    rank_all(deviations_, rule_.rank, deviation_around_);
+    if (rule_.spreads > 0.0) add_spread();
   } else {
     average_all(means_, mean_around_);
     average_all(deviations_, deviation_around_);

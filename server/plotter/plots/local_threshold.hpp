@@ -39,6 +39,7 @@ class LocalThreshold {
  public:
   static constexpr std::uint32_t kBlock = kBlockCells;
   static constexpr std::uint32_t kMostAround = kMostRanked / 2;
+  static constexpr double kUpperRank = 0.8;
 
   struct Rule {
     Statistic statistic = Statistic::ordered;
@@ -50,6 +51,10 @@ class LocalThreshold {
     // must agree, PlotExtractor::Rule::least_width), and at 4.0 three times as many; half a unit
     // more costs 1 dB of sensitivity.  Held from both sides by PlotDetection.
     double roughnesses = 4.25;
+    // And so many times what the blocks around differ by (their mean of rank kUpperRank less that
+    // of `rank`), of Statistic::ordered: cells of sea clutter are alike over a pulse, so a block's
+    // own deviation does not show how far the next block may be.  0 to 20.
+    double spreads = 3.0;
     std::uint8_t least_step = 24;        // over the background, levels
     std::uint8_t most_background = 110;  // levels; what is stronger all around is land, not clutter
   };
@@ -71,7 +76,8 @@ class LocalThreshold {
   };
 
   void measure(std::span<const std::uint8_t> levels);
-  void rank_all(Padded& of, std::vector<std::int16_t>& into);
+  void rank_all(Padded& of, double share, std::vector<std::int16_t>& into);
+  void add_spread();
   void average_all(Padded& of, std::vector<std::int16_t>& into);
   void set_thresholds();
 
@@ -79,7 +85,7 @@ class LocalThreshold {
   std::size_t blocks_ = 0;
   Padded means_, deviations_;
   std::vector<std::uint8_t> greatest_, over_;  // over_: blocks with cells above their threshold
-  std::vector<std::int16_t> mean_around_, deviation_around_;
+  std::vector<std::int16_t> mean_around_, deviation_around_, upper_mean_;
   std::vector<std::uint32_t> sums_;  // of all blocks before
   std::vector<std::uint8_t> backgrounds_, thresholds_;
 };

@@ -82,16 +82,16 @@ std::vector<PlotterScene> plotter_scenes() {
                                      ship("D", "container", 120, 3.2, 235, 15)});
   scenes.push_back(
       {"rain 16 mm/h",
-       sea_of(3, fmt::format("rain_cells: [{{{}, radius_nm: 2.5, rate_mm_h: 16}}]\n", at(45, 4))) +
+       sea_of(3, fmt::format("rain: [{{{}, radius_nm: 2.5, rate_mm_h: 16}}]\n", at(45, 4))) +
            own(0, 10, 12) + crowd(20, 1, 8, 5, 20)});
   scenes.push_back({"sea state 5", sea_of(5) + own(0, 10, 6) + crowd(20, 1, 5.5, 5, 20)});
   scenes.push_back({"anchorage of 60", calm + own(0, 0, 6) + anchorage(60)});
-  scenes.push_back({"fast craft, 70 kn",
+  scenes.push_back({"fast craft, 60 kn",
                     calm + own(0, 10, 6) + "targets:\n" +
-                        fmt::format("  - {{name: F, {}, course_deg: 250, speed_kn: 70, length_m: "
+                        fmt::format("  - {{name: F, {}, course_deg: 250, speed_kn: 60, length_m: "
                                     "35, beam_m: 9, height_m: 8}}\n",
                                     at(60, 5)) +
-                        ship("G", "fast_craft", 300, 5.5, 130, 45) +
+                        ship("G", "fast_craft", 300, 5.5, 130, 34) +
                         ship("A", "coaster", 0, 3, 90, 10),
                     5.0});
   scenes.push_back(

@@ -46,7 +46,7 @@ std::vector<std::uint8_t> plain_thresholds(const Levels& levels, const LocalThre
     means.push_back(sum * 16 / count);
     deviations.push_back(off * 16 / (count * count));
   }
-  const auto one_number = [&](const std::vector<int>& values, int b) {
+  const auto one_number = [&](const std::vector<int>& values, int b, double rank) {
     std::vector<int> before, after;
     for (int i = 0; i < blocks; ++i) {
       const int away = i - b;
@@ -64,7 +64,7 @@ std::vector<std::uint8_t> plain_thresholds(const Levels& levels, const LocalThre
     };
     if (rule.statistic == Statistic::ordered) {
       std::sort(all.begin(), all.end());
-      return all[static_cast<std::size_t>(rule.rank * static_cast<double>(all.size() - 1) + 0.5)];
+      return all[static_cast<std::size_t>(rank * static_cast<double>(all.size() - 1) + 0.5)];
     }
     if (before.empty() || after.empty() || rule.statistic == Statistic::cell_mean) return mean(all);
     return rule.statistic == Statistic::greatest_of ? std::max(mean(before), mean(after))
@@ -72,9 +72,17 @@ std::vector<std::uint8_t> plain_thresholds(const Levels& levels, const LocalThre
   };
   std::vector<std::uint8_t> thresholds;
   for (int b = 0; b < blocks; ++b) {
-    const int background = std::min(one_number(means, b), rule.most_background * 16);
+    const int mean = one_number(means, b, rule.rank);
+    const int background = std::min(mean, rule.most_background * 16);
+    int deviation = one_number(deviations, b, rule.rank);
+    if (rule.statistic == Statistic::ordered) {
+      const int share = static_cast<int>(rule.spreads / rule.roughnesses * 256.0 + 0.5);
+      const int upper = one_number(means, b, LocalThreshold::kUpperRank);
+      const int spread = std::clamp(upper - mean - deviation * 5 / 8, 0, 2 * deviation);
+      deviation += spread * share >> 8;
+    }
     const int steps = static_cast<int>(rule.roughnesses * 256.0 + 0.5);
-    const int over = std::max(rule.least_step * 16, (one_number(deviations, b) * steps) >> 8);
+    const int over = std::max(rule.least_step * 16, (deviation * steps) >> 8);
     thresholds.push_back(static_cast<std::uint8_t>(std::min((background + over) / 16, 255)));
   }
   return thresholds;
@@ -135,7 +143,8 @@ TEST(LocalThreshold, RunsAreTheCellsAboveIt) {
 // deviations of Gaussian cells (1.03 sigma to 0.77).  Over noise, sea that falls with the range,
 // and echoes on up to a quarter of the neighbours.
 TEST(LocalThreshold, IsNearTheOneOverCells) {
-  const LocalThreshold::Rule rule;
+  LocalThreshold::Rule rule;
+  rule.spreads = 0.0;
   LocalThreshold threshold(rule);
   double worst = 0.0, sum = 0.0;
   std::size_t count = 0;
@@ -172,6 +181,33 @@ TEST(LocalThreshold, IsNearTheOneOverCells) {
               sum / static_cast<double>(count), worst);
   EXPECT_LT(std::fabs(sum / static_cast<double>(count)), 0.5);
   EXPECT_LT(worst, 3.0);
+}
+
+// Cells that are alike over a pulse, as those of the sea are, need more than noise of the same
+// deviation in a block; noise needs hardly more, and land on one side takes no more than clutter.
+TEST(LocalThreshold, TheSpreadOfBlocksRaisesItOverTheSeaAlone) {
+  const auto mean_raise = [](const Levels& levels, std::size_t from, std::size_t to) {
+    LocalThreshold::Rule rule;
+    LocalThreshold with(rule);
+    rule.spreads = 0.0;
+    LocalThreshold without(rule);
+    (void)runs_of(with, levels);
+    (void)runs_of(without, levels);
+    double sum = 0.0;
+    for (std::size_t b = from; b < to; ++b) sum += with.thresholds()[b] - without.thresholds()[b];
+    return sum / static_cast<double>(to - from);
+  };
+  const Levels even = noise(4096, 60.0, 10.0, 3);
+  EXPECT_LT(mean_raise(even, 8, 248), 2.0);
+  // Eight cells alike: half a block.
+  Levels sea(4096);
+  const Levels draws = noise(512, 60.0, 20.0, 5);
+  for (std::size_t i = 0; i < sea.size(); ++i)
+    sea[i] = static_cast<std::uint8_t>((draws[i / 8] + even[i]) / 2);
+  EXPECT_GT(mean_raise(sea, 8, 248), 4.0);
+  Levels land = even;
+  for (std::size_t i = 2048; i < land.size(); ++i) land[i] = 190;
+  EXPECT_LT(mean_raise(land, 123, 127), 6.0 * 2.0 * 10.0);
 }
 
 // Land from 600 cells on, an echo just before it, and noise.
