@@ -60,9 +60,9 @@ std::string anchorage(int count) {
   std::string text = "targets:\n";
   for (int i = 0; i < count; ++i) {
     const double nm = 1.0 + 3.0 * std::sqrt((i + 0.5) / count);
-    text += fmt::format(
-        "  - {{name: A{}, ship_class: bulker, {}, course_deg: 250, speed_kn: 0, anchored: true}}\n",
-        i, at(i * 137.508, nm));
+    text +=
+        fmt::format("  - {{name: A{}, ship_class: bulker, {}, course_deg: 250, anchored: true}}\n",
+                    i, at(i * 137.508, nm));
   }
   return text;
 }
@@ -85,7 +85,7 @@ std::vector<PlotterScene> plotter_scenes() {
        sea_of(3, fmt::format("rain: [{{{}, radius_nm: 2.5, rate_mm_h: 16}}]\n", at(45, 4))) +
            own(0, 10, 12) + crowd(20, 1, 8, 5, 20)});
   scenes.push_back({"sea state 5", sea_of(5) + own(0, 10, 6) + crowd(20, 1, 5.5, 5, 20)});
-  scenes.push_back({"anchorage of 60", calm + own(0, 0, 6) + anchorage(60)});
+  scenes.push_back({"anchorage of 60", calm + own(0, 0, 6) + anchorage(60), 10.0, true});
   scenes.push_back({"fast craft, 60 kn",
                     calm + own(0, 10, 6) + "targets:\n" +
                         fmt::format("  - {{name: F, {}, course_deg: 250, speed_kn: 60, length_m: "
@@ -102,8 +102,8 @@ std::vector<PlotterScene> plotter_scenes() {
       {"racon and SART",
        calm + fmt::format("racons: [{{{}, code: K}}]\nsarts: [{{{}}}]\n", at(40, 3), at(300, 2.5)) +
            own(0, 5, 6),
-       10.0, true, false});
-  scenes.push_back({"sea state 5, nothing", sea_of(5) + own(0, 10, 6), 30.0, true, false});
+       10.0, false, false});
+  scenes.push_back({"sea state 5, nothing", sea_of(5) + own(0, 10, 6), 30.0, false, false});
   scenes.push_back(
       {"a coast with no target",
        "name: scene\nseed: 7\nsea: {state: 2, wind_from_deg: 250}\nown_ships:\n  - {name: Own, "

@@ -1,0 +1,61 @@
+// Plots that may be another echo's doing.
+#include "server/plotter/tracks/suspect_echoes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace skerry::server {
+namespace {
+
+Plot plot_at(double bearing_deg, double range_m, int level, double second = 10.0) {
+  Plot plot;
+  plot.bearing = TrueBearing::from(degrees(bearing_deg));
+  plot.range_m = range_m;
+  plot.greatest = static_cast<std::uint8_t>(level);
+  plot.time =
+      ScenarioTime(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(second)));
+  return plot;
+}
+
+TEST(SuspectEchoes, LobesLieAtAStrongEchosRange) {
+  SuspectEchoes suspects;
+  suspects.add(plot_at(50, 6000, 255));
+  EXPECT_TRUE(suspects.is_suspect(plot_at(200, 6010, 120)));
+  EXPECT_FALSE(suspects.is_suspect(plot_at(200, 6010, 240))) << "as strong";
+  EXPECT_FALSE(suspects.is_suspect(plot_at(200, 6150, 120))) << "elsewhere";
+  EXPECT_FALSE(suspects.is_suspect(plot_at(200, 6010, 120, 30.0))) << "long after";
+  EXPECT_FALSE(suspects.is_suspect(plot_at(50, 6000, 255))) << "itself";
+  SuspectEchoes weak;
+  weak.add(plot_at(50, 6000, 150));
+  EXPECT_FALSE(weak.is_suspect(plot_at(200, 6010, 60)));
+}
+
+TEST(SuspectEchoes, AnEchosEchoLiesAtTwiceAndThreeTimesItsRange) {
+  SuspectEchoes suspects;
+  suspects.add(plot_at(359.5, 3000, 255));
+  EXPECT_TRUE(suspects.is_suspect(plot_at(0.3, 6010, 180)));
+  EXPECT_TRUE(suspects.is_suspect(plot_at(359.0, 8990, 120)));
+  EXPECT_FALSE(suspects.is_suspect(plot_at(5.0, 6010, 180))) << "another bearing";
+  EXPECT_FALSE(suspects.is_suspect(plot_at(0.3, 6200, 180))) << "another range";
+  EXPECT_FALSE(suspects.is_suspect(plot_at(0.3, 1500, 180))) << "half of it";
+}
+
+TEST(SuspectEchoes, DotsOfASartLieInSteps) {
+  SuspectEchoes suspects;
+  const auto dot = [](int i) { return plot_at(300.0 + 0.1 * (i % 3), 3000.0 + 1185.28 * i, 150); };
+  for (int i = 0; i < 3; ++i) suspects.add(dot(i));
+  EXPECT_FALSE(suspects.is_suspect(dot(0))) << "three by chance";
+  for (int i = 3; i < 6; ++i) suspects.add(dot(i));
+  for (int i = 0; i < 6; ++i) EXPECT_TRUE(suspects.is_suspect(dot(i))) << i;
+  EXPECT_FALSE(suspects.is_suspect(plot_at(300.0, 3500.0, 150))) << "between them";
+  EXPECT_FALSE(suspects.is_suspect(plot_at(310.0, 3000.0, 150))) << "another bearing";
+}
+
+TEST(SuspectEchoes, ForgetsAndIsBounded) {
+  SuspectEchoes suspects;
+  for (int i = 0; i < 10'000; ++i) suspects.add(plot_at(i * 0.7, 1e5 + i, 255));
+  EXPECT_FALSE(suspects.is_suspect(plot_at(10.0, 1e6, 10)));
+  EXPECT_FALSE(suspects.is_suspect(plot_at(10.0, 0.0, 10)));
+}
+
+}  // namespace
+}  // namespace skerry::server
