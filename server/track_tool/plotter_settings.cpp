@@ -19,7 +19,7 @@ constexpr std::array<PlotterSetting, 7> kSettings = {{
     {"pulse", 0.0, 500.0, "m", false,
      [](const Rule& rule) { return rule.plots.pulse_m; },
      [](Rule& rule, double value) { rule.plots.pulse_m = value; },
-     "length that the pulse adds to an echo"},
+     "length that the pulse adds behind an echo; 0: learnt from the echoes"},
     {"threshold", 0.0, 100.0, "steps", false,
      [](const Rule& rule) { return rule.plots.threshold.roughnesses; },
      [](Rule& rule, double value) { rule.plots.threshold.roughnesses = value; },

@@ -10,6 +10,8 @@
 namespace skerry::server {
 namespace {
 
+// Levels over the threshold of an echo that shows all of its pulse.
+constexpr int kStrongOver = 40;
 // An echo in a single row is noise, or another radar's pulse.
 constexpr int kLeastRows = 2;
 
@@ -75,6 +77,7 @@ struct PlotExtractor::Shape {
 PlotExtractor::PlotExtractor(const Rule& rule)
     : rule_(rule),
       beam_rad_(rule.beam_deg * kRadiansPerTurn / 360.0),
+      pulse_(rule.pulse_m),
       rows_(rule.grain),
       threshold_(rule.threshold),
       builder_({rule.least_cells, kLeastRows}) {
@@ -165,7 +168,7 @@ bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, c
   return true;
 }
 
-Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) const {
+Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) {
   const Coordinate across =
       coordinate(shape.weight, shape.rows, shape.row_squares, shape.first_row, shape.last_row);
   const Coordinate along =
@@ -178,10 +181,14 @@ Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) const {
   plot.own_ship = at.own_ship;
   plot.bearing =
       at.bearing + radians((across.mean - static_cast<double>(middle)) * blob.row_width_rad);
-  plot.range_m = (along.mean + 0.5) * blob.cell_m;
+  const double long_m = along.lines * blob.cell_m;
+  if (shape.over >= kStrongOver && !blob.extended) pulse_.learn(long_m, blob.cell_m);
+  // The pulse lies behind what it shows.
+  const double pulse_m = std::min(pulse_.of(blob.cell_m), long_m);
+  plot.range_m = std::max((along.mean + 0.5) * blob.cell_m - 0.5 * pulse_m, 0.0);
   plot.bearing_sigma_rad = across.sigma * blob.row_width_rad;
   plot.range_sigma_m = along.sigma * blob.cell_m;
-  plot.length_m = std::max(along.lines * blob.cell_m - rule_.pulse_m, 0.0);
+  plot.length_m = long_m - pulse_m;
   const double point =
       point_width(beam_rad_, shape.over / rule_.levels_per_db) + blob.row_width_rad;
   plot.width_m = std::max((across.lines * blob.row_width_rad - point) * plot.range_m, 0.0);

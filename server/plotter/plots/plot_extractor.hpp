@@ -9,6 +9,7 @@
 #include "server/plotter/plots/land_map.hpp"
 #include "server/plotter/plots/local_threshold.hpp"
 #include "server/plotter/plots/plot.hpp"
+#include "server/plotter/plots/pulse_length.hpp"
 #include "server/plotter/plots/video_row.hpp"
 
 namespace skerry::server {
@@ -24,7 +25,7 @@ class PlotExtractor {
     LocalThreshold::Rule threshold;
     // What the set adds to an echo: deducted from its size, and the scale of its errors.
     double beam_deg = 1.2;  // 0.1 to 10; between its points of -3 dB, one way
-    double pulse_m = 20.0;  // 0 to 500
+    double pulse_m = 0.0;   // 0 to 500; 0: learnt from the echoes (pulse_length.hpp)
     double levels_per_db =
         4.0;  // of the video, 0.5 to 20: a strong point is seen by more than the beam
     // Fewer cells of rows, a single row, or an echo narrower than this share of the beam, is noise
@@ -64,11 +65,12 @@ class PlotExtractor {
   // nothing if it would tell one, and says so by false.
   bool take(const Blob& blob, const std::vector<BlobCell>& cells, const Shape& shape,
             bool only_below, std::vector<Plot>& out);
-  Plot plot_of(const Blob& blob, const Shape& shape) const;
+  Plot plot_of(const Blob& blob, const Shape& shape);
   void add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended);
 
   Rule rule_;
   double beam_rad_;
+  PulseLength pulse_;
   RowMaker rows_;
   LocalThreshold threshold_;
   BlobBuilder builder_;

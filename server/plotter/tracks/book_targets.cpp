@@ -32,13 +32,14 @@ bool Tracker::Book::deserves_a_track(const Followed& followed) const {
     return false;
   }
   if (rule_.acquire == Acquire::all) return true;
+  // The middle of an islet wanders as its aspect changes, but never by more than its own length.
   const MotionState& state = target.state();
   const double speed = length_of(state.velocity());
   const double sigma = std::sqrt(std::max(state.covariance(2, 2), state.covariance(3, 3)));
   const double way = length_of(state.place() - target.first_place());
   const double place_sigma = std::sqrt(std::max(state.covariance(0, 0), state.covariance(1, 1)));
   return speed > rule_.least_speed_kn * kKnot && speed > 4.0 * sigma &&
-         way > std::max(25.0, 5.0 * place_sigma);
+         way > std::max({25.0, 5.0 * place_sigma, target.length_m(), target.width_m()});
 }
 
 void Tracker::Book::show(Followed& followed) {

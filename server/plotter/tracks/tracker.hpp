@@ -30,9 +30,9 @@ class Tracker {
   // What becomes a track by itself.
   enum class Acquire : std::uint8_t { none, moving, all };
   struct Rule {
-    std::uint32_t most_tracks = 100;  // 1 to 1000; those that are not shown do not count
+    std::uint32_t most_tracks = 200;  // 1 to 1000; those that are not shown do not count
     Acquire acquire = Acquire::moving;
-    double least_speed_kn = 1.5;   // of what moves, 0 to 20
+    double least_speed_kn = 2.0;   // of what moves, 0 to 20
     double fastest_kn = 75.0;      // 10 to 200
     double furthest_nm = 24.0;     // plots beyond are not used, 0.1 to 120
     double sure_bits = 14.0;       // that a target is none by chance, 3 to 40

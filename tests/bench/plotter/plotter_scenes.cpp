@@ -22,7 +22,7 @@ using namespace skerry::server;
 struct Score {
   double gospa = 0.0, missed = 0.0, made_up = 0.0, truth = 0.0;
   int turns = 0, swaps = 0;
-  double off2 = 0.0;
+  double off2 = 0.0, far_m = 0.0, right_m = 0.0;  // of the tracks from the truth
   int pairs = 0;
   double plots = 0.0, extended = 0.0, seconds = 0.0, followed = 0.0;
   std::set<std::uint32_t> false_numbers, numbers;
@@ -62,6 +62,9 @@ void take(Score& score, const GroundPlane& plane, const World& world, const Plot
     const double off = costs[i * truth.size() + pairs[i]];
     score.off2 += off * off;
     ++score.pairs;
+    const PlanePoint along = (truth[pairs[i]] - own) * (1.0 / length_of(truth[pairs[i]] - own));
+    score.far_m += dot(told[i] - truth[pairs[i]], along);
+    score.right_m -= cross(along, told[i] - truth[pairs[i]]);
     const auto known = whose.find(tracks[i].number);
     if (known != whose.end() && known->second != of[pairs[i]]) ++score.swaps;
     whose[tracks[i].number] = of[pairs[i]];
@@ -133,11 +136,13 @@ int main(int argc, char** argv) {
     const Score s = run(scene, *chart, verbose);
     const double n = s.turns;
     const double hours = (scene.minutes - 1.0) / 60.0;
-    std::printf("%-24s %6.1f %8.0f %8.2f %7.2f %7zu %7.1f %6d %7.1f %7.1f %6.1f %6.2f %5.0f\n",
-                scene.name.c_str(), s.truth / n, s.gospa / n, s.missed / n, s.made_up / n,
-                s.numbers.size(), static_cast<double>(s.false_numbers.size()) / hours, s.swaps,
-                std::sqrt(s.off2 / std::max(s.pairs, 1)), s.plots / n, s.extended / n,
-                1e3 * s.seconds / n, s.followed / n);
+    std::printf(
+        "%-24s %6.1f %8.0f %8.2f %7.2f %7zu %7.1f %6d %7.1f %6.1f %6.1f %7.1f %6.1f %6.2f %5.0f\n",
+        scene.name.c_str(), s.truth / n, s.gospa / n, s.missed / n, s.made_up / n, s.numbers.size(),
+        static_cast<double>(s.false_numbers.size()) / hours, s.swaps,
+        std::sqrt(s.off2 / std::max(s.pairs, 1)), s.far_m / std::max(s.pairs, 1),
+        s.right_m / std::max(s.pairs, 1), s.plots / n, s.extended / n, 1e3 * s.seconds / n,
+        s.followed / n);
     std::fflush(stdout);
   }
 }

@@ -208,7 +208,7 @@ TEST(LandMap, MarksWhatIsOnLandAndLetsShipsPass) {
     radar.echoes = {{90.0, 3000.0, 220.0, 600.0, 2500.0},
                     {200.0, 2000.0, 200.0, 60.0, 20.0},
                     {passing_deg, 2590.0, 200.0, 20.0, 20.0},
-                    {100.0, 2660.0, 220.0}};
+                    {100.0, 2670.0, 220.0}};
     std::vector<Plot> plots;
     for (std::uint64_t i = 0; i < spokes; ++i) extractor.add(radar.spoke(turn * spokes + i), plots);
     if (turn < 12) continue;
@@ -221,7 +221,7 @@ TEST(LandMap, MarksWhatIsOnLandAndLetsShipsPass) {
       } else if (std::fabs(deg - passing_deg) < 0.7 && std::fabs(plot.range_m - 2590.0) < 30.0) {
         ++passing_seen;
         passing = std::max(passing, plot.on_land);
-      } else if (std::fabs(deg - 100.0) < 1.0 && plot.range_m < 2680.0) {
+      } else if (std::fabs(deg - 100.0) < 1.0 && plot.range_m < 2690.0) {
         beacon = std::max(beacon, plot.on_land);
       }
       EXPECT_EQ(plot.clutter, 0.0);

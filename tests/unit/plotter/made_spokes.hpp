@@ -77,8 +77,8 @@ struct MadeRadar {
       const double fall = 4.0 * 24.0 * (off / beam_deg) * (off / beam_deg);
       const double level = echo.level - fall;
       if (level <= 0.0) continue;
-      const double from = echo.range_m - echo.length_m / 2.0 - pulse_m / 2.0;
-      const double to = echo.range_m + echo.length_m / 2.0 + pulse_m / 2.0;
+      const double from = echo.range_m - echo.length_m / 2.0;
+      const double to = echo.range_m + echo.length_m / 2.0 + pulse_m;
       for (auto i = static_cast<std::int64_t>(from / cell_m); static_cast<double>(i) * cell_m < to;
            ++i) {
         if (i < 0 || i >= static_cast<std::int64_t>(geometry.cells)) continue;
