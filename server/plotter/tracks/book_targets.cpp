@@ -14,9 +14,11 @@ namespace {}  // namespace
 void Tracker::Book::judge(Followed& followed) {
   const Target& target = followed.target;
   const bool old = target.hits_ever() >= 10 || followed.number != 0;
-  // A target that is seen in five turns of ten is held (MSC.192(79), 5.25.4.5): by chance it is not
-  // seen in ten running once in a thousand turns.
+  // A young one, which may have been chance, has less time.  A target that is seen in five turns of
+  // ten is held (MSC.192(79), 5.25.4.5): by chance it is not seen in ten running once in a thousand
+  // turns.
   if (target.score_bits() < (old ? 0.0 : -6.0) ||
+      (target.hits_ever() < 20 && target.looks() == 10 && target.hits() <= 2) ||
       (old ? target.looks() == 10 && target.hits() == 0 : target.misses_in_a_row() >= 3)) {
     followed.gone = true;
     return;
@@ -39,7 +41,7 @@ bool Tracker::Book::deserves_a_track(const Followed& followed) const {
   const double way = length_of(state.place() - target.first_place());
   const double place_sigma = std::sqrt(std::max(state.covariance(0, 0), state.covariance(1, 1)));
   return speed > rule_.least_speed_kn * kKnot && speed > 4.0 * sigma &&
-         way > std::max({25.0, 5.0 * place_sigma, target.length_m(), target.width_m()});
+         way > std::max({25.0, 3.0 * place_sigma, target.length_m(), target.width_m()});
 }
 
 void Tracker::Book::show(Followed& followed) {
