@@ -22,6 +22,24 @@ struct JudgeOptions {
   std::string tables, page;
 };
 
+// What is wrong with the outputs, before anything is read.
+std::string misuse(const JudgeOptions& options) {
+  if (options.page.empty()) return "";
+  if (!options.page.ends_with(".html")) {
+    return fmt::format("--page {}: expected a file that ends in .html", options.page);
+  }
+  std::vector<std::string> inputs = options.request.told;
+  inputs.push_back(options.request.truth);
+  inputs.push_back(options.request.scans);
+  for (const std::string& input : inputs) {
+    std::error_code ignored;
+    if (input == options.page || std::filesystem::equivalent(input, options.page, ignored)) {
+      return fmt::format("{} would be written over", input);
+    }
+  }
+  return "";
+}
+
 int judge_files(const JudgeOptions& options) {
   JudgeRequest request = options.request;
   if (options.within_nm > 0.0)
@@ -115,6 +133,10 @@ echo::Command make_judge_command(CLI::App& app) {
                          !has_truth  ? "no truth; expected --truth FILE or --scans FILE"
                          : !has_told ? "nothing to judge; expected --told FILE or --baseline NAME"
                                      : "--baseline needs plots; expected --scans FILE");
+              return echo::kExitUsage;
+            }
+            if (const std::string why = misuse(*options); !why.empty()) {
+              fmt::print(stderr, "skerry track judge: {}\n", why);
               return echo::kExitUsage;
             }
             return judge_files(*options);

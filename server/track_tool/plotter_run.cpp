@@ -16,6 +16,9 @@ class OneRun {
   void add(const Spoke& spoke) {
     if (scan_ && *scan_ != spoke.header.scan) end_turn();
     scan_ = spoke.header.scan;
+    if (!first_) first_ = spoke.header;
+    if (spoke.header.heading != first_->heading) run_.heading_changes = true;
+    if (spoke.header.own_ship != first_->own_ship) run_.place_changes = true;
     plotter_.add(spoke);
     take_plots();
   }
@@ -45,6 +48,7 @@ class OneRun {
   Plotter plotter_;
   const PlotterOutput& output_;
   std::optional<std::uint32_t> scan_;
+  std::optional<SpokeHeader> first_;
   std::set<std::uint32_t> seen_;
   PlotterRun run_;
 };

@@ -20,6 +20,8 @@ struct PlotterRun {
   SpokesTaken spokes;
   std::uint64_t turns = 0, plots = 0;
   std::uint32_t tracks = 0;  // tracked at some turn's end
+  // Some spoke tells another heading, or place of own ship, than the first one.
+  bool heading_changes = false, place_changes = false;
 };
 
 // A turn ends before the first spoke of another scan.

@@ -11,7 +11,7 @@ namespace {
 using Rule = Plotter::Rule;
 
 // clang-format off
-constexpr std::array<PlotterSetting, 7> kSettings = {{
+constexpr std::array<PlotterSetting, 9> kSettings = {{
     {"beam", 0.1, 10.0, "deg", false,
      [](const Rule& rule) { return rule.plots.beam_deg; },
      [](Rule& rule, double value) { rule.plots.beam_deg = value; },
@@ -42,6 +42,14 @@ constexpr std::array<PlotterSetting, 7> kSettings = {{
      [](const Rule& rule) { return static_cast<double>(rule.tracks.most_tracks); },
      [](Rule& rule, double value) { rule.tracks.most_tracks = static_cast<std::uint32_t>(value); },
      "targets that are tracked at once"},
+    {"acquire", 0.0, 2.0, "", true,
+     [](const Rule& rule) { return static_cast<double>(rule.tracks.acquire); },
+     [](Rule& rule, double value) { rule.tracks.acquire = static_cast<Tracker::Acquire>(value); },
+     "what is tracked by itself: 0 nothing, 1 what moves, 2 also what stays, as ships at anchor"},
+    {"least-speed", 0.0, 20.0, "kn", false,
+     [](const Rule& rule) { return rule.tracks.least_speed_kn; },
+     [](Rule& rule, double value) { rule.tracks.least_speed_kn = value; },
+     "of what moves"},
 }};
 // clang-format on
 

@@ -104,6 +104,12 @@ int track_file(const TrackOptions& options) {
     warn(fmt::format("{} and {} could not be read", counted(run.spokes.refused, "spoke"),
                      counted(run.spokes.chunks, "chunk")));
   }
+  if (!run.heading_changes) {
+    warn("no change of heading is told: if own ship yawed, what lay still seems to move");
+  }
+  if (!run.place_changes) {
+    warn("no way of own ship is told: if she sailed, courses and speeds are relative to her");
+  }
   if (writer) writer->finish();
   if (plots) plots->finish();
   if (tracks) tracks->finish();
