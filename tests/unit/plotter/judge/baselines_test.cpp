@@ -158,8 +158,8 @@ TEST(Baselines, FollowTheBoatsOfARealHarbour) {
     const ReadScans read = read_scans_jsonl(text, name);
     EXPECT_EQ(read.notes.left_out(), 0u) << name;
     EXPECT_EQ(read.truth.targets.size(), 2u);
-    for (const Told& told : {skerry_tracks(read.scans), baseline_radar_pi(read.scans),
-                             baseline_mayara(read.scans)}) {
+    for (const Told& told :
+         {skerry_tracks(read.scans), baseline_radar_pi(read.scans), baseline_mayara(read.scans)}) {
       JudgeRule narrow, wide;
       narrow.cut_m = 50.0;
       const SceneScore score = track_score(read.truth, told, narrow);
