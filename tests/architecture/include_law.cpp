@@ -205,8 +205,8 @@ const std::vector<Room>& table() {
       // Who judges trackers knows the truth, and what any of them told.
       {"server/plotter/judge",
        {"protocol/quantity/", "protocol/nmea/", "protocol/signalk/json.hpp",
-        "echo/chart/local_plane.hpp", "server/page/", "server/plotter/assignment/",
-        "server/plotter/judge/baselines/", "server/plotter/tracks/"}},
+        "echo/chart/local_plane.hpp", "echo/kernel/exact_math.hpp", "server/page/",
+        "server/plotter/assignment/", "server/plotter/judge/baselines/", "server/plotter/tracks/"}},
       {"server/plotter/judge/baselines",
        {"protocol/quantity/", "echo/chart/local_plane.hpp", "server/plotter/judge/"}},
       // Clients know the protocol, never the server nor how an echo is made.

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
 
@@ -20,8 +21,9 @@ ScenarioTime time_of(double utc_s, double first_s) {
 }
 
 double compass_deg(PlanePoint v) {
-  const double deg = std::atan2(v.east_m, v.north_m) * kDegreesPerRadian;
-  return deg < 0.0 ? deg + 360.0 : deg;
+  double deg = echo::exact_atan2(v.east_m, v.north_m) * kDegreesPerRadian;
+  if (deg < 0.0) deg += 360.0;
+  return deg < 360.0 ? deg : 0.0;
 }
 
 ToldPoint told_point(const PlottedTrack& track, double utc_s) {

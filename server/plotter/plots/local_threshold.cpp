@@ -152,7 +152,7 @@ void LocalThreshold::set_thresholds() {
     average_all(means_, mean_around_);
     average_all(deviations_, deviation_around_);
   }
-  // A deviation is at most 2040: far from 2^31, with 100 roughnesses.
+  // A deviation is at most 2^15, with 100 roughnesses 8.4e8: below 2^31.
   set_block_thresholds(mean_around_.data(), deviation_around_.data(), greatest_.data(), blocks_,
                        static_cast<std::int32_t>(rule_.most_background * kFine),
                        static_cast<std::int32_t>(rule_.least_step * kFine),

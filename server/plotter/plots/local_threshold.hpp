@@ -53,7 +53,8 @@ class LocalThreshold {
     double roughnesses = 4.25;
     // And so many times what the blocks around differ by (their mean of rank kUpperRank less that
     // of `rank`), of Statistic::ordered: cells of sea clutter are alike over a pulse, so a block's
-    // own deviation does not show how far the next block may be.  0 to 20.
+    // own deviation does not show how far the next block may be.  0 to 20; counts beside
+    // roughnesses, and with none of those not at all.
     double spreads = 3.0;
     std::uint8_t least_step = 24;        // over the background, levels
     std::uint8_t most_background = 110;  // levels; what is stronger all around is land, not clutter

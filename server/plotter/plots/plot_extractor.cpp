@@ -85,6 +85,14 @@ PlotExtractor::PlotExtractor(const Rule& rule)
     throw std::invalid_argument("beam_deg: must be 0.1 to 10");
   if (!(rule.pulse_m >= 0.0 && rule.pulse_m <= 500.0))
     throw std::invalid_argument("pulse_m: must be 0 to 500");
+  if (!(rule.least_width >= 0.0 && rule.least_width <= 10.0))
+    throw std::invalid_argument("least_width: must be 0 to 10");
+  if (!(rule.most_size_m >= 1.0 && rule.most_size_m <= 1e5))
+    throw std::invalid_argument("most_size_m: must be 1 to 100000");
+  if (!(rule.grain.width_deg >= 0.01 && rule.grain.width_deg <= 10.0))
+    throw std::invalid_argument("grain.width_deg: must be 0.01 to 10");
+  if (!(rule.grain.cell_m >= 0.1 && rule.grain.cell_m <= 1000.0))
+    throw std::invalid_argument("grain.cell_m: must be 0.1 to 1000");
   if (!(rule.levels_per_db >= 0.5 && rule.levels_per_db <= 20.0))
     throw std::invalid_argument("levels_per_db: must be 0.5 to 20");
 }

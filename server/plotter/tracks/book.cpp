@@ -19,6 +19,9 @@ constexpr auto kLongestBack = std::chrono::seconds(1);  // a clock that is put r
 // Beyond, a target is too little known to take a plot.  A plot may be some tenths of a second older
 // than the step: at 75 kn 15 m, of which a gate has several times as much.
 constexpr double kWidestGate_m = 800.0;
+constexpr double kLongestUnseen_s = 120.0;
+constexpr double kLongestStand_s = 2.0;  // of an antenna that stands still
+constexpr std::size_t kMostPlotsOfOne = 16;
 // Competing for plots at once; in clutter chains of rivals would have no end.
 constexpr std::size_t kMostRivals = 48;
 constexpr double kOnLand = 0.45;           // Plot::on_land; half is beside it
@@ -28,10 +31,16 @@ bool is_on_earth(GeoPoint point) {
   return std::fabs(point.latitude_deg) <= 90.0 && std::fabs(point.longitude_deg) <= 180.0;
 }
 
+// Two such times have a difference.
+bool is_in_time(ScenarioTime time) {
+  constexpr auto kMost = std::chrono::hours(24 * 365 * 100);
+  return time.time_since_epoch() < kMost && time.time_since_epoch() > -kMost;
+}
+
 // Of numbers that can be reckoned with; NaN is none.
 bool is_sound(const Plot& plot) {
   const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
-  return is_on_earth(plot.own_ship) && within(plot.range_m, 1e6) &&
+  return is_on_earth(plot.own_ship) && is_in_time(plot.time) && within(plot.range_m, 1e6) &&
          within(plot.range_sigma_m, 1e4) && within(plot.bearing_sigma_rad, 1.0) &&
          within(plot.length_m, 1e5) && within(plot.width_m, 1e5);
 }
@@ -41,7 +50,13 @@ bool is_sound(const Plot& plot) {
 // --- what comes
 
 void Tracker::Book::add(const Plot& plot) {
-  if (!plane_ || !is_sound(plot)) return;
+  if (!plane_ || !is_sound(plot) || antenna_.time - plot.time > kLongestPause ||
+      plot.time - antenna_.time > kLongestPause) {
+    return;
+  }
+  // A wide echo is told long after its middle.
+  const double late_deg = wrapped_deg((antenna_.bearing - plot.bearing).in_degrees());
+  if (late_deg > 0.0 && late_deg < 20.0) late_deg_ = std::max(late_deg, 0.999 * late_deg_);
   suspects_.add(plot);
   if (plot.extended || plot.range_m > rule_.furthest_nm * 1852.0) return;
   ++counts_.plots;
@@ -53,7 +68,8 @@ void Tracker::Book::add(const Plot& plot) {
 }
 
 void Tracker::Book::pass(const AntennaPass& antenna) {
-  if (!is_on_earth(antenna.own_ship)) return;
+  if (!is_on_earth(antenna.own_ship) || !is_in_time(antenna.time)) return;
+  const bool first = !plane_;
   const auto pause = antenna.time - antenna_.time;
   const bool leapt =
       plane_ && (pause < -kLongestBack || pause > kLongestPause ||
@@ -65,7 +81,8 @@ void Tracker::Book::pass(const AntennaPass& antenna) {
     const double gone = wrapped_deg((antenna.bearing - antenna_.bearing).in_degrees());
     if (std::fabs(gone) > 2.0 * antenna.width_rad * kDegreesPerRadian + 0.01) gap_ = true;
   }
-  const ScenarioTime reached = leapt || antenna.time > antenna_.time ? antenna.time : antenna_.time;
+  const ScenarioTime reached =
+      first || leapt || antenna.time > antenna_.time ? antenna.time : antenna_.time;
   antenna_ = antenna;
   antenna_.time = reached;
   own_place_ = plane_->to_plane(antenna.own_ship);
@@ -76,8 +93,14 @@ void Tracker::Book::pass(const AntennaPass& antenna) {
   north_deg_ = -plane_->true_less_plane_degrees(antenna.own_ship);
   own_motion_.take(own_place_, reached);
   const double bearing_deg = antenna.bearing.in_degrees();
-  if (std::fabs(wrapped_deg(bearing_deg - stepped_deg_)) < kStep_deg) return;
+  const double gone_deg = std::fabs(wrapped_deg(bearing_deg - stepped_deg_));
+  const double gone_s = in_seconds(reached - stepped_);
+  if (gone_deg < kStep_deg && gone_s < kLongestStand_s) return;
+  if (gone_deg >= kStep_deg) {
+    turn_s_ += 0.05 * (std::clamp(gone_s * 360.0 / gone_deg, 0.5, 120.0) - turn_s_);
+  }
   stepped_deg_ = bearing_deg;
+  stepped_ = reached;
   step();
   gap_ = false;
 }
@@ -101,13 +124,17 @@ void Tracker::Book::step() {
 
 Tracker::Book::Sight Tracker::Book::look_for(Followed& followed) {
   Target& target = followed.target;
-  const PlanePoint place = target.place_at(antenna_.time);
+  const PlanePoint place = target.expected_at(antenna_.time);
   const double range_m = length_of(place - own_place_);
-  Sight sight{place, std::min(target.gate_m(), kWidestGate_m), off_deg(place)};
+  const double unseen_s = in_seconds(antenna_.time - target.last_seen());
+  const double widest_m = std::max(kWidestGate_m, 1.5 * rule_.fastest_kn * kKnot * turn_s_);
+  const Sight sight{place, std::min(target.gate_m(antenna_.time), widest_m), off_deg(place)};
+  // What is not seen for long is lost, also where it could not be seen.
+  if (unseen_s > std::max(kLongestUnseen_s, 12.0 * turn_s_)) followed.gone = true;
   // Until the antenna has passed all of it, and the plot is complete.
   const double hull_m = 0.5 * std::max(target.length_m(), target.width_m());
   const double across_deg =
-      (sight.gate_m + hull_m) / std::max(range_m, 1.0) * kDegreesPerRadian + 3.0;
+      (sight.gate_m + hull_m) / std::max(range_m, 1.0) * kDegreesPerRadian + late_deg_ + 2.0;
   const bool blind = gap_ || range_m > antenna_.reach_m || range_m < 20.0;
   if (!followed.look.pass(sight.off_deg, std::min(across_deg, Look::kMostHalf_deg), blind)) {
     return sight;
@@ -155,35 +182,56 @@ bool Tracker::Book::waits_for_a_rival(std::size_t who, const Rivals& rivals) con
                      [&](std::size_t i) { return !followed_[i].look.is_over(); });
 }
 
-// The targets that share plots with `first`, it included, and those plots: as far as kMostRivals.
+// Plots within the gate, the nearest of them if there are many; rising.
+std::vector<std::size_t> Tracker::Book::plots_near(const Sight& sight) const {
+  ByEast near;  // by distance, squared
+  const auto first =
+      std::lower_bound(plots_by_east_.begin(), plots_by_east_.end(),
+                       std::pair<double, std::size_t>(sight.place.east_m - sight.gate_m, 0));
+  for (auto at = first; at != plots_by_east_.end() && at->first < sight.place.east_m + sight.gate_m;
+       ++at) {
+    const Open& open = open_[at->second];
+    const PlanePoint off =
+        PlanePoint{open.placed.measured.place(0), open.placed.measured.place(1)} - sight.place;
+    if (open.taken || std::fabs(off.north_m) >= sight.gate_m) continue;
+    near.emplace_back(dot(off, off), at->second);
+  }
+  if (near.size() > kMostPlotsOfOne) {
+    std::nth_element(near.begin(), near.begin() + kMostPlotsOfOne, near.end());
+    near.resize(kMostPlotsOfOne);
+  }
+  std::vector<std::size_t> plots;
+  for (const auto& [distance2, plot] : near) plots.push_back(plot);
+  std::sort(plots.begin(), plots.end());
+  return plots;
+}
+
+// The targets that share plots with `first`, it included, and those plots.  With more than
+// kMostRivals plots it stops: those that are left decide among themselves, over what is left.
 Tracker::Book::Rivals Tracker::Book::rivals_of(std::size_t first) const {
-  Rivals rivals{{first}, {}};
-  const auto from = [](const ByEast& list, double east) {
-    return std::lower_bound(list.begin(), list.end(), std::pair<double, std::size_t>(east, 0));
-  };
+  Rivals rivals;
+  std::vector<std::size_t> waiting{first};
   const auto is_new = [](const std::vector<std::size_t>& list, std::size_t one) {
     return std::find(list.begin(), list.end(), one) == list.end();
   };
-  const auto near = [&](const Sight& sight, const Open& open) {
-    const double north = open.placed.measured.place(1) - sight.place.north_m;
-    const double east = open.placed.measured.place(0) - sight.place.east_m;
-    return std::fabs(east) < sight.gate_m && std::fabs(north) < sight.gate_m;
-  };
-  for (std::size_t next = 0; next < rivals.targets.size(); ++next) {
-    const Sight& sight = sights_[rivals.targets[next]];
-    for (auto at = from(plots_by_east_, sight.place.east_m - sight.gate_m);
-         at != plots_by_east_.end() && at->first < sight.place.east_m + sight.gate_m; ++at) {
-      const Open& open = open_[at->second];
-      if (rivals.plots.size() >= kMostRivals || open.taken || !near(sight, open) ||
-          !is_new(rivals.plots, at->second)) {
-        continue;
-      }
-      rivals.plots.push_back(at->second);
-      for (auto other = from(targets_by_east_, at->first - widest_gate_m_);
-           other != targets_by_east_.end() && other->first < at->first + widest_gate_m_; ++other) {
-        if (rivals.targets.size() >= kMostRivals) break;
-        if (near(sights_[other->second], open) && is_new(rivals.targets, other->second)) {
-          rivals.targets.push_back(other->second);
+  for (std::size_t next = 0; next < waiting.size() && rivals.plots.size() < kMostRivals; ++next) {
+    const std::vector<std::size_t> plots = plots_near(sights_[waiting[next]]);
+    rivals.targets.push_back(waiting[next]);
+    for (const std::size_t p : plots) {
+      if (!is_new(rivals.plots, p)) continue;
+      rivals.plots.push_back(p);
+      const double east = open_[p].placed.measured.place(0);
+      const double north = open_[p].placed.measured.place(1);
+      auto other = std::lower_bound(targets_by_east_.begin(), targets_by_east_.end(),
+                                    std::pair<double, std::size_t>(east - widest_gate_m_, 0));
+      for (; other != targets_by_east_.end() && other->first < east + widest_gate_m_ &&
+             waiting.size() < kMostRivals;
+           ++other) {
+        const Sight& sight = sights_[other->second];
+        if (std::fabs(sight.place.east_m - east) < sight.gate_m &&
+            std::fabs(sight.place.north_m - north) < sight.gate_m &&
+            is_new(waiting, other->second)) {
+          waiting.push_back(other->second);
         }
       }
     }

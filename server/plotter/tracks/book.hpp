@@ -37,7 +37,7 @@ class Tracker::Book {
   Counts counts() const;
 
  private:
-  static constexpr std::size_t kMostFollowed = 2000, kMostPlots = 4000;
+  static constexpr std::size_t kMostFollowed = 2000, kMostPlots = 4000, kMostLost = 1000;
 
   struct Followed {
     Target target;
@@ -71,9 +71,10 @@ class Tracker::Book {
   void sort_by_east();
   void resolve();
   struct Rivals {
-    std::vector<std::size_t> targets, plots;  // rising
+    std::vector<std::size_t> targets, plots;  // rising; of each target all plots are there
   };
   Rivals rivals_of(std::size_t first) const;
+  std::vector<std::size_t> plots_near(const Sight& sight) const;
   bool waits_for_a_rival(std::size_t who, const Rivals& rivals) const;
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
   void judge(Followed& followed);
@@ -82,16 +83,20 @@ class Tracker::Book {
   void begin_new_ones();
   bool belongs_to_a_known_one(const PlacedPlot& plot) const;
   void drop_gone_ones();
+  void tell_lost(const Followed& followed);
   PlottedTrack track_of(const Followed& followed, TrackStatus status) const;
 
   Rule rule_;
   std::optional<GroundPlane> plane_;
   OwnMotion own_motion_;
-  AntennaPass antenna_;     // the last one
-  PlanePoint own_place_;    // then
-  double north_deg_ = 0.0;  // true north there, in the plane
-  double stepped_deg_ = 0.0;
-  bool gap_ = false;  // spokes are missing since the last step
+  AntennaPass antenna_;       // the last one
+  PlanePoint own_place_;      // then
+  double north_deg_ = 0.0;    // true north there, in the plane
+  double stepped_deg_ = 0.0;  // the antenna at the last step
+  ScenarioTime stepped_{};    // when that was
+  double turn_s_ = 2.5;       // of the antenna, as it has been turning lately
+  double late_deg_ = 1.0;     // so far past a plot the antenna is when it is told
+  bool gap_ = false;          // spokes are missing since the last step
   std::vector<Followed> followed_;
   std::vector<Sight> sights_;  // of followed_
   std::vector<Open> open_;

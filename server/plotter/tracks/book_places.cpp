@@ -12,7 +12,7 @@ namespace skerry::server {
 
 void Tracker::Book::begin(const AntennaPass& antenna) {
   for (const Followed& followed : followed_) {
-    if (followed.number != 0) lost_.push_back(track_of(followed, TrackStatus::lost));
+    if (followed.number != 0) tell_lost(followed);
   }
   followed_.clear();
   open_.clear();
@@ -22,6 +22,7 @@ void Tracker::Book::begin(const AntennaPass& antenna) {
   plane_.emplace(antenna.own_ship);
   own_motion_.start(plane_->to_plane(antenna.own_ship), antenna.time);
   stepped_deg_ = antenna.bearing.in_degrees();
+  stepped_ = antenna.time;
   gap_ = true;
 }
 

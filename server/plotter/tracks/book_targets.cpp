@@ -9,7 +9,6 @@
 #include "protocol/quantity/angle.hpp"
 
 namespace skerry::server {
-namespace {}  // namespace
 
 void Tracker::Book::judge(Followed& followed) {
   const Target& target = followed.target;
@@ -18,7 +17,7 @@ void Tracker::Book::judge(Followed& followed) {
   // ten is held (MSC.192(79), 5.25.4.5): by chance it is not seen in ten running once in a thousand
   // turns.
   if (target.score_bits() < (old ? 0.0 : -6.0) ||
-      (target.hits_ever() < 20 && target.looks() == 10 && target.hits() <= 2) ||
+      (target.hits_ever() < 20 && target.looks() == 10 && target.hits() <= 1) ||
       (old ? target.looks() == 10 && target.hits() == 0 : target.misses_in_a_row() >= 3)) {
     followed.gone = true;
     return;
@@ -56,20 +55,28 @@ void Tracker::Book::show(Followed& followed) {
 void Tracker::Book::drop_gone_ones() {
   for (const Followed& followed : followed_) {
     if (!followed.gone || followed.number == 0) continue;
-    lost_.push_back(track_of(followed, TrackStatus::lost));
+    tell_lost(followed);
     --shown_;
   }
   std::erase_if(followed_, [](const Followed& followed) { return followed.gone; });
 }
 
+// As many as anybody asks for.
+void Tracker::Book::tell_lost(const Followed& followed) {
+  if (lost_.size() < kMostLost) lost_.push_back(track_of(followed, TrackStatus::lost));
+}
+
 std::uint32_t Tracker::Book::acquire(GeoPoint point, double within_m) {
-  if (!plane_) return 0;
+  if (!plane_ || !(std::fabs(point.latitude_deg) <= 90.0) ||
+      !(std::fabs(point.longitude_deg) <= 180.0)) {
+    return 0;
+  }
   const PlanePoint place = plane_->to_plane(point);
   Followed* nearest = nullptr;
   double least = within_m;
   for (Followed& followed : followed_) {
     const double off = length_of(followed.target.place_at(antenna_.time) - place);
-    if (off > least || followed.target.hits_ever() < 2) continue;
+    if (!(off <= least) || followed.target.hits_ever() < 2) continue;
     least = off;
     nearest = &followed;
   }

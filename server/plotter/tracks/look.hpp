@@ -10,7 +10,7 @@ class Look {
  public:
   // The antenna is at `off_deg` from the target, -180 to 180, positive past it; the next plot is
   // within `half_deg`, 0 to kMostHalf_deg, of where it is expected.  `blind`: there is no video of
-  // where the target is.  True if this ends the look; then seen() or done() begins the next.
+  // where the target is.  True if this ends the look; done() lets the next begin.
   bool pass(double off_deg, double half_deg, bool blind);
   bool is_over() const { return over_; }
   // There was video all the while: that nothing was seen means something.
@@ -31,6 +31,7 @@ inline bool Look::pass(double off_deg, double half_deg, bool blind) {
   } else if (armed_ && off_deg < half_deg) {
     blind_ = blind_ || blind;
   } else if (armed_) {
+    blind_ = blind_ || blind;
     over_ = true;
   }
   return over_;

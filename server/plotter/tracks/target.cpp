@@ -55,6 +55,22 @@ PlanePoint Target::place_at(ScenarioTime time) const {
   return now.place() + now.velocity() * seconds_between(time_, time);
 }
 
+PlanePoint Target::expected_at(ScenarioTime time) const {
+  return imm_.state().place() + imm_.state().velocity() * seconds_between(time_, time);
+}
+
+double Target::gate_m(ScenarioTime time) const {
+  const double t = std::clamp(seconds_between(time_, time), 0.0, 600.0);
+  const MotionMatrix& p = imm_.state().covariance;
+  const auto axis = [&](int i) {
+    return p(i, i) + 2.0 * t * p(i, i + 2) + t * t * p(i + 2, i + 2);
+  };
+  // And what a change of speed adds (ImmFilter::Rule).
+  const double variance =
+      std::max(axis(0), axis(1)) + 0.03 * t * t * t + noise_scale_ * plot_sigma_m_ * plot_sigma_m_;
+  return std::sqrt(kGate * variance);
+}
+
 void Target::go_on(ScenarioTime time) {
   const double seconds = seconds_between(time_, time);
   if (!(seconds > 0.0)) return;
@@ -76,12 +92,6 @@ Innovation Target::off(const PlacedPlot& plot) const {
   return innovation(imm_.state(), scaled(plot));
 }
 
-double Target::gate_m() const {
-  const MotionMatrix& p = imm_.state().covariance;
-  const double variance = std::max(p(0, 0), p(1, 1)) + noise_scale_ * plot_sigma_m_ * plot_sigma_m_;
-  return std::sqrt(kGate * variance);
-}
-
 void Target::see(const PlacedPlot& plot, double false_per_m2) {
   const MeasuredPlace measured = scaled(plot);
   const Innovation found = innovation(imm_.state(), measured);
@@ -94,13 +104,13 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
     // The mean of what was shown so far, and of the last 25 or so.
     const double shown = std::min(found.distance2, 9.0) / 2.0;
     const double share = std::max(1.0 / 25.0, 1.0 / (hits_ever_ + 2.0));
-    noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) * share), 0.4, 9.0);
+    noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) * share), 1.0, 9.0);
   }
   plot_sigma_m_ = larger_sigma(plot.measured.covariance);
   suspicion_ += ((plot.suspect ? 1.0 : 0.0) - suspicion_) * std::max(0.1, 1.0 / (hits_ever_ + 1.0));
   length_m_ += (plot.plot.length_m - length_m_) / 5.0;
   width_m_ += (plot.plot.width_m - width_m_) / 5.0;
-  last_seen_ = time_;
+  last_seen_ = plot.plot.time;
   looks_ = std::min(looks_ + 1, kLooks);
   seen_ = static_cast<std::uint16_t>((seen_ << 1 | 1) & kLooksMask);
   misses_ = 0;

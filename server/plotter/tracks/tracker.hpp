@@ -35,7 +35,7 @@ class Tracker {
     double least_speed_kn = 2.0;   // of what moves, 0 to 20
     double fastest_kn = 75.0;      // 10 to 200
     double furthest_nm = 24.0;     // plots beyond are not used, 0.1 to 120
-    double sure_bits = 14.0;       // that a target is none by chance, 3 to 40
+    double sure_bits = 20.0;       // that a target is none by chance, 3 to 24
     std::uint32_t least_hits = 4;  // before it is shown, 3 to 20
     // Errors that plots do not know of, standard deviations: of the bow's direction and the
     // antenna's, and of a hull that glints here and there.
@@ -49,8 +49,8 @@ class Tracker {
   Tracker(Tracker&&) noexcept;
   Tracker& operator=(Tracker&&) noexcept;
 
-  // Plots that the antenna has passed, in any order; then how far it has swept.  At least 16 passes
-  // a turn, clockwise.
+  // Plots that the antenna has passed, at most a minute ago, in any order; then how far it has
+  // swept.  At least 16 passes a turn, clockwise.
   void add(const Plot& plot);
   void pass(const AntennaPass& antenna);
 

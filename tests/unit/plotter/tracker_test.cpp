@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "tests/unit/plotter/made_plots.hpp"
@@ -272,6 +273,122 @@ TEST(Tracker, DoesNotLoseWhatItsVideoDoesNotShow) {
   ASSERT_EQ(tracker.tracks().size(), 1u);
   EXPECT_EQ(tracker.tracks()[0].number, 1u);
   EXPECT_TRUE(tracker.take_lost().empty());
+}
+
+TEST(Tracker, AcquiresFastOnesAlsoOfSlowAntennas) {
+  for (const auto& [rpm, speed_kn] :
+       {std::pair{24.0, 75.0}, std::pair{12.0, 60.0}, std::pair{6.0, 50.0}, std::pair{3.0, 35.0}}) {
+    MadeSea sea;
+    sea.rpm = rpm;
+    sea.targets = {{straight_way({-6000, 3000}, 90, speed_kn)}};
+    Tracker tracker(kAll);
+    sail(sea, tracker, 0, 12 * 60.0 / rpm);
+    const auto tracks = tracker.tracks();
+    ASSERT_EQ(tracks.size(), 1u) << rpm << " rpm, " << speed_kn << " kn";
+    EXPECT_NEAR(knots(tracks[0].velocity_mps), speed_kn, 0.1 * speed_kn);
+    EXPECT_GE(tracks[0].hits, 8);
+  }
+}
+
+// Near by and exactly measured, a ship that turns leaves a narrow gate.
+TEST(Tracker, HoldsOneThatTurnsHard) {
+  int lost = 0, runs = 0;
+  for (const double speed_kn : {10.0, 20.0}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed, ++runs) {
+      MadeSea sea;
+      sea.seed = seed;
+      sea.range_sigma_m = 6.0;
+      sea.targets = {{turning_way({1000, 1500}, 180, speed_kn, 3.0, 120, 150)}};
+      Tracker tracker(kAll);
+      sail(sea, tracker, 0, 240);
+      const auto tracks = tracker.tracks();
+      if (tracks.size() != 1 || tracks[0].number != 1) ++lost;
+    }
+  }
+  EXPECT_EQ(lost, 0) << "of " << runs;
+}
+
+// Every turn the same sector has no video, and a target lies in it.
+TEST(Tracker, MissesNothingWhereSpokesAreMissing) {
+  for (const double dark_deg : {12.0, 60.0}) {
+    MadeSea sea;
+    sea.targets = {{straight_way({2000, 2000}, 0, 0)}};
+    Tracker tracker(kAll);
+    sail(sea, tracker, 0, 60);
+    ASSERT_EQ(tracker.tracks().size(), 1u);
+    const double width = 1.0 / kDegreesPerRadian;
+    for (int n = 0; n < 20 * 360; ++n) {
+      const double deg = n % 360;
+      if (std::fabs(deg - 45.0) < dark_deg / 2.0) continue;
+      const double t = 60.0 + n * 2.5 / 360.0;
+      tracker.pass({.time = ScenarioTime(
+                        std::chrono::duration_cast<Duration>(std::chrono::duration<double>(t))),
+                    .utc = {},
+                    .own_ship = sea.origin,
+                    .bearing = TrueBearing::from(degrees(deg)),
+                    .reach_m = sea.reach_m,
+                    .width_rad = width});
+    }
+    EXPECT_EQ(tracker.tracks().size(), 1u) << dark_deg << " deg";
+  }
+}
+
+TEST(Tracker, LosesWhatItCannotSeeForMinutes) {
+  MadeSea sea;
+  sea.targets = {{straight_way({2000, 2000}, 270, 12)}};
+  Tracker tracker(kAll);
+  sail(sea, tracker, 0, 60);
+  sea.reach_m = 1000.0;
+  sea.targets[0].seen = 0.0;
+  sail(sea, tracker, 60, 240);
+  EXPECT_TRUE(tracker.tracks().empty());
+  EXPECT_EQ(tracker.take_lost().size(), 1u);
+}
+
+TEST(Tracker, LosesAllWhenTheAntennaStops) {
+  MadeSea sea;
+  sea.targets = {{straight_way({2000, 2000}, 270, 12)}};
+  Tracker tracker(kAll);
+  sail(sea, tracker, 0, 60);
+  for (int second = 60; second < 300; second += 5) {
+    tracker.pass({.time = ScenarioTime(std::chrono::seconds(second)),
+                  .utc = {},
+                  .own_ship = sea.origin,
+                  .bearing = {},
+                  .reach_m = sea.reach_m,
+                  .width_rad = 0.01});
+  }
+  EXPECT_TRUE(tracker.tracks().empty());
+}
+
+// So near to one another that all compete with all.
+TEST(Tracker, HoldsAFleetInCloseFormation) {
+  MadeSea sea;
+  sea.range_sigma_m = 5.0;
+  sea.bearing_sigma_deg = 0.1;
+  for (int i = 0; i < 64; ++i) {
+    sea.targets.push_back(
+        {straight_way({2000.0 + 60.0 * (i % 8), 2000.0 + 60.0 * (i / 8)}, 45, 10)});
+  }
+  Tracker tracker(kAll);
+  std::size_t lost = 0;
+  sail(sea, tracker, 0, 150, [&](double t) {
+    if (t > 60.0) lost += tracker.take_lost().size();
+  });
+  EXPECT_GE(tracker.tracks().size(), 60u);
+  EXPECT_LE(tracker.tracks().size(), 70u);
+  EXPECT_LE(lost, 4u);
+}
+
+TEST(Tracker, RefusesPlacesThatAreNone) {
+  MadeSea sea;
+  sea.targets = {{straight_way({2000, 2000}, 270, 12)}};
+  Tracker tracker(kAll);
+  sail(sea, tracker, 0, 60);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(tracker.acquire({nan, 3.0}, 100.0), 0u);
+  EXPECT_EQ(tracker.acquire({50.0, 1e300}, 100.0), 0u);
+  EXPECT_EQ(tracker.acquire(sea.origin, nan), 0u);
 }
 
 TEST(Tracker, BeginsAnewWhenTheTimeOrOwnShipLeaps) {
