@@ -191,7 +191,7 @@ TEST(Judging, SaysWhatIsMissing) {
   request.baselines = {"radar_pi"};
   EXPECT_THAT(why(request), HasSubstr("baselines need scans"));
   request.baselines = {"best"};
-  EXPECT_THAT(why(request), HasSubstr("no baseline \"best\"; expected radar_pi, mayara"));
+  EXPECT_THAT(why(request), HasSubstr("no baseline \"best\"; expected skerry, radar_pi, mayara"));
 }
 
 TEST(Judging, GoesFromFilesToScores) {
