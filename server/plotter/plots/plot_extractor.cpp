@@ -193,7 +193,7 @@ Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) {
   if (shape.over >= kStrongOver && !blob.extended) pulse_.learn(long_m, blob.cell_m);
   // The pulse lies behind what it shows.
   const double pulse_m = std::min(pulse_.of(blob.cell_m), long_m);
-  plot.range_m = std::max((along.mean + 0.5) * blob.cell_m - 0.5 * pulse_m, 0.0);
+  plot.range_m = std::max((along.mean + 0.5) * blob.cell_m - 0.5 * pulse_m, 0.5 * blob.cell_m);
   plot.bearing_sigma_rad = across.sigma * blob.row_width_rad;
   plot.range_sigma_m = along.sigma * blob.cell_m;
   plot.length_m = long_m - pulse_m;

@@ -58,7 +58,7 @@ TEST(HostileSpokes, AnotherGeometryRangeAndPlaceEverySpoke) {
     for (std::size_t k = 0; k < spoke.cells.size(); ++k)
       spoke.cells[k] = pattern == 0   ? 255
                        : pattern == 1 ? static_cast<std::uint8_t>(k % 2 * 255)
-                       : pattern == 2 ? static_cast<std::uint8_t>(128.0 + 70.0 * next_draw(state))
+                       : pattern == 2 ? static_cast<std::uint8_t>(128.0 + 36.0 * next_draw(state))
                                       : 0;
     plots.clear();
     extractor.add(spoke, plots);

@@ -138,7 +138,7 @@ TEST(RowKernels, AreThePlainLoopsOnEveryInstructionSet) {
       std::vector<std::uint8_t> cells(count), levels(count);
       std::vector<std::uint16_t> sums(count), before(count);
       for (std::size_t i = 0; i < count; ++i) {
-        cells[i] = static_cast<std::uint8_t>(128.0 + 60.0 * next_draw(state));
+        cells[i] = static_cast<std::uint8_t>(128.0 + 36.0 * next_draw(state));
         before[i] = sums[i] = static_cast<std::uint16_t>(4000.0 + 1000.0 * next_draw(state));
       }
       add_cells(cells.data(), sums.data(), count);
