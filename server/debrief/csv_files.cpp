@@ -5,44 +5,20 @@
 #include <iterator>
 
 #include "server/debrief/words.hpp"
-#include "server/page/csv_cell.hpp"
+#include "server/page/csv_table.hpp"
 
 namespace skerry::server {
 namespace {
 
-class Csv {
- public:
-  explicit Csv(std::string_view names) : text_(names) { text_ += "\r\n"; }
-  Csv& operator<<(std::string_view text) { return put(csv_cell(text)); }
-  Csv& operator<<(const char* text) { return *this << std::string_view(text); }
-  Csv& operator<<(double value) { return put(fmt::format("{:.10g}", value)); }
-  Csv& operator<<(const std::optional<double>& value) { return value ? *this << *value : put(""); }
-  Csv& operator<<(const Moment& when) {
-    return put(fmt::format("{:.3f}", when.at_s)).put(fmt::format("{:.3f}", when.exercise_s));
-  }
-  Csv& operator<<(GeoPoint place) {
-    return put(fmt::format("{:.7f}", place.latitude_deg))
-        .put(fmt::format("{:.7f}", place.longitude_deg));
-  }
-  void end() {
-    text_ += "\r\n";
-    first_ = true;
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  Csv& put(std::string_view cell) {
-    if (!first_) text_ += ',';
-    first_ = false;
-    text_ += cell;
-    return *this;
-  }
-  std::string text_;
-  bool first_ = true;
-};
+CsvTable& operator<<(CsvTable& csv, const Moment& when) {
+  return csv.fixed(when.at_s, 3).fixed(when.exercise_s, 3);
+}
+CsvTable& operator<<(CsvTable& csv, GeoPoint place) {
+  return csv.fixed(place.latitude_deg, 7).fixed(place.longitude_deg, 7);
+}
 
 std::string tracks_csv(const std::vector<ShipTrack>& tracks) {
-  Csv csv(
+  CsvTable csv(
       "at_s,exercise_s,ship,latitude_deg,longitude_deg,heading_deg,course_over_ground_deg,speed_kn,"
       "rate_of_turn_deg_min,rudder_deg,shaft_rpm,engine_percent");
   for (const ShipTrack& track : tracks) {
@@ -57,7 +33,7 @@ std::string tracks_csv(const std::vector<ShipTrack>& tracks) {
 }
 
 std::string passings_csv(const Debrief& debrief) {
-  Csv csv(
+  CsvTable csv(
       "at_s,exercise_s,own_ship,other,least_range_m,bearing_deg,side_of_own_ship_deg,"
       "side_of_other_deg,passed,under_limit_from_s,under_limit_s,least_forecast_m");
   for (const ShipPassing& passing : debrief.passings) {
@@ -75,7 +51,7 @@ std::string passings_csv(const Debrief& debrief) {
 }
 
 std::string ranges_csv(const Debrief& debrief) {
-  Csv csv("at_s,own_ship,other,range_nm");
+  CsvTable csv("at_s,own_ship,other,range_nm");
   for (const ShipPassing& passing : debrief.passings) {
     for (const ShipPassing::Range& range : passing.ranges) {
       csv << range.at_s << passing.own_name << passing.other_name << range.range_nm;
@@ -86,7 +62,7 @@ std::string ranges_csv(const Debrief& debrief) {
 }
 
 std::string mishaps_csv(const Debrief& debrief) {
-  Csv csv("at_s,exercise_s,kind,own_ship,other,latitude_deg,longitude_deg,speed_kn,why");
+  CsvTable csv("at_s,exercise_s,kind,own_ship,other,latitude_deg,longitude_deg,speed_kn,why");
   for (std::size_t i = 0; i < debrief.contacts.size(); ++i) {
     const Contact& contact = debrief.contacts[i];
     csv << debrief.contact_moments[i] << kind_of(contact) << contact.own_name << contact.other_name
@@ -97,7 +73,7 @@ std::string mishaps_csv(const Debrief& debrief) {
 }
 
 std::string timeline_csv(const Debrief& debrief) {
-  Csv csv("at_s,exercise_s,kind,who,text");
+  CsvTable csv("at_s,exercise_s,kind,who,text");
   for (const HappenedLine& line : debrief.happened) {
     csv << line.when << line.kind << line.who << line.text;
     csv.end();
@@ -106,7 +82,7 @@ std::string timeline_csv(const Debrief& debrief) {
 }
 
 std::string reactions_csv(const Debrief& debrief) {
-  Csv csv("at_s,exercise_s,own_ship,stimulus,helm_after_s,engine_after_s,setting_after_s");
+  CsvTable csv("at_s,exercise_s,own_ship,stimulus,helm_after_s,engine_after_s,setting_after_s");
   for (const Reaction& reaction : debrief.reactions) {
     csv << reaction.when << reaction.own_name << reaction.stimulus << reaction.helm_s
         << reaction.engine_s << reaction.setting_s;
@@ -116,7 +92,7 @@ std::string reactions_csv(const Debrief& debrief) {
 }
 
 std::string checks_csv(const Debrief& debrief) {
-  Csv csv("at_s,exercise_s,check,result,detail");
+  CsvTable csv("at_s,exercise_s,check,result,detail");
   for (const JudgedCheck& check : debrief.checks) {
     std::string detail;
     for (const auto& [passed, text] : check.lines) {

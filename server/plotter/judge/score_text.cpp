@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "server/page/csv_cell.hpp"
+#include "server/page/csv_table.hpp"
 #include "server/plotter/judge/read_notes.hpp"
 
 namespace skerry::server {
@@ -32,43 +32,19 @@ std::size_t steady_minutes(Settled settled) {
   return settled == Settled::three_minutes ? 3 : settled == Settled::one_minute ? 1 : 0;
 }
 
-class ScoreCsv {
- public:
-  explicit ScoreCsv(std::string_view names) : text_(names) { text_ += "\r\n"; }
-  ScoreCsv& operator<<(std::string_view text) { return put(csv_cell(text)); }
-  ScoreCsv& operator<<(double value) { return put(fmt::format("{:.10g}", value)); }
-  ScoreCsv& operator<<(std::size_t value) { return put(fmt::format("{}", value)); }
-  ScoreCsv& operator<<(const std::optional<double>& value) {
-    return value ? *this << *value : put("");
-  }
-  ScoreCsv& time(double utc_s) { return put(fmt::format("{:.3f}", utc_s)); }
-  ScoreCsv& accuracy(const Accuracy& accuracy) {
-    return *this << accuracy.steps << accuracy.relative_course_95_deg
-                 << accuracy.relative_speed_95_kn << accuracy.course_95_deg << accuracy.speed_95_kn
-                 << accuracy.cpa_95_nm << accuracy.tcpa_95_min << accuracy.exceeded;
-  }
-  ScoreCsv& rule(const std::optional<FiveOfTen>& rule) {
-    return rule ? *this << rule->due << rule->kept : put("").put("");
-  }
-  void end() {
-    text_ += "\r\n";
-    first_ = true;
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  ScoreCsv& put(std::string_view cell) {
-    if (!first_) text_ += ',';
-    first_ = false;
-    text_ += cell;
-    return *this;
-  }
-  std::string text_;
-  bool first_ = true;
-};
+CsvTable& operator<<(CsvTable& csv, const Accuracy& accuracy) {
+  return csv << accuracy.steps << accuracy.relative_course_95_deg << accuracy.relative_speed_95_kn
+             << accuracy.course_95_deg << accuracy.speed_95_kn << accuracy.cpa_95_nm
+             << accuracy.tcpa_95_min << accuracy.exceeded;
+}
+CsvTable& operator<<(CsvTable& csv, const std::optional<FiveOfTen>& rule) {
+  return rule ? csv << rule->due << rule->kept
+              : csv << ""
+                    << "";
+}
 
 std::string scenes_csv(std::span<const SceneScore> scores) {
-  ScoreCsv csv(
+  CsvTable csv(
       "tracker,cut_m,order,hours,steps,mean_ospa_m,mean_gospa_m,mean_missed,mean_made_up,"
       "tracked_share,never_tracked,swaps,breaks,false_tracks,false_per_hour,false_share,"
       "five_of_ten_due,five_of_ten_kept");
@@ -77,13 +53,14 @@ std::string scenes_csv(std::span<const SceneScore> scores) {
         << score.mean_ospa_m << score.mean_gospa_m << score.mean_missed << score.mean_made_up
         << score.tracked_share << score.never_tracked << score.swaps << score.breaks
         << score.false_tracks << score.false_per_hour << score.false_share;
-    csv.rule(score.five_of_ten).end();
+    csv << score.five_of_ten;
+    csv.end();
   }
   return csv.take();
 }
 
 std::string target_scores_csv(std::span<const SceneScore> scores) {
-  ScoreCsv csv(
+  CsvTable csv(
       "tracker,target,steps,tracked,initiation_s,tracked_share,continuity,numbers,breaks,swaps,"
       "place_rms_m,place_95_m,course_95_deg,speed_95_kn,cpa_95_nm,tcpa_95_min,forecasts,"
       "five_of_ten_due,five_of_ten_kept,"
@@ -97,17 +74,15 @@ std::string target_scores_csv(std::span<const SceneScore> scores) {
           << target.tracked_share << target.continuity << target.numbers << target.breaks
           << target.swaps << target.place_rms_m << target.place_95_m << target.course_95_deg
           << target.speed_95_kn << target.cpa_95_nm << target.tcpa_95_min << target.forecasts;
-      csv.rule(target.five_of_ten)
-          .accuracy(target.after_one_minute)
-          .accuracy(target.after_three_minutes)
-          .end();
+      csv << target.five_of_ten << target.after_one_minute << target.after_three_minutes;
+      csv.end();
     }
   }
   return csv.take();
 }
 
 std::string track_scores_csv(std::span<const SceneScore> scores) {
-  ScoreCsv csv("tracker,track,steps,paired,targets");
+  CsvTable csv("tracker,track,steps,paired,targets");
   for (const SceneScore& score : scores) {
     for (const ToldScore& track : score.tracks) {
       csv << score.name << track.number << track.steps << track.paired << track.targets;
@@ -118,12 +93,12 @@ std::string track_scores_csv(std::span<const SceneScore> scores) {
 }
 
 std::string steps_csv(std::span<const SceneScore> scores) {
-  ScoreCsv csv(
+  CsvTable csv(
       "tracker,utc_s,truth,told,ospa_m,gospa_m,errors_part,missed_part,made_up_part,missed,"
       "made_up");
   for (const SceneScore& score : scores) {
     for (const StepScore& step : score.steps) {
-      (csv << score.name).time(step.utc_s)
+      (csv << score.name).fixed(step.utc_s, 3)
           << step.truth << step.told << step.ospa_m << step.gospa_m << step.errors_part
           << step.missed_part << step.made_up_part << step.missed << step.made_up;
       csv.end();
@@ -133,13 +108,13 @@ std::string steps_csv(std::span<const SceneScore> scores) {
 }
 
 std::string errors_csv(std::span<const SceneScore> scores) {
-  ScoreCsv csv(
+  CsvTable csv(
       "tracker,utc_s,target,track,steady_min,place_m,course_deg,speed_kn,relative_course_deg,"
       "relative_speed_kn,cpa_nm,tcpa_min");
   for (const SceneScore& score : scores) {
     for (const TargetScore& target : score.targets) {
       for (const TrackError& error : target.errors) {
-        (csv << score.name).time(error.utc_s)
+        (csv << score.name).fixed(error.utc_s, 3)
             << target.id << score.tracks[error.track].number << steady_minutes(error.settled)
             << error.place_m << error.course_deg << error.speed_kn << error.relative_course_deg
             << error.relative_speed_kn << error.cpa_nm << error.tcpa_min;
