@@ -34,6 +34,8 @@ class Tracker::Book {
   std::vector<PlottedTrack> take_lost();
   std::uint32_t acquire(GeoPoint place, double within_m);
   bool cancel(std::uint32_t number);
+  void change(const Rule& rule) { rule_ = rule; }
+  void set_areas(std::vector<Area> areas) { areas_ = std::move(areas); }
   Counts counts() const;
 
  private:
@@ -79,6 +81,7 @@ class Tracker::Book {
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
   void judge(Followed& followed);
   bool deserves_a_track(const Followed& followed) const;
+  Acquire acquired_at(PlanePoint place) const;
   void show(Followed& followed);
   void begin_new_ones();
   bool belongs_to_a_known_one(const PlacedPlot& plot) const;
@@ -87,6 +90,7 @@ class Tracker::Book {
   PlottedTrack track_of(const Followed& followed, TrackStatus status) const;
 
   Rule rule_;
+  std::vector<Area> areas_;
   std::optional<GroundPlane> plane_;
   OwnMotion own_motion_;
   AntennaPass antenna_;       // the last one

@@ -27,12 +27,13 @@ void Tracker::Book::judge(Followed& followed) {
 
 bool Tracker::Book::deserves_a_track(const Followed& followed) const {
   const Target& target = followed.target;
-  if (rule_.acquire == Acquire::none || target.hits_ever() < rule_.least_hits ||
+  const Acquire acquire = acquired_at(target.place_at(antenna_.time));
+  if (acquire == Acquire::none || target.hits_ever() < rule_.least_hits ||
       2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits ||
       target.suspicion() > 0.3) {
     return false;
   }
-  if (rule_.acquire == Acquire::all) return true;
+  if (acquire == Acquire::all) return true;
   // The middle of an islet wanders as its aspect changes, but never by more than its own length.
   const MotionState& state = target.state();
   const double speed = length_of(state.velocity());
@@ -41,6 +42,22 @@ bool Tracker::Book::deserves_a_track(const Followed& followed) const {
   const double place_sigma = std::sqrt(std::max(state.covariance(0, 0), state.covariance(1, 1)));
   return speed > rule_.least_speed_kn * kKnot && speed > 4.0 * sigma &&
          way > std::max({25.0, 3.0 * place_sigma, target.length_m(), target.width_m()});
+}
+
+Tracker::Acquire Tracker::Book::acquired_at(PlanePoint place) const {
+  if (areas_.empty()) return rule_.acquire;
+  const PlanePoint from_own = place - own_place_;
+  const double range_m = length_of(from_own);
+  const double bearing = TrueBearing::from(degrees(bearing_of(from_own) - north_deg_)).in_degrees();
+  const auto is_in = [&](const Area& area) {
+    if (range_m < area.inner_m || range_m > area.outer_m) return false;
+    const double width = area.to_deg - area.from_deg;
+    const double past = bearing - area.from_deg;
+    return width == 0.0 ||
+           (past < 0.0 ? past + 360.0 : past) <= (width < 0.0 ? width + 360.0 : width);
+  };
+  const auto area = std::find_if(areas_.begin(), areas_.end(), is_in);
+  return area == areas_.end() ? rule_.acquire : area->acquire;
 }
 
 void Tracker::Book::show(Followed& followed) {

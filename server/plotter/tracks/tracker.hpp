@@ -58,6 +58,18 @@ class Tracker {
   std::vector<PlottedTrack> tracks() const;
   std::vector<PlottedTrack> take_lost();
 
+  // From now on; what is followed stays.  More than `most_tracks` that are shown stay shown.
+  // Errors: as the constructor's; then nothing has changed.
+  void change(const Rule& rule);
+  // Where targets are acquired in another way than Rule::acquire has it, around own ship; the first
+  // that a target is in counts.  From now on, for what is not yet shown.
+  struct Area {
+    double inner_m = 0.0, outer_m = 0.0;
+    double from_deg = 0.0, to_deg = 0.0;  // true, [0, 360], clockwise; equal: all round
+    Acquire acquire = Acquire::all;
+  };
+  void set_areas(std::vector<Area> areas);
+
   // What a mariner orders.  Acquires the echo nearest to a place, within `within_m`: its number, or
   // 0 if there is no echo.
   std::uint32_t acquire(GeoPoint place, double within_m);
