@@ -22,8 +22,10 @@ enum class Kind : std::uint8_t {
   log,
   input,     // what an exercise was given; those of all radars in one order
   exercise,  // the exercise as instructors are told it: truth
+  targets,   // what a view's plotter has
+  plots,     // and what it found in the video
 };
-inline constexpr std::size_t kKinds = 10;
+inline constexpr std::size_t kKinds = 12;
 
 struct Topic {
   Kind kind = Kind::event;

@@ -57,6 +57,10 @@ const std::array<KindRow, kKinds>& kind_rows() {
       {Kind::input, "inputs", "inputs", Scope::recording, cumulated, false, empty<Input>},
       {Kind::exercise, "exercise", "exercise states", Scope::recording, state, true,
        empty<wire::ExerciseState>},
+      {Kind::targets, "targets", "lists of targets", Scope::view, state, false,
+       empty<wire::TargetList>},
+      {Kind::plots, "plots", "lists of plots", Scope::view, copied, false,
+       empty<wire::TargetPlots>},
   }};
   return kRows;
 }

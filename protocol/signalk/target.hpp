@@ -1,4 +1,4 @@
-// Tracked targets as Signal K displays are told of them.
+// Tracked targets, and alerts about them, as Signal K displays are told of them.
 #pragma once
 
 #include <cstdint>
@@ -11,38 +11,29 @@
 
 namespace skerry::signalk {
 
-// A place at sea, how it moves over ground.
-struct Movement {
-  GeoPoint position;
-  double course_deg = 0.0;  // true
-  double speed_mps = 0.0;
-};
-
-struct RangeAndBearing {
-  double range_m = 0.0;
-  double bearing_deg = 0.0;  // true, [0, 360)
-};
-
-// From one place to another within some 100 NM: the great circle, stretched to the ellipsoid's
-// curvature in between.  Error against the geodesic: below 5e-5 of the range and 0.004 deg up to
-// 96 NM and latitude 75 (Target.RangeAndBearingAgreeWithTheGeodesic).
-RangeAndBearing range_and_bearing(GeoPoint from, GeoPoint to);
-
-// The nearest the two come if both go on as they do; nothing if they draw apart or keep their
-// distance.
-struct ClosestApproach {
-  double distance_m = 0.0;
-  double seconds = 0.0;
-};
-std::optional<ClosestApproach> closest_approach(const Movement& own, const Movement& other);
-
+// Absent: not known yet, or not at all.
 struct Target {
+  enum class Status : std::uint8_t { acquiring, tracking, lost };
+
   std::uint32_t number = 0;
-  Movement movement;
+  Status status = Status::tracking;
+  GeoPoint position;
+  double range_m = 0.0;
+  double bearing_deg = 0.0;                     // true
+  std::optional<double> course_deg, speed_mps;  // true
+  std::optional<double> cpa_m, tcpa_s;          // told only if it is to come
   bool acquired_by_hand = false;
+  std::string name;        // of the ship, by AIS; empty: not known
+  std::uint32_t mmsi = 0;  // the same; 0
   UtcTime first_seen{}, last_seen{};
 };
-Json target_document(const Target& target, const Movement& own);
+Json target_document(const Target& target);
+
+// A value of a path below `notifications`; Signal K specification 1.7, "Notifications".
+enum class NotificationState : std::uint8_t { normal, alert, warn, alarm };
+// `sounds`: it is not yet acknowledged.
+Json notification_document(NotificationState state, bool sounds, const std::string& message,
+                           UtcTime time);
 
 // "2026-11-21T08:15:30.250Z"
 std::string iso_time(UtcTime time);

@@ -28,6 +28,8 @@ class JoinedHost final : public RadarHost {
   // Before the NetServer is made.
   void set_recording(RecordingPort* recorder) { recorder_ = recorder; }
   RecordingPort* recording() override { return recorder_; }
+  void set_targets(TargetPort* plotters) { plotters_ = plotters; }  // as set_recording()
+  TargetPort* targets() override { return plotters_; }
 
   wire::Hello hello() const override;
   std::uint32_t radar_count() const override { return count_; }
@@ -75,6 +77,7 @@ class JoinedHost final : public RadarHost {
   std::uint32_t count_;
   std::vector<std::unique_ptr<Overlay>> overlays_;
   RecordingPort* recorder_ = nullptr;
+  TargetPort* plotters_ = nullptr;
 };
 
 }  // namespace skerry::server

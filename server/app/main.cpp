@@ -25,10 +25,13 @@
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
+#include "server/navigation/ship_sensors.hpp"
+#include "server/net/common/encoders.hpp"
 #include "server/net/live/live_inputs.hpp"
 #include "server/net/net_server.hpp"
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
+#include "server/targets/target_service.hpp"
 #include "server/world/scenario.hpp"
 
 namespace {
@@ -131,6 +134,11 @@ class LoggingRecorder {
   LogTap& tap_;
 };
 
+// Own ship as her sensors tell of her, and as recordings have told.
+TargetService::Sensed sensors_of(const RadarHost& host, const SensorErrors& errors) {
+  return [&host, errors](std::uint32_t radar) { return sensed(host.own_ship(radar), errors); };
+}
+
 int run_playback(const Options& options, LogTap& tap) {
   const auto playback = open_playback(options.playback);
   const std::string what = description_of(*playback);
@@ -142,14 +150,18 @@ int run_playback(const Options& options, LogTap& tap) {
   const sigset_t signals = block_signals();
   LoggingRecorder logging(*playback, options.recorder, tap);
   playback->set_recording(&logging.recorder);
+  TargetService plotters(*playback, kNativeFormat, sensors_of(*playback, SensorErrors::none()));
+  playback->set_targets(&plotters);
   NetServer net(*playback, options.net, web_files());
   if (coast) coast->start();
   net.start();
   playback->start();
+  plotters.start();
   logging.recorder.start();
   greet(options, net, "playback of " + what);
   await(signals);
   playback->stop();
+  plotters.stop();
   logging.recorder.stop();
   if (coast) coast->stop();
   net.stop();
@@ -187,17 +199,24 @@ int run(const Options& options, LogTap& tap) {
   RadarHost& host = live ? static_cast<RadarHost&>(live->joined) : radars;
   LoggingRecorder logging(host, options.recorder, tap);
   radars.set_recording(&logging.recorder);
-  if (live) live->joined.set_recording(&logging.recorder);
+  TargetService plotters(host, kNativeFormat, sensors_of(host, options.net.sensors));
+  radars.set_targets(&plotters);
+  if (live) {
+    live->joined.set_recording(&logging.recorder);
+    live->joined.set_targets(&plotters);
+  }
   NetServer net(host, options.net, web_files());
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
   net.start();
   radars.start();
+  plotters.start();
   if (live) live->inputs.start();
   logging.recorder.start();
   greet(options, net, std::to_string(host.radar_count()) + " radars on the air");
   await(signals);
   if (live) live->inputs.stop();
   radars.stop();
+  plotters.stop();
   logging.recorder.stop();
   net.stop();
   return 0;

@@ -39,6 +39,8 @@ class RadarServer : public RadarHost {
   // Sets the recorder.  Call it before start(); the recorder must live as long as this.
   void set_recording(RecordingPort* recorder) { recorder_ = recorder; }
   RecordingPort* recording() override { return recorder_; }
+  void set_targets(TargetPort* plotters) { plotters_ = plotters; }  // as set_recording()
+  TargetPort* targets() override { return plotters_; }
 
   // Scenario time 0 is now.
   void start();
@@ -83,6 +85,7 @@ class RadarServer : public RadarHost {
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
   bool is_shipmate(std::uint32_t radar, std::uint32_t of) const;
   RecordingPort* recorder_ = nullptr;
+  TargetPort* plotters_ = nullptr;
   std::string scenario_name_;
   mutable Timeline timeline_;  // to look at a tick is to make it
   Latest<Epoch> epoch_;        // none before start()

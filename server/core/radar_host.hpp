@@ -13,6 +13,7 @@
 #include "server/core/board_port.hpp"
 #include "server/core/exercise_inputs.hpp"
 #include "server/core/recording_port.hpp"
+#include "server/core/target_port.hpp"
 #include "server/core/traffic.hpp"
 #include "server/core/video_channel.hpp"
 
@@ -59,6 +60,8 @@ class RadarHost {
   // nothing is played back.
   virtual RecordingPort* recording() { return nullptr; }
   virtual PlaybackPort* playback() { return nullptr; }
+  // The plotters of its views; nullptr if there are none.  Set as the recorder is.
+  virtual TargetPort* targets() { return nullptr; }
   // The inputs of the exercise; nullptr if there is none (a playback).
   virtual const ExerciseInputs* exercise() const { return nullptr; }
 

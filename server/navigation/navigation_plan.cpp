@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace skerry::server {
@@ -41,6 +42,16 @@ std::map<NavigationSentence, Duration> NavigationPlan::usual_periods() {
           {rot, 500ms}, {vhw, 1s}, {vbw, 1s}, {rsd, 1s},    {osd, 1s},    {vdm, kAsAisDoes},
           {vdo, 1s},    {ttm, 2s}, {tll, 2s}, {rsa, 500ms}, {rpm, 1s},    {dpt, 1s},
           {mwv, 1s},    {mwd, 1s}, {vdr, 1s}, {xte, 1s}};
+}
+
+bool is_of_targets(NavigationSentence sentence) {
+  return sentence == NavigationSentence::ttm || sentence == NavigationSentence::tll ||
+         sentence == NavigationSentence::ttd;
+}
+
+bool tells_targets(const NavigationPlan& plan) {
+  return std::any_of(plan.periods.begin(), plan.periods.end(),
+                     [](const auto& each) { return is_of_targets(each.first); });
 }
 
 std::optional<std::string> fault_in(const NavigationPlan& plan) {

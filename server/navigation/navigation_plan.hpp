@@ -55,6 +55,12 @@ inline constexpr Duration kAsAisDoes{0};
 inline constexpr Duration kShortestNavigationPeriod = std::chrono::milliseconds(20);
 inline constexpr Duration kLongestNavigationPeriod = std::chrono::hours(1);
 
+// Where tracked targets come from.
+enum class TargetSource : std::uint8_t {
+  plotted,  // the radar's plotter: what its video shows
+  truth,    // where ships really are: for instructors and tests
+};
+
 struct NavigationPlan {
   // A sentence that is not listed is not sent.  Periods: kShortestNavigationPeriod to
   // kLongestNavigationPeriod.
@@ -62,8 +68,9 @@ struct NavigationPlan {
   // The period of names and sizes in AIS (types 5 and 24).  One minute, not the six of M.1371, so
   // that a display that is switched on during an exercise soon has the names.
   Duration static_period = std::chrono::minutes(1);
-  std::uint32_t own_mmsi = 0;        // nine digits; 0: the one that the scenario gives own ship
-  double ais_range_nm = 60.0;        // 1 .. 1000, from own ship: where VHF ends
+  std::uint32_t own_mmsi = 0;  // nine digits; 0: the one that the scenario gives own ship
+  double ais_range_nm = 60.0;  // 1 .. 1000, from own ship: where VHF ends
+  TargetSource targets = TargetSource::plotted;
   double tracking_range_nm = 24.0;   // 0.1 .. 120
   std::size_t tracked_targets = 40;  // 1 .. 99, the nearest; MSC.192(79) asks for 40 at most
   // Whether positions say that they are simulated: mode S, quality 8, and status V, which IEC
@@ -72,6 +79,10 @@ struct NavigationPlan {
 
   static std::map<NavigationSentence, Duration> usual_periods();
 };
+
+// Whether any of its sentences is about tracked targets.
+bool tells_targets(const NavigationPlan& plan);
+bool is_of_targets(NavigationSentence sentence);
 
 // Why the plan cannot be, naming the value and its range.
 std::optional<std::string> fault_in(const NavigationPlan& plan);

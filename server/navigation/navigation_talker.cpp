@@ -11,14 +11,10 @@
 #include "server/navigation/ais_reports.hpp"
 #include "server/navigation/con_sentences.hpp"
 #include "server/navigation/own_ship_sentences.hpp"
+#include "server/navigation/target_sentences.hpp"
 
 namespace skerry::server {
 namespace {
-
-bool is_of_targets(NavigationSentence sentence) {
-  return sentence == NavigationSentence::ttm || sentence == NavigationSentence::tll ||
-         sentence == NavigationSentence::ttd;
-}
 
 // Long enough for every sentence about targets to say that one is lost.
 Duration lost_for(const NavigationPlan& plan) {
@@ -47,7 +43,24 @@ ScenarioTime after(ScenarioTime was, Duration period, ScenarioTime now) {
 NavigationTalker::NavigationTalker(const NavigationPlan& plan)
     : plan_(plan),
       tracks_(plan.tracking_range_nm * Length::kMetresPerNauticalMile, plan.tracked_targets,
-              lost_for(plan)) {}
+              lost_for(plan)),
+      plotted_(plan.tracking_range_nm * Length::kMetresPerNauticalMile, plan.tracked_targets,
+               lost_for(plan)) {}
+
+NavigationTalker::ToldNow NavigationTalker::told_targets(ScenarioTime now,
+                                                         const NavigationWorld& world) {
+  if (plan_.targets == TargetSource::plotted) {
+    const auto list = world.targets();
+    if (list == nullptr) return {};
+    return {plotted_.update(*list, now),
+            UtcTime(Duration(static_cast<std::int64_t>(list->utc_ns())))};
+  }
+  const wire::OwnShip own = world.own_ship();
+  const std::optional<GeoPoint> here = wire::place_known_of(own);
+  if (!here || own.no_motion()) return {};  // CPA needs to know
+  return {true_targets(tracks_.update(*here, world.traffic(), now), own),
+          UtcTime(Duration(static_cast<std::int64_t>(own.utc_ns())))};
+}
 
 std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
                                                      const NavigationWorld& world) {
@@ -59,7 +72,7 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
   }
   std::optional<wire::OwnShip> own;
   std::optional<std::vector<TrafficItem>> traffic;
-  std::optional<std::vector<Track>> tracks;
+  std::optional<ToldNow> told;
   const auto the_own = [&]() -> const wire::OwnShip& {
     if (!own) own = world.own_ship();
     return *own;
@@ -83,13 +96,9 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
     }
     next = after(next, plan_.periods[sentence], now);
     if (is_of_targets(sentence)) {
-      if (!tracks) {
-        const std::optional<GeoPoint> here = wire::place_known_of(the_own());
-        const bool moves = !the_own().no_motion();  // or not; CPA needs to know
-        tracks = here && moves ? tracks_.update(*here, the_traffic(), now) : std::vector<Track>();
-      }
+      if (!told) told = told_targets(now, world);
       if (sentence == NavigationSentence::ttd) ++ttd_identifier_;
-      auto lines = target_sentences(sentence, *tracks, *own, ttd_identifier_);
+      auto lines = target_sentences(sentence, told->targets, told->utc, ttd_identifier_);
       if (sentence == NavigationSentence::ttd) {
         if (!lines.empty()) out.push_back({sentence, std::move(lines)});
       } else {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "protocol/wire/radar.pb.h"
 #include "server/core/traffic.hpp"
 #include "server/navigation/navigation_plan.hpp"
+#include "server/navigation/told_targets.hpp"
 #include "server/navigation/track_table.hpp"
 
 namespace skerry::server {
@@ -21,6 +23,8 @@ class NavigationWorld {
   virtual wire::OwnShip own_ship() const = 0;
   virtual wire::Settings settings() const = 0;
   virtual std::vector<TrafficItem> traffic() const = 0;  // without own ship herself
+  // What the radar's plotter has; nullptr if nothing yet.
+  virtual std::shared_ptr<const wire::TargetList> targets() const = 0;
 };
 
 // Sentences with CR LF that belong together.
@@ -59,8 +63,16 @@ class NavigationTalker {
                std::vector<NavigationMessage>& out);
   std::uint32_t own_mmsi(const wire::OwnShip& own) const;
 
+  // Of plan_.targets, as of now; and when that is.
+  struct ToldNow {
+    std::vector<ToldTarget> targets;
+    UtcTime utc{};
+  };
+  ToldNow told_targets(ScenarioTime now, const NavigationWorld& world);
+
   NavigationPlan plan_;
   TrackTable tracks_;
+  PlottedTargets plotted_;
   bool begun_ = false;
   std::map<NavigationSentence, ScenarioTime> next_;  // of vdm: when to look at the traffic
   std::map<std::uint32_t, Station> stations_;        // by the scenario's number

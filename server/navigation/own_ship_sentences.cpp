@@ -6,7 +6,6 @@
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
 #include "protocol/nmea/radar_sentences.hpp"
-#include "protocol/nmea/tracked_target_data.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
 #include "protocol/wire/own_ship_place.hpp"
@@ -38,44 +37,6 @@ nmea::Vbw log_of(const wire::OwnShip& ship) {
   log.ground_starboard_kn = ship.has_con() ? ship.con().ground_starboard_kn()
                                            : ship.speed_over_ground_kn() * std::sin(drift);
   return log;
-}
-
-nmea::TargetStatus status_of(const Track& track) {
-  return track.lost ? nmea::TargetStatus::lost : nmea::TargetStatus::tracking;
-}
-
-std::string ttm_of(const Track& track, const wire::OwnShip& ship) {
-  const Approach approach =
-      approach_of(track.place, {track.target.course_over_ground_deg, track.target.speed_mps},
-                  {ship.course_over_ground_deg(), ship.speed_over_ground_kn() * kKnot});
-  return encode(nmea::Ttm{.number = track.number,
-                          .range_nm = track.place.range_m / Length::kMetresPerNauticalMile,
-                          .bearing_deg = track.place.bearing_deg,
-                          .speed_kn = track.target.speed_mps / kKnot,
-                          .course_deg = track.target.course_over_ground_deg,
-                          .cpa_nm = approach.cpa_m / Length::kMetresPerNauticalMile,
-                          .tcpa_min = approach.tcpa_s / 60.0,
-                          .name = track.target.name,
-                          .status = status_of(track),
-                          .time_of_day = nmea::time_of_day(utc_of(ship))});
-}
-
-std::string tll_of(const Track& track, const wire::OwnShip& ship) {
-  return encode(nmea::Tll{.number = track.number,
-                          .position = track.target.position,
-                          .name = track.target.name,
-                          .time_of_day = nmea::time_of_day(utc_of(ship)),
-                          .status = status_of(track)});
-}
-
-nmea::TtdTarget ttd_of(const Track& track) {
-  return {.number = track.number,
-          .bearing_deg = track.place.bearing_deg,
-          .speed_kn = track.target.speed_mps / kKnot,
-          .course_deg = track.target.course_over_ground_deg,
-          .heading_deg = track.target.heading_deg,
-          .range_nm = track.place.range_m / Length::kMetresPerNauticalMile,
-          .status = track.lost ? nmea::TtdStatus::lost : nmea::TtdStatus::tracking};
 }
 
 }  // namespace
@@ -128,22 +89,6 @@ std::string own_ship_sentence(NavigationSentence sentence, const wire::OwnShip& 
                               .course_deg = course_deg,
                               .speed_kn = speed_kn});
   }
-}
-
-std::vector<std::string> target_sentences(NavigationSentence sentence,
-                                          const std::vector<Track>& tracks,
-                                          const wire::OwnShip& ship, unsigned identifier) {
-  if (sentence == NavigationSentence::ttd) {
-    std::vector<nmea::TtdTarget> targets;
-    for (const Track& track : tracks) targets.push_back(ttd_of(track));
-    return nmea::encode_ttd(targets, identifier);
-  }
-  std::vector<std::string> lines;
-  for (const Track& track : tracks) {
-    lines.push_back(sentence == NavigationSentence::ttm ? ttm_of(track, ship)
-                                                        : tll_of(track, ship));
-  }
-  return lines;
 }
 
 }  // namespace skerry::server

@@ -48,6 +48,8 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
   wire::Hello hello() const override;
   RecordingPort* recording() override { return recording_; }
   PlaybackPort* playback() override { return this; }
+  void set_targets(TargetPort* plotters) { plotters_ = plotters; }  // as set_recording()
+  TargetPort* targets() override { return plotters_; }
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   wire::Status status() const override;
   std::optional<wire::ExerciseState> exercise_state() const override;
@@ -76,6 +78,7 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
   const std::string server_;
   const bool current_timestamps_;
   RecordingPort* recording_ = nullptr;
+  TargetPort* plotters_ = nullptr;
   CoastlineMaker coastline_;
   bool holds_truth_ = false;
   // Of the last order that was obeyed.

@@ -201,6 +201,16 @@ void RecordingSession::add_ships() {
   }
 }
 
+void RecordingSession::add_targets() {
+  const TargetPort* port = host_.targets();
+  if (plan_.inputs_only || port == nullptr) return;
+  for (const auto& reader : readers_) {
+    const auto news = target_news_.take(*port, reader->radar(), reader->view());
+    if (news.list) add({Kind::targets, reader->radar(), reader->view()}, item_time(), *news.list);
+    if (news.plots) add({Kind::plots, reader->radar(), reader->view()}, item_time(), *news.plots);
+  }
+}
+
 void RecordingSession::add_exercise(const wire::ExerciseState& exercise) {
   add({Kind::exercise}, item_time(), exercise);
   for (const wire::ExerciseMark& mark : exercise_marks_.take(exercise)) {
@@ -235,6 +245,7 @@ bool RecordingSession::step(Steady now) {
   add_inputs();
   add_changes(std::exchange(state_is_lost_, false));
   if (now - ships_told_ >= kShipsEvery) add_ships();
+  add_targets();
   writer_.look_at_clock(now, clock_.at(now));
   keep_rate(now);
   return more;

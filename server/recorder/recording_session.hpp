@@ -15,6 +15,7 @@
 #include "server/recorder/new_marks.hpp"
 #include "server/recorder/series_writer.hpp"
 #include "server/recorder/stream_clock.hpp"
+#include "server/recorder/target_news.hpp"
 #include "server/recorder/view_readers.hpp"
 
 namespace skerry::server {
@@ -62,6 +63,7 @@ class RecordingSession {
   // Adds nothing for a view that has just been closed: its settings are no longer known.
   void add_settings(RingReader& reader, UtcTime time);
   void add_ships();
+  void add_targets();
   void add_exercise(const wire::ExerciseState& exercise);
   void add_event(recording::Event::Kind kind, std::string text, const RingReader* of = nullptr,
                  std::uint64_t count = 0);
@@ -79,6 +81,7 @@ class RecordingSession {
   SeriesWriter writer_;
   Checkpoints checkpoints_;
   NewMarks exercise_marks_;
+  TargetNews target_news_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;
   bool state_is_lost_ = false;
   bool file_begins_ = false;

@@ -161,6 +161,7 @@ NavigationPlan plan_of(const Output& output, const std::string& name) {
   if (output.has_ais_range_nm()) plan.ais_range_nm = output.ais_range_nm();
   if (output.has_tracking_range_nm()) plan.tracking_range_nm = output.tracking_range_nm();
   if (output.has_tracked_targets()) plan.tracked_targets = output.tracked_targets();
+  plan.targets = output.targets() == Output::truth ? TargetSource::truth : TargetSource::plotted;
   plan.says_simulated = output.says_simulated();
   if (const auto fault = fault_in(plan)) throw std::runtime_error(name + ": " + *fault);
   return plan;
@@ -207,10 +208,9 @@ std::vector<OutputKind> make_kinds() {
   const Keys shape = {"view", "spokes", "cells", "bits"};
   const Keys cat240 = {"sac",         "sic",       "nanoseconds", "blocks", "compressed",
                        "time_of_day", "summaries", "start_range", "records"};
-  const Keys sentences = {"address",         "port",
-                          "sentences",       "own_mmsi",
-                          "ais_range_nm",    "tracking_range_nm",
-                          "tracked_targets", "static_period_s",
+  const Keys sentences = {"address",         "port",         "sentences",
+                          "own_mmsi",        "ais_range_nm", "tracking_range_nm",
+                          "tracked_targets", "targets",      "static_period_s",
                           "says_simulated"};
   std::vector<OutputKind> kinds;
   const auto add = [&](std::string_view name, Add how, std::initializer_list<Keys> further) {

@@ -179,8 +179,12 @@ void NetContext::tell_own_ships() {
   };
   SharedBytes exercise;
   for (const auto& [key, feed] : feeds_) {
-    SharedBytes frame;
+    SharedBytes frame, targets;
     for (FeedReader* reader : feed->readers()) {
+      if (is_due(reader->targets_hz())) {
+        if (targets == nullptr) targets = targets_frame(std::get<0>(key), std::get<1>(key));
+        if (targets != nullptr) reader->on_targets(targets);
+      }
       if (is_due(reader->exercise_hz())) {
         if (exercise == nullptr) exercise = exercise_frame();
         if (exercise != nullptr) reader->on_exercise(exercise);
@@ -232,6 +236,15 @@ SharedBytes NetContext::exercise_frame() const {
   if (!state) return nullptr;
   wire::ServerMessage message;
   *message.mutable_exercise() = *std::move(state);
+  return make_frame(message);
+}
+
+SharedBytes NetContext::targets_frame(std::uint32_t radar, std::uint32_t view) const {
+  const TargetPort* port = host.targets();
+  const TargetListPtr list = port == nullptr ? nullptr : port->targets(radar, view);
+  if (list == nullptr) return nullptr;
+  wire::ServerMessage message;
+  *message.mutable_targets() = *list;
   return make_frame(message);
 }
 

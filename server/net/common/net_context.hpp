@@ -99,8 +99,8 @@ class NetContext {
   void tell_recordings(std::chrono::steady_clock::time_point now);
   // Tells the readers of boards what may now wait in the kernel.  Call it once a second.
   void tell_send_buffers();
-  // Sends OwnShip, and the exercise, to the readers whose turn it is.  Call it kOwnShipMostHz times
-  // a second.
+  // Sends OwnShip, the exercise and targets to the readers whose turn it is.  Call it
+  // kOwnShipMostHz times a second.
   void tell_own_ships();
 
   // Own ship as her sensors tell of her: in sentences and Signal K.
@@ -114,6 +114,8 @@ class NetContext {
   SharedBytes world_frame() const;
   // Of a server that has an exercise; else nullptr.
   SharedBytes exercise_frame() const;
+  // Of a view whose targets somebody wants, once there is a list; else nullptr.
+  SharedBytes targets_frame(std::uint32_t radar, std::uint32_t view) const;
   wire::Status status() const;  // any thread
 
  private:

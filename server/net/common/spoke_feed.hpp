@@ -18,7 +18,8 @@ using SharedBytes = std::shared_ptr<const Bytes>;
 using FormatRingPtr = std::shared_ptr<FormatRing>;
 
 // A second.
-inline constexpr std::uint32_t kOwnShipLeastHz = 1, kOwnShipMostHz = 10, kExerciseMostHz = 4;
+inline constexpr std::uint32_t kOwnShipLeastHz = 1, kOwnShipMostHz = 10, kExerciseMostHz = 4,
+                               kTargetsMostHz = 2;
 
 // Told of news; takes the spokes itself, from SpokeFeed::ring() with its own cursor.
 // None of these may add or remove readers.  Thread: net-0.
@@ -31,6 +32,9 @@ class FeedReader {
   // How often it wants on_exercise(): 0 (not at all) .. kExerciseMostHz.
   virtual std::uint32_t exercise_hz() const { return 0; }
   virtual void on_exercise(const SharedBytes& /*frame*/) {}
+  // How often it wants on_targets(): 0 (not at all) .. kTargetsMostHz.
+  virtual std::uint32_t targets_hz() const { return 0; }
+  virtual void on_targets(const SharedBytes& /*frame*/) {}
   virtual void on_settings(const SharedBytes& /*frame*/) {}
   virtual void on_own_ship(const SharedBytes& /*frame*/) {}
   virtual void on_world(const SharedBytes& /*frame*/) {}

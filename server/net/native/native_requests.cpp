@@ -51,6 +51,15 @@ void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastlin
   });
 }
 
+void NativeSession::order_targets(std::uint32_t request, const wire::TargetOrder& order) {
+  TargetPort* port = context_.host.targets();
+  if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server has no plotter");
+  if (!may_control(request, order.token())) return;
+  wire::TargetOrder without_token = order;
+  without_token.clear_token();
+  reply(request, port->order(without_token, origin()));
+}
+
 void NativeSession::record(std::uint32_t request, const wire::Record& record) {
   RecordingPort* port = context_.host.recording();
   if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server does not record");

@@ -136,6 +136,8 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       return ask_board(message);
     case wire::ClientMessage::kGetCoastline:
       return get_coastline(message.request(), message.get_coastline());
+    case wire::ClientMessage::kTargetOrder:
+      return order_targets(message.request(), message.target_order());
     case wire::ClientMessage::kRecord:
       return record(message.request(), message.record());
     case wire::ClientMessage::kPlayback:
@@ -145,7 +147,7 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
   }
   fail(wire::Reply::MALFORMED, "malformed request",
        "a ClientMessage without a kind this server knows; expected subscribe, set, get_status, "
-       "record, playback, get_coastline or one of a board's");
+       "record, playback, get_coastline, target_order or one of a board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
@@ -178,6 +180,11 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
                  fmt::format("exercise_hz: {} is out of range; allowed: 0 to {}",
                              subscribe.exercise_hz(), kExerciseMostHz));
   }
+  if (subscribe.targets_hz() > kTargetsMostHz) {
+    return reply(request, wire::Reply::OUT_OF_RANGE,
+                 fmt::format("targets_hz: {} is out of range; allowed: 0 to {}",
+                             subscribe.targets_hz(), kTargetsMostHz));
+  }
   if (subscribe.exercise_hz() > 0 && !may_control(request, subscribe.token())) return;
   const auto view = view_for(request, subscribe);
   if (!view) return;
@@ -191,6 +198,10 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
   }
   own_ship_hz_ = std::max(subscribe.own_ship_hz(), kOwnShipLeastHz);
   exercise_hz_ = subscribe.exercise_hz();
+  targets_hz_ = subscribe.targets_hz();
+  if (TargetPort* port = context_.host.targets(); port != nullptr && targets_hz_ > 0) {
+    wanted_targets_ = port->want(subscribe.radar(), *view);
+  }
   client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
   client_->view.store(*view, std::memory_order_relaxed);
   spoke_buffer_ = takes_spokes_ ? context_.send_buffer_for(subscribe.radar()) : 0;
@@ -202,7 +213,8 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
            context_.world_frame(),
            std::move(recordings.recorder),
            std::move(recordings.playback),
-           exercise_hz_ > 0 ? context_.exercise_frame() : nullptr};
+           exercise_hz_ > 0 ? context_.exercise_frame() : nullptr,
+           targets_hz_ > 0 ? context_.targets_frame(subscribe.radar(), *view) : nullptr};
   spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
                 subscribe.radar(), *view);
 }
@@ -214,6 +226,7 @@ void NativeSession::unsubscribe() {
   lost_before_ += cursor_.spokes_lost;
   cursor_ = {};
   news_ = {};
+  wanted_targets_ = nullptr;
 }
 
 bool NativeSession::may_control(std::uint32_t request, const std::string& token) {
@@ -281,6 +294,7 @@ void NativeSession::on_settings(const SharedBytes& frame) { tell(kSettings, fram
 void NativeSession::on_own_ship(const SharedBytes& frame) { tell(kOwnShip, frame); }
 void NativeSession::on_world(const SharedBytes& frame) { tell(kWorld, frame); }
 void NativeSession::on_exercise(const SharedBytes& frame) { tell(kExercise, frame); }
+void NativeSession::on_targets(const SharedBytes& frame) { tell(kTargets, frame); }
 void NativeSession::on_recorder(const SharedBytes& frame) { tell(kRecorder, frame); }
 void NativeSession::on_playback(const SharedBytes& frame) { tell(kPlayback, frame); }
 

@@ -49,6 +49,8 @@ class NativeSession final : public Connection,
   std::uint32_t own_ship_hz() const override { return own_ship_hz_; }
   std::uint32_t exercise_hz() const override { return exercise_hz_; }
   void on_exercise(const SharedBytes& frame) override;
+  std::uint32_t targets_hz() const override { return targets_hz_; }
+  void on_targets(const SharedBytes& frame) override;
   void on_settings(const SharedBytes& frame) override;
   void on_own_ship(const SharedBytes& frame) override;
   void on_world(const SharedBytes& frame) override;
@@ -68,6 +70,7 @@ class NativeSession final : public Connection,
   std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
   void set(std::uint32_t request, const wire::Set& set);
   void get_coastline(std::uint32_t request, const wire::GetCoastline& place);
+  void order_targets(std::uint32_t request, const wire::TargetOrder& order);
   void record(std::uint32_t request, const wire::Record& record);
   void control_playback(std::uint32_t request, const wire::Playback& playback);
   // One of the board's kinds.
@@ -105,9 +108,10 @@ class NativeSession final : public Connection,
   SpokeFeed* feed_ = nullptr;  // nullptr: not subscribed
   bool takes_spokes_ = false;
   Cursor cursor_;
-  std::uint32_t own_ship_hz_ = kOwnShipLeastHz, exercise_hz_ = 0;
-  bool coastline_asked_ = false;   // and not yet told
-  std::uint64_t lost_before_ = 0;  // by earlier subscriptions
+  std::uint32_t own_ship_hz_ = kOwnShipLeastHz, exercise_hz_ = 0, targets_hz_ = 0;
+  std::shared_ptr<const void> wanted_targets_;  // TargetPort::want()
+  bool coastline_asked_ = false;                // and not yet told
+  std::uint64_t lost_before_ = 0;               // by earlier subscriptions
 
   // As the log and other consoles name it.
   std::string origin() const { return "console " + client_->peer; }
@@ -126,6 +130,7 @@ class NativeSession final : public Connection,
     kRecorder,
     kPlayback,
     kExercise,
+    kTargets,
     kKindsOfNews
   };
   void tell(News kind, const SharedBytes& frame);

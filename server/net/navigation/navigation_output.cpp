@@ -64,7 +64,7 @@ std::vector<Bytes> packed(const std::vector<std::string>& lines) {
 
 class NavigationOutput::World final : public NavigationWorld {
  public:
-  World(const NetContext& context, std::uint32_t radar)
+  World(NetContext& context, std::uint32_t radar)
       : context_(context), host_(context.host), radar_(radar) {}
   wire::OwnShip own_ship() const override { return context_.sensed_own_ship(radar_); }
   wire::Settings settings() const override { return host_.settings(radar_, 0); }
@@ -76,9 +76,14 @@ class NavigationOutput::World final : public NavigationWorld {
     return all;
   }
 
+  TargetListPtr targets() const override {
+    TargetPort* port = host_.targets();
+    return port == nullptr ? nullptr : port->targets(radar_, 0);
+  }
+
  private:
   const NetContext& context_;
-  const RadarHost& host_;
+  RadarHost& host_;
   std::uint32_t radar_;
 };
 
@@ -185,6 +190,10 @@ std::string NavigationOutput::address() const {
 }
 
 void NavigationOutput::start() {
+  if (TargetPort* port = context_.host.targets(); port != nullptr && tells_targets(config_.plan) &&
+                                                  config_.plan.targets == TargetSource::plotted) {
+    wanted_targets_ = port->want(config_.radar, 0);
+  }
   if (lines_) lines_->start();
   tick();
 }

@@ -46,6 +46,7 @@ class NavigationOutput {
   std::unique_ptr<LineServer> lines_;  // tcp
   std::optional<asio::ip::udp::endpoint> endpoint_;
   OutputPtr counters_;
+  std::shared_ptr<const void> wanted_targets_;  // TargetPort::want()
   Timer timer_;
   bool closed_ = false;
 };

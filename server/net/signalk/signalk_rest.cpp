@@ -124,7 +124,7 @@ class RadarRequest {
     const std::string_view what = part(1);
     const bool puts = request_.method == "PUT", posts = request_.method == "POST";
     if (request_.method == "DELETE" && what == "targets" && parts_.size() == 3) {
-      return outcome_answer(site_.drop(*radar_, part(2)));
+      return outcome_answer(site_.drop(*radar_, part(2), request_.origin));
     }
     if (!puts && !posts) return failure(501, "not something that can be done here");
     const auto body = signalk::read_json(request_.body);
@@ -143,7 +143,7 @@ class RadarRequest {
     }
     if (posts && what == "targets" &&
         (parts_.size() == 2 || (parts_.size() == 3 && part(2) == "acquire"))) {
-      return outcome_answer(site_.acquire(*radar_, *body));
+      return outcome_answer(site_.acquire(*radar_, *body, request_.origin));
     }
     return failure(501, "not something that can be done here");
   }

@@ -14,6 +14,7 @@
 #include "protocol/wire/own_ship_place.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/signalk/signalk_encoder.hpp"
+#include "server/net/signalk/target_documents.hpp"
 
 namespace skerry::server {
 namespace {
@@ -21,6 +22,8 @@ namespace {
 using signalk::Json;
 
 constexpr std::chrono::seconds kTargetPeriod{1};
+// A display that asks now and then finds its targets still tracked.
+constexpr std::chrono::minutes kTargetsWanted{2};
 constexpr double kVhfRangeNm = 60.0;
 
 unsigned status_of(wire::Reply::Code code) {
@@ -34,6 +37,11 @@ unsigned status_of(wire::Reply::Code code) {
     default:
       return 400;
   }
+}
+
+// Whether a path of the stream tells of a plotter's targets or alerts; `base`: "radars.skerry0".
+bool is_of_targets(const std::string& path, const std::string& base) {
+  return path.starts_with(base + ".targets.") || path.starts_with("notifications." + base + ".");
 }
 
 SignalkSite::Mounted mounted(const wire::RadarInfo& info) {
@@ -85,15 +93,6 @@ signalk::OwnShip SignalkSite::own_ship() const {
   told.course_over_ground_deg = ship.course_over_ground_deg();
   told.speed_over_ground_mps = ship.speed_over_ground_kn() * kKnot;
   return told;
-}
-
-std::optional<signalk::Movement> SignalkSite::movement() const {
-  const signalk::OwnShip ship = own_ship();
-  if (!ship.position || !ship.course_over_ground_deg || !ship.speed_over_ground_mps) {
-    return std::nullopt;
-  }
-  return signalk::Movement{*ship.position, *ship.course_over_ground_deg,
-                           *ship.speed_over_ground_mps};
 }
 
 std::vector<TrafficItem> SignalkSite::others() const {
@@ -149,15 +148,20 @@ signalk::ControlStates SignalkSite::states(Mounted& radar) const {
   return states;
 }
 
-std::vector<Json> SignalkSite::targets(Mounted& radar) const {
-  const std::vector<TrafficItem> traffic = others();
-  const std::optional<signalk::Movement> own = movement();
-  if (!own) return {};
-  const double range_m =
-      nautical_miles(context_.host.settings(radar.number, 0).range_nm()).in_metres();
+TargetListPtr SignalkSite::target_list(Mounted& radar) {
+  TargetPort* port = context_.host.targets();
+  if (port == nullptr) return nullptr;
+  radar.targets_asked = std::chrono::steady_clock::now();
+  if (radar.wanted_targets == nullptr) radar.wanted_targets = port->want(radar.number, 0);
+  return port->targets(radar.number, 0);
+}
+
+std::vector<Json> SignalkSite::targets(Mounted& radar) {
   std::vector<Json> documents;
-  for (const signalk::Target& target : radar.targets.update(traffic, *own, range_m, utc_now())) {
-    documents.push_back(signalk::target_document(target, *own));
+  const TargetListPtr list = target_list(radar);
+  if (list == nullptr) return documents;
+  for (const wire::Target& target : list->targets()) {
+    if (!target.is_test()) documents.push_back(target_document(target, *list));
   }
   return documents;
 }
@@ -191,7 +195,7 @@ SignalkOutcome SignalkSite::set_controls(Mounted& radar, const Json& bodies,
   return {};
 }
 
-SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body) {
+SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body, const std::string& origin) {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto number_at = [&body](const char* name) {
     const Json* value = signalk::member(body, name);
@@ -202,22 +206,37 @@ SignalkOutcome SignalkSite::acquire(Mounted& radar, const Json& body) {
   if (!(distance >= 0.0 && distance <= kFarthest) || !(std::fabs(bearing) <= kTurn)) {
     return {400, "expected {\"bearing\": radians from true north, \"distance\": metres}"};
   }
-  const std::optional<signalk::Movement> own = movement();
-  if (!own) return {409, "own ship's position or motion is not known"};
-  const auto number =
-      radar.targets.acquire(others(), *own, bearing / kRadiansPerDegree, distance, utc_now());
-  if (!number) return {404, "no target there"};
-  return {201, "OK", number};
+  wire::TargetOrder order;
+  order.mutable_acquire()->set_range_nm(distance / Length::kMetresPerNauticalMile);
+  order.mutable_acquire()->set_bearing_deg(wrapped_degrees(bearing / kRadiansPerDegree));
+  return order_targets(radar, order, origin);
 }
 
-SignalkOutcome SignalkSite::drop(Mounted& radar, std::string_view text) {
-  targets(radar);  // what is tracked by now
+SignalkOutcome SignalkSite::drop(Mounted& radar, std::string_view text, const std::string& origin) {
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !radar.targets.drop(number)) {
+  if (error != std::errc() || end != text.data() + text.size()) {
     return {404, "no target of that number is tracked"};
   }
-  return {};
+  wire::TargetOrder order;
+  order.add_cancel(number);
+  return order_targets(radar, order, origin);
+}
+
+SignalkOutcome SignalkSite::order_targets(Mounted& radar, const wire::TargetOrder& order,
+                                          const std::string& origin) {
+  target_list(radar);  // its plotter is at work from now on
+  TargetPort* port = context_.host.targets();
+  if (port == nullptr) return {404, "this server has no plotter"};
+  wire::TargetOrder of_view = order;
+  of_view.set_radar(radar.number);
+  const wire::Reply reply = port->order(of_view, origin);
+  if (reply.code() != wire::Reply::OK) return {status_of(reply.code()), reply.text()};
+  SignalkOutcome outcome;
+  if (!order.has_acquire()) return outcome;
+  std::uint32_t number = 0;
+  std::from_chars(reply.text().data(), reply.text().data() + reply.text().size(), number);
+  return {201, "OK", number};
 }
 
 const signalk::ControlDefinition* SignalkSite::definition_at(std::string_view path) {
@@ -262,23 +281,36 @@ void SignalkSite::refresh() {
       put(fresh, base + ".controls." + key,
           signalk::state_document(*signalk::find_control(key), state));
     }
-    const std::string target_base = base + ".targets.";
-    if (!targets_too) {
-      for (const auto& [path, value] : values_) {
-        if (path.starts_with(target_base)) fresh.emplace(path, value);
-      }
+    if (targets_too) {
+      put_targets(radar, fresh);
       continue;
     }
-    for (Json& target : targets(radar)) {
-      const std::string number = fmt::format("{}", target["id"].get<std::uint32_t>());
-      put(fresh, target_base + number, std::move(target));
+    for (const auto& [path, value] : values_) {
+      if (is_of_targets(path, base)) fresh.emplace(path, value);
     }
   }
   values_ = std::move(fresh);
 }
 
+void SignalkSite::put_targets(Mounted& radar, Values& fresh) {
+  const TargetListPtr list = target_list(radar);
+  if (list == nullptr) return;
+  const std::string base = "radars." + radar.radar.id;
+  for (const wire::Target& target : list->targets()) {
+    if (target.is_test()) continue;
+    put(fresh, fmt::format("{}.targets.{}", base, target.number()), target_document(target, *list));
+  }
+  for (const wire::Alert& alert : list->alerts()) {
+    put(fresh, fmt::format("notifications.{}.{}.{}", base, alert.number(), alert.instance()),
+        notification_of(alert));
+  }
+}
+
 void SignalkSite::tick(std::chrono::steady_clock::time_point now) {
   std::erase_if(listeners_, [](const auto& known) { return known.expired(); });
+  for (Mounted& radar : radars_) {
+    if (now - radar.targets_asked > kTargetsWanted) radar.wanted_targets = nullptr;
+  }
   if (listeners_.empty()) return;
   refresh();
   const auto listeners = listeners_;

@@ -14,7 +14,6 @@
 #include "protocol/signalk/target.hpp"
 #include "server/net/common/net_context.hpp"
 #include "server/net/signalk/signalk_controls.hpp"
-#include "server/net/signalk/signalk_targets.hpp"
 
 namespace skerry::server {
 
@@ -45,7 +44,9 @@ class SignalkSite {
     std::uint32_t number = 0;  // in the server
     signalk::Radar radar;      // without an address
     SectorPlaces sectors;
-    SignalkTargets targets;
+    // Its plotter runs while somebody asks for targets, or hears the stream.
+    std::shared_ptr<const void> wanted_targets = {};
+    std::chrono::steady_clock::time_point targets_asked{};
   };
   std::vector<Mounted>& radars() { return radars_; }
   // Finds it by its id; "_default" is the first.  nullptr if there is none.
@@ -54,7 +55,9 @@ class SignalkSite {
   const std::string& server() const { return server_; }
   signalk::OwnShip own_ship() const;
   signalk::ControlStates states(Mounted& radar) const;
-  std::vector<signalk::Json> targets(Mounted& radar) const;
+  // As the plotter of the radar's shared view has them; test targets are left out.  Begins to look
+  // for targets if nobody did.
+  std::vector<signalk::Json> targets(Mounted& radar);
   // Ships and boats with a number within VHF range, nearest first, at most kMostVessels.
   static constexpr std::size_t kMostVessels = 300;
   std::vector<signalk::OtherVessel> vessels() const;
@@ -66,8 +69,8 @@ class SignalkSite {
   SignalkOutcome set_controls(Mounted& radar, const signalk::Json& bodies,
                               const std::string& origin);
   // {"bearing": rad, "distance": m}
-  SignalkOutcome acquire(Mounted& radar, const signalk::Json& body);
-  SignalkOutcome drop(Mounted& radar, std::string_view number);
+  SignalkOutcome acquire(Mounted& radar, const signalk::Json& body, const std::string& origin);
+  SignalkOutcome drop(Mounted& radar, std::string_view number, const std::string& origin);
 
   // All that the delta stream can say, by path; a value that did not change is the same object.
   const Values& values() const { return values_; }
@@ -79,8 +82,11 @@ class SignalkSite {
   void tick(std::chrono::steady_clock::time_point now);
 
  private:
-  std::optional<signalk::Movement> movement() const;  // of own ship, if known
-  std::vector<TrafficItem> others() const;            // all but her
+  std::vector<TrafficItem> others() const;  // all but her
+  TargetListPtr target_list(Mounted& radar);
+  SignalkOutcome order_targets(Mounted& radar, const wire::TargetOrder& order,
+                               const std::string& origin);
+  void put_targets(Mounted& radar, Values& fresh);
   void refresh();
   void put(Values& fresh, const std::string& path, signalk::Json value) const;
 

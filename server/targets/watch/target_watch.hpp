@@ -25,6 +25,8 @@ struct OwnSensors {
   std::optional<double> heading_deg;  // true
   // East and north, m/s: by positions; by heading and log.
   std::optional<PlanePoint> over_ground_mps, through_water_mps;
+  // Spokes come.  Without, the radar is in standby or its source has gone: targets are frozen.
+  bool has_video = true;
 };
 
 // What AIS last told of a ship, at `utc`.
@@ -58,8 +60,8 @@ class TargetWatch {
   static bool can_plot(const OwnSensors& own) { return own.place && own.heading_deg; }
 
   // Goes on to own.utc: takes the plotter's tracks and those lost, and looks after alerts.  Call it
-  // at least twice a second.  A time that goes back, or on by more than a minute, ends what hangs on
-  // time (alerts, past positions).
+  // at least twice a second.  A time that goes back, or on by more than a minute, ends what hangs
+  // on time (alerts, past positions).
   void update(const OwnSensors& own, std::span<const AisContact> ais, Plotter& plotter);
 
   // As of the last update.

@@ -1,0 +1,16 @@
+// A plotter's list as Signal K has it.
+#pragma once
+
+#include "protocol/signalk/target.hpp"
+#include "protocol/wire/targets.pb.h"
+
+namespace skerry::server {
+
+// Of a target of the list, not of a test target.
+signalk::Json target_document(const wire::Target& target, const wire::TargetList& list);
+
+// The state of an alert: an alarm is "alarm", a warning "warn", a caution "alert"; one whose cause
+// is gone is "normal".
+signalk::Json notification_of(const wire::Alert& alert);
+
+}  // namespace skerry::server
