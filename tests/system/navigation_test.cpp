@@ -124,7 +124,7 @@ TEST_F(NavigationOutputs, AreReadByGpsdWithTheRightValues) {
   const auto server = served("outputs:\n  - kind: nmea0183\n    port: " + port() +
                              "\n    static_period_s: 1\n    sentences: [rmc=0.5, gga=0.5, vtg=0.5, "
                              "zda=0.5, hdt=0.5, ths=0.5, rot=0.5, vhw=0.5, vbw=0.5, rsd=1, osd=1, "
-                             "vdm=0.5, vdo=0.5, ttm=1, tll=1, ttd=1]\n");
+                             "vdm=0.5, vdo=0.5, ttm=1, tll=1, ttd=1]\n    targets: truth\n");
   const std::string text = heard_until([](const std::string& all) {
     return count(all, "$GPRMC") >= 10 && count(all, "$RATTM") >= 4 && count(all, "!AIVDM") >= 60;
   });
@@ -271,7 +271,7 @@ TEST_F(NavigationOutputs, AreReadByPynmea2WithTheRightValues) {
   }
   const auto server = served("outputs:\n  - kind: nmea0183\n    port: " + port() +
                              "\n    sentences: [vbw=0.2, osd=0.2, rot=0.2, hdt=0.2, ttm=0.2, "
-                             "tll=0.2, rmc=0.2]\n");
+                             "tll=0.2, rmc=0.2]\n    targets: truth\n");
   const std::string text = heard_until([](const std::string& all) {
     return count(all, "$RATTM") >= 9 && count(all, "$RATLL") >= 9;
   });

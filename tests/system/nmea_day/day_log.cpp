@@ -22,6 +22,7 @@ constexpr double kRange_nm = 6.0;
 server::NavigationPlan plan() {
   server::NavigationPlan plan;
   plan.periods[server::NavigationSentence::vdo] = server::kAsAisDoes;
+  plan.targets = server::TargetSource::truth;
   return plan;
 }
 
@@ -46,6 +47,7 @@ class Told final : public server::NavigationWorld {
     all.erase(all.begin());  // herself: own ships come first
     return all;
   }
+  std::shared_ptr<const wire::TargetList> targets() const override { return nullptr; }
 
  private:
   const WorldState& state_;

@@ -59,7 +59,7 @@ targets:
 exact_sensors: true
 outputs:
   - {kind: nmea0183, port: ${plain.address().port}, static_period_s: 1, sentences: [rmc=0.2, gga=0.2, vtg=0.2,
-     zda=0.2, hdt=0.2, ths=0.2, rot=0.2, vhw=0.2, vbw=0.2, rsd=0.2, osd=0.2, vdm=0.2, ttm=0.2, tll=0.2, ttd=0.2]}
+     zda=0.2, hdt=0.2, ths=0.2, rot=0.2, vhw=0.2, vbw=0.2, rsd=0.2, osd=0.2, vdm=0.2, ttm=0.2, tll=0.2, ttd=0.2], targets: truth}
   - {kind: iec61162_450, address: 127.0.0.1, port: ${tagged.address().port}, source: HE0042, static_period_s: 1,
      sentences: [hdt=0.2, rmc=0.2, vdm=0.2]}
 `);

@@ -31,6 +31,7 @@ class LostSensors : public testing::Test {
   std::string line(NavigationSentence sentence) {
     NavigationPlan plan;
     plan.periods = {{sentence, 1s}};
+    plan.targets = TargetSource::truth;
     NavigationTalker talker(plan);
     for (int i = 0; i <= 20; ++i) {
       const auto said = talker.due(at_seconds(0.1 * i), world_);

@@ -18,6 +18,7 @@ using enum NavigationSentence;
 NavigationPlan plan_of(std::map<NavigationSentence, Duration> periods) {
   NavigationPlan plan;
   plan.periods = std::move(periods);
+  plan.targets = TargetSource::truth;
   return plan;
 }
 

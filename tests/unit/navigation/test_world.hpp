@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class TestWorld final : public NavigationWorld {
     return items;
   }
 
+  std::shared_ptr<const wire::TargetList> targets() const override { return list; }
+
   // A ship north of own ship by so many miles.
   TrafficItem& add(std::uint32_t number, double north_nm, double speed_kn = 10.0,
                    TrafficKind kind = TrafficKind::ship) {
@@ -55,6 +58,7 @@ class TestWorld final : public NavigationWorld {
   wire::OwnShip own;
   wire::Settings set;
   std::vector<TrafficItem> items;
+  std::shared_ptr<const wire::TargetList> list;  // the plotter's
   mutable int traffic_asked = 0;
 };
 

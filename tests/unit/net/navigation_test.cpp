@@ -129,6 +129,7 @@ TEST(NavigationOutput, OwnShipIsNoTargetOfHerOwn) {
   config.navigation_outputs = {an_output()};
   config.navigation_outputs[0].port = display.port();
   config.navigation_outputs[0].plan.periods = {{ttm, 20ms}};
+  config.navigation_outputs[0].plan.targets = TargetSource::truth;
   NetServer server(host, config, {});
   server.start();
   for (int i = 0; i < 5; ++i) {
