@@ -31,7 +31,7 @@
 #include "server/net/net_server.hpp"
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
-#include "server/targets/target_service.hpp"
+#include "server/tracking/target_service.hpp"
 #include "server/world/scenario.hpp"
 
 namespace {

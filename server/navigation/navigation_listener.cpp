@@ -9,6 +9,7 @@
 #include "protocol/nmea/position_sentences.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
+#include "server/navigation/alert_talker.hpp"
 #include "server/navigation/target_geometry.hpp"
 
 namespace skerry::server {
@@ -23,6 +24,16 @@ std::optional<T> read_as(Result<T, WireError> result, std::string& fault) {
   if (result) return std::move(result).value();
   fault = result.error().text;
   return std::nullopt;
+}
+
+std::optional<wire::TargetOrder> read_alert_order(const nmea::Sentence& sentence,
+                                                  std::string& fault) {
+  if (sentence.formatter == "ACN") {
+    const auto command = read_as(nmea::decode_acn(sentence), fault);
+    return command ? order_of(*command) : std::nullopt;
+  }
+  const auto command = read_as(nmea::decode_ack(sentence), fault);
+  return command ? order_of(*command) : std::nullopt;
 }
 
 bool is_usable(char mode) { return mode != 'N' && mode != 'V'; }
@@ -54,6 +65,10 @@ HeardLine NavigationListener::hear(std::string_view line, ScenarioTime now) {
   }
   if (nmea::says_something(*command)) {
     heard.command = *command;
+    return heard;
+  }
+  if (sentence->formatter == "ACN" || sentence->formatter == "ACK") {
+    heard.alert_order = read_alert_order(*sentence, heard.fault);
     return heard;
   }
   Fix fix = read(*sentence, now, heard.fault);

@@ -9,6 +9,7 @@
 #include "protocol/nmea/con_command.hpp"
 #include "protocol/nmea/sentence.hpp"
 #include "protocol/quantity/time.hpp"
+#include "protocol/wire/targets.pb.h"
 #include "server/core/traffic.hpp"
 
 namespace skerry::server {
@@ -18,14 +19,16 @@ struct HeardLine {
   std::optional<OwnShipFix> fix;  // only what the sentence said
   // What it orders of the con.
   std::optional<nmea::ConCommand> command = {};
+  // What it orders of alerts.
+  std::optional<wire::TargetOrder> alert_order = {};
   // The position is so many metres from the last one, further than her speed explains.
   std::optional<double> jump_m;
   std::string fault = {};  // why the line could not be read; empty: it could
 };
 
 // Takes RMC, GGA, GLL, VTG, HDT, THS, VBW, VHW and ROT of any talker, and orders to the con: HTC,
-// HSC, ROR, PRC, ETL and TRC (nmea/con_command.hpp).  What says of itself that it
-// is not valid, and all other sentences, are passed over without a fault.
+// HSC, ROR, PRC, ETL and TRC (nmea/con_command.hpp), and orders about alerts: ACN and ACK.  What
+// says of itself that it is not valid, and all other sentences, are passed over without a fault.
 //
 // Course and speed over ground are RMC's, VTG's and the ground part of VBW; speed through the water
 // (VBW, VHW) stands for them, along the heading, only while none of those has come for

@@ -11,8 +11,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::array<std::string_view, kNavigationSentences> kNames = {
-    "rmc", "gga", "vtg", "zda", "hdt", "ths", "rot", "vhw", "vbw", "rsd", "osd", "vdm",
-    "vdo", "ttm", "tll", "ttd", "rsa", "rpm", "dpt", "mwv", "mwd", "vdr", "xte"};
+    "rmc", "gga", "vtg", "zda", "hdt", "ths", "rot", "vhw", "vbw",
+    "rsd", "osd", "vdm", "vdo", "ttm", "tll", "ttd", "tlb", "alf",
+    "alc", "alr", "rsa", "rpm", "dpt", "mwv", "mwd", "vdr", "xte"};
 constexpr std::uint32_t kMostMmsi = 999'999'999;
 
 bool is_ais(NavigationSentence sentence) {
@@ -45,13 +46,18 @@ std::map<NavigationSentence, Duration> NavigationPlan::usual_periods() {
 }
 
 bool is_of_targets(NavigationSentence sentence) {
-  return sentence == NavigationSentence::ttm || sentence == NavigationSentence::tll ||
-         sentence == NavigationSentence::ttd;
+  return sentence >= NavigationSentence::ttm && sentence <= NavigationSentence::tlb;
 }
 
-bool tells_targets(const NavigationPlan& plan) {
-  return std::any_of(plan.periods.begin(), plan.periods.end(),
-                     [](const auto& each) { return is_of_targets(each.first); });
+bool is_of_alerts(NavigationSentence sentence) {
+  return sentence >= NavigationSentence::alf && sentence <= NavigationSentence::alr;
+}
+
+bool needs_plotter(const NavigationPlan& plan) {
+  return std::any_of(plan.periods.begin(), plan.periods.end(), [&](const auto& each) {
+    return is_of_alerts(each.first) ||
+           (is_of_targets(each.first) && plan.targets == TargetSource::plotted);
+  });
 }
 
 std::optional<std::string> fault_in(const NavigationPlan& plan) {

@@ -35,6 +35,11 @@ enum class NavigationSentence : std::uint8_t {
   ttm,
   tll,
   ttd,
+  tlb,
+  // Alerts about them: changes, all, and as before bridge alert management.
+  alf,
+  alc,
+  alr,
   // The con of a ship that has a class: rudder, shaft, depth, wind felt and true, current, track.
   rsa,
   rpm,
@@ -44,7 +49,7 @@ enum class NavigationSentence : std::uint8_t {
   vdr,
   xte,
 };
-inline constexpr std::size_t kNavigationSentences = 23;
+inline constexpr std::size_t kNavigationSentences = 27;
 
 // "rmc".
 std::string_view name_of(NavigationSentence sentence);
@@ -80,9 +85,10 @@ struct NavigationPlan {
   static std::map<NavigationSentence, Duration> usual_periods();
 };
 
-// Whether any of its sentences is about tracked targets.
-bool tells_targets(const NavigationPlan& plan);
 bool is_of_targets(NavigationSentence sentence);
+bool is_of_alerts(NavigationSentence sentence);
+// Whether any of its sentences needs a plotter.
+bool needs_plotter(const NavigationPlan& plan);
 
 // Why the plan cannot be, naming the value and its range.
 std::optional<std::string> fault_in(const NavigationPlan& plan);

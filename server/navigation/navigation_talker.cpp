@@ -106,6 +106,13 @@ std::vector<NavigationMessage> NavigationTalker::due(ScenarioTime now,
       }
       continue;
     }
+    if (is_of_alerts(sentence)) {
+      const auto list = world.targets();
+      if (list == nullptr) continue;
+      auto lines = alerts_.sentences(sentence, *list);
+      if (!lines.empty()) out.push_back({sentence, std::move(lines)});
+      continue;
+    }
     if (is_of_con(sentence)) {
       if (the_own().has_con()) out.push_back({sentence, {con_sentence(sentence, the_own())}});
       continue;

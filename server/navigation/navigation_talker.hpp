@@ -10,6 +10,7 @@
 #include "protocol/nmea/ais_messages.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "server/core/traffic.hpp"
+#include "server/navigation/alert_talker.hpp"
 #include "server/navigation/navigation_plan.hpp"
 #include "server/navigation/told_targets.hpp"
 #include "server/navigation/track_table.hpp"
@@ -73,6 +74,7 @@ class NavigationTalker {
   NavigationPlan plan_;
   TrackTable tracks_;
   PlottedTargets plotted_;
+  AlertTalker alerts_;
   bool begun_ = false;
   std::map<NavigationSentence, ScenarioTime> next_;  // of vdm: when to look at the traffic
   std::map<std::uint32_t, Station> stations_;        // by the scenario's number

@@ -36,7 +36,8 @@ std::string ttm_of(const ToldTarget& target, UtcTime utc) {
                           .status = status_of(target),
                           .is_reference = target.is_reference,
                           .time_of_day = nmea::time_of_day(utc),
-                          .by_hand = target.by_hand});
+                          .acquisition = target.by_hand ? nmea::TargetAcquisition::manual
+                                                        : nmea::TargetAcquisition::automatic});
 }
 
 std::string tll_of(const ToldTarget& target, UtcTime utc) {
@@ -83,6 +84,14 @@ std::vector<std::string> target_sentences(NavigationSentence sentence,
     std::vector<nmea::TtdTarget> packed;
     for (const ToldTarget& target : targets) packed.push_back(ttd_of(target));
     return nmea::encode_ttd(packed, identifier);
+  }
+  if (sentence == NavigationSentence::tlb) {
+    std::vector<nmea::TargetLabel> labels;
+    for (const ToldTarget& target : targets) {
+      const std::string& label = target.name.empty() ? target.label : target.name;
+      if (!label.empty()) labels.push_back({target.number, label});
+    }
+    return nmea::encode_tlb(labels);
   }
   std::vector<std::string> lines;
   for (const ToldTarget& target : targets) {

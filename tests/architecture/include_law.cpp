@@ -173,6 +173,14 @@ const std::vector<Room>& table() {
       {"server/relay", {"protocol/", "server/core/"}},
       {"server/playback", {"protocol/", "server/core/", "server/relay/"}},
       {"server/live", {"protocol/", "server/core/", "server/relay/"}},
+      // The plotters of all views at work, whatever the source of their spokes; and what a mariner
+      // has of them, without threads and clocks.
+      {"server/tracking",
+       {"protocol/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp", "server/core/",
+        "server/navigation/target_geometry.hpp", "server/plotter/", "server/tracking/watch/"}},
+      {"server/tracking/watch",
+       {"protocol/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp",
+        "server/plotter/"}},
       // Logs of AIS into traffic, and traffic into logs.
       {"server/traffic_logs", {"protocol/", "server/core/", "server/navigation/", "server/world/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},

@@ -205,6 +205,8 @@ bool NavigationInput::take_line(std::string_view line, const std::string& source
     drive(heard, source);
   } else if (heard.command) {
     command(*heard.command, source);
+  } else if (heard.alert_order) {
+    order_alerts(*heard.alert_order, source);
   }
   return true;
 }
@@ -215,6 +217,17 @@ void NavigationInput::command(const nmea::ConCommand& command, const std::string
   *set.mutable_con() = con_order_of(command);
   if (set.con().ByteSizeLong() == 0) return;
   const wire::Reply reply = context_.host.apply(set, "NMEA " + source);
+  if (reply.code() != wire::Reply::OK) {
+    return refuse("nmea input refused", fmt::format("{}: {}", source, reply.text()));
+  }
+  counters_->set_last_display(source);
+}
+
+void NavigationInput::order_alerts(wire::TargetOrder order, const std::string& source) {
+  TargetPort* port = context_.host.targets();
+  if (port == nullptr) return refuse("nmea input refused", source + ": there is no plotter here");
+  order.set_radar(config_.radar);
+  const wire::Reply reply = port->order(order, "NMEA " + source);
   if (reply.code() != wire::Reply::OK) {
     return refuse("nmea input refused", fmt::format("{}: {}", source, reply.text()));
   }

@@ -43,6 +43,7 @@ class NavigationInput {
   bool take_line(std::string_view line, const std::string& source);
   void drive(const HeardLine& heard, const std::string& source);
   void command(const nmea::ConCommand& command, const std::string& source);
+  void order_alerts(wire::TargetOrder order, const std::string& source);
   void refuse(std::string_view kind, const std::string& text);
   bool admits(const asio::ip::address& source) const;
 

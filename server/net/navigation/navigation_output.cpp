@@ -30,6 +30,10 @@ nmea::Udp450Group group_of(NavigationSentence sentence) {
     case ttm:
     case tll:
     case ttd:
+    case tlb:
+    case alf:
+    case alc:
+    case alr:
     case vdm:
     case vdo:
       return nmea::Udp450Group::targets;
@@ -190,8 +194,7 @@ std::string NavigationOutput::address() const {
 }
 
 void NavigationOutput::start() {
-  if (TargetPort* port = context_.host.targets(); port != nullptr && tells_targets(config_.plan) &&
-                                                  config_.plan.targets == TargetSource::plotted) {
+  if (TargetPort* port = context_.host.targets(); port != nullptr && needs_plotter(config_.plan)) {
     wanted_targets_ = port->want(config_.radar, 0);
   }
   if (lines_) lines_->start();

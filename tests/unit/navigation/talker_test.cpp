@@ -138,12 +138,14 @@ TEST(NavigationTalker, SaysWhenItHasSomethingToSayAgain) {
   EXPECT_EQ(mute.next_due(), ScenarioTime::max());
 }
 
-TEST(NavigationTalker, TheUsualPlanSaysAllTheSentencesButTtd) {
+TEST(NavigationTalker, TheUsualPlanSaysAllTheSentencesButTtdLabelsAndAlerts) {
   TestWorld world;
   world.add(1, 3);
   world.own.mutable_con()->set_rudder_deg(5.0);
-  EXPECT_FALSE(fault_in(NavigationPlan{}));
-  NavigationTalker talker{NavigationPlan{}};
+  NavigationPlan plan;
+  plan.targets = TargetSource::truth;
+  EXPECT_FALSE(fault_in(plan));
+  NavigationTalker talker{plan};
   const auto said = listen(talker, world, 70.0);
   std::set<NavigationSentence> kinds;
   for (const Said& one : said) {
@@ -153,8 +155,10 @@ TEST(NavigationTalker, TheUsualPlanSaysAllTheSentencesButTtd) {
       EXPECT_LE(line.size(), nmea::kMaxSentence) << line;
     }
   }
-  EXPECT_EQ(kinds.size(), kNavigationSentences - 1);
-  EXPECT_FALSE(kinds.contains(ttd));
+  EXPECT_EQ(kinds.size(), kNavigationSentences - 5);
+  for (const NavigationSentence left_out : {ttd, tlb, alf, alc, alr}) {
+    EXPECT_FALSE(kinds.contains(left_out)) << name_of(left_out);
+  }
 }
 
 // A ship with a class, at 10 kn into a wind of 20 kn that comes from her starboard bow.

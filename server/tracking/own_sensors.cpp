@@ -1,4 +1,4 @@
-#include "server/targets/own_sensors.hpp"
+#include "server/tracking/own_sensors.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 
 #include "protocol/wire/own_ship.pb.h"
 #include "server/core/traffic.hpp"
-#include "server/targets/watch/target_watch.hpp"
+#include "server/tracking/watch/target_watch.hpp"
 
 namespace skerry::server {
 

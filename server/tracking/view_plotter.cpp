@@ -1,4 +1,4 @@
-#include "server/targets/view_plotter.hpp"
+#include "server/tracking/view_plotter.hpp"
 
 #include <utility>
 

@@ -11,7 +11,7 @@
 #include "server/core/ring_reader.hpp"
 #include "server/core/target_port.hpp"
 #include "server/plotter/plotter.hpp"
-#include "server/targets/watch/target_watch.hpp"
+#include "server/tracking/watch/target_watch.hpp"
 
 namespace skerry::server {
 

@@ -1,4 +1,4 @@
-#include "server/targets/target_service.hpp"
+#include "server/tracking/target_service.hpp"
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -6,7 +6,7 @@
 
 #include <exception>
 
-#include "server/targets/own_sensors.hpp"
+#include "server/tracking/own_sensors.hpp"
 
 namespace skerry::server {
 

@@ -14,7 +14,7 @@
 
 #include "server/core/radar_host.hpp"
 #include "server/core/target_port.hpp"
-#include "server/targets/view_plotter.hpp"
+#include "server/tracking/view_plotter.hpp"
 
 namespace skerry::server {
 
