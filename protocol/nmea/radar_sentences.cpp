@@ -1,16 +1,27 @@
 #include "protocol/nmea/radar_sentences.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "protocol/nmea/field_reader.hpp"
 #include "protocol/nmea/optional_fields.hpp"
 #include "protocol/nmea/position_sentences.hpp"
+#include "protocol/nmea/ranged_fields.hpp"
 
 namespace skerry::nmea {
 namespace {
 
 constexpr double kMostRangeNm = 10'000.0, kMostMinutes = 100'000.0;
-constexpr unsigned kMostTargetNumber = 1023;  // some radars count further than 99
+// Of what is written: longer ones would leave a sentence no room.
+constexpr Range kTargetRangeNm{0.0, 9999.999}, kTargetCpaNm{0.0, 9999.99};
+constexpr double kMostWrittenMinutes = 999.9;
+
+SentenceWriter& add_target_number(SentenceWriter& out, unsigned number) {
+  return number <= kMostTargetNumber ? out.whole(number, 2) : out.empty();
+}
 
 TargetStatus status_field(FieldReader& in, std::size_t index) {
   switch (in.letter(index)) {
@@ -79,13 +90,24 @@ Result<Osd, WireError> decode_osd(const Sentence& sentence) {
 
 std::string encode(const Ttm& ttm, std::string_view talker) {
   SentenceWriter out('$', talker, "TTM");
-  out.whole(ttm.number, 2).number(ttm.range_nm, 3).angle(ttm.bearing_deg, 1).letter('T');
-  out.number(ttm.speed_kn, 1).angle(ttm.course_deg, 1).letter('T').number(ttm.cpa_nm, 2);
-  out.number(std::clamp(ttm.tcpa_min, -999.9, 999.9), 1).letter('N');
-  // ",T,,hhmmss.ss,A" follow.
-  out.text(ttm.name, out.room(ttm.time_of_day ? 15 : 6));
-  out.letter(static_cast<char>(ttm.status)).empty();
-  return optional_time(out, ttm.time_of_day).letter('A').finish();
+  add_target_number(out, ttm.number);
+  add_number(out, ttm.range_nm, 3, kTargetRangeNm).angle(ttm.bearing_deg, 1).letter('T');
+  add_number(out, ttm.speed_kn, 1, {0.0, kMostSpeedKn});
+  optional_angle(out, ttm.course_deg, 1).letter('T');
+  add_number(out, ttm.cpa_nm, 2, kTargetCpaNm);
+  if (ttm.tcpa_min && std::isfinite(*ttm.tcpa_min)) {
+    out.number(std::clamp(*ttm.tcpa_min, -kMostWrittenMinutes, kMostWrittenMinutes), 1);
+  } else {
+    out.empty();
+  }
+  out.letter('N');
+  // ",T,R,hhmmss.ss,A" follow.
+  const std::size_t after =
+      4 + (ttm.is_reference ? 1 : 0) + (ttm.time_of_day ? 9 : 0) + (ttm.acquisition ? 2 : 1);
+  out.text(ttm.name, out.room(after)).letter(static_cast<char>(ttm.status));
+  out.letter(ttm.is_reference ? 'R' : '\0');
+  optional_time(out, ttm.time_of_day);
+  return add_enum(out, ttm.acquisition).finish();
 }
 
 Result<Ttm, WireError> decode_ttm(const Sentence& sentence) {
@@ -94,25 +116,31 @@ Result<Ttm, WireError> decode_ttm(const Sentence& sentence) {
   ttm.number = in.whole(0, 0, kMostTargetNumber).value_or(0);
   ttm.range_nm = needed(in, 1, 0, kMostRangeNm);
   ttm.bearing_deg = needed(in, 2, 0, 360);
-  ttm.speed_kn = in.number(4, 0, kMostSpeedKn).value_or(0.0);
-  ttm.course_deg = in.number(5, 0, 360).value_or(0.0);
-  ttm.cpa_nm = in.number(7, 0, kMostRangeNm).value_or(0.0);
-  ttm.tcpa_min = in.number(8, -kMostMinutes, kMostMinutes).value_or(0.0);
+  ttm.speed_kn = in.number(4, 0, kMostSpeedKn);
+  ttm.course_deg = in.number(5, 0, 360);
+  ttm.cpa_nm = in.number(7, 0, kMostRangeNm);
+  ttm.tcpa_min = in.number(8, -kMostMinutes, kMostMinutes);
   if (in.letter(3) != 'T') in.fail(3, "T for true");
   if (in.letter(6) == 'R') in.fail(6, "T for true");
   if (in.letter(9) != 'N') in.fail(9, "the unit N");
   ttm.name = in.text(10);
   ttm.status = status_field(in, 11);
+  ttm.is_reference = read_one_of(in, 12, "R").has_value();
   ttm.time_of_day = in.time(13);
+  ttm.acquisition = read_enum<TargetAcquisition>(in, 14, "AMR");
   return answer(in, ttm);
 }
 
 std::string encode(const Tll& tll, std::string_view talker) {
   SentenceWriter out('$', talker, "TLL");
-  out.whole(tll.number, 2).position(tll.position);
-  // ",hhmmss.ss,T," follow.
-  out.text(tll.name, out.room(tll.time_of_day ? 13 : 4));
-  return optional_time(out, tll.time_of_day).letter(static_cast<char>(tll.status)).empty().finish();
+  add_target_number(out, tll.number).position(tll.position);
+  // ",hhmmss.ss,T,R" follow.
+  const std::size_t after = 4 + (tll.is_reference ? 1 : 0) + (tll.time_of_day ? 9 : 0);
+  out.text(tll.name, out.room(after));
+  return optional_time(out, tll.time_of_day)
+      .letter(static_cast<char>(tll.status))
+      .letter(tll.is_reference ? 'R' : '\0')
+      .finish();
 }
 
 Result<Tll, WireError> decode_tll(const Sentence& sentence) {
@@ -125,7 +153,38 @@ Result<Tll, WireError> decode_tll(const Sentence& sentence) {
   tll.name = in.text(5);
   tll.time_of_day = in.time(6);
   tll.status = status_field(in, 7);
+  tll.is_reference = read_one_of(in, 8, "R").has_value();
   return answer(in, tll);
+}
+
+std::vector<std::string> encode_tlb(std::span<const TargetLabel> labels, std::string_view talker) {
+  std::vector<std::string> lines;
+  const SentenceWriter start('$', talker, "TLB");
+  SentenceWriter out = start;
+  bool is_empty = true;
+  for (const TargetLabel& label : labels) {
+    if (label.number > kMostTargetNumber) continue;
+    const std::string number = fmt::format("{}", label.number);
+    if (!is_empty && number.size() + 1 + label.label.size() > out.room(0)) {
+      lines.push_back(std::exchange(out, start).finish());
+    }
+    out.text(number);
+    out.text(label.label, out.room(0));
+    is_empty = false;
+  }
+  if (!is_empty) lines.push_back(out.finish());
+  return lines;
+}
+
+Result<std::vector<TargetLabel>, WireError> decode_tlb(const Sentence& sentence) {
+  FieldReader in(sentence);
+  std::vector<TargetLabel> labels;
+  for (std::size_t at = 0; at < std::max<std::size_t>(sentence.fields.size(), 1); at += 2) {
+    const auto number = in.whole(at, 0, kMostTargetNumber);
+    if (!number) in.fail(at, "the number of a target");
+    labels.push_back({number.value_or(0), std::string(in.text(at + 1))});
+  }
+  return answer(in, std::move(labels));
 }
 
 }  // namespace skerry::nmea

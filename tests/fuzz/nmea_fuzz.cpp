@@ -1,6 +1,7 @@
 // Readers of NMEA 0183 and IEC 61162-450, the listener that obeys them, and the way there and back
 // of AIS messages made from the input.
 #include "protocol/nmea/ais_sentences.hpp"
+#include "protocol/nmea/alert_sentences.hpp"
 #include "protocol/nmea/con_command.hpp"
 #include "protocol/nmea/depth_sentences.hpp"
 #include "protocol/nmea/engine_sentences.hpp"
@@ -68,6 +69,43 @@ void check_transducers(const nmea::Sentence& sentence, std::size_t size) {
     back += read->size();
   }
   fuzz::require(back == transducers->size(), "and all of them");
+}
+
+// What comes back of the parts of a list.
+template <typename Decode>
+auto lines_read(const std::vector<std::string>& lines, Decode decode) {
+  std::vector<std::decay_t<decltype(*decode(nmea::Sentence{}))>> parts;
+  for (const std::string& line : lines) {
+    fuzz::require(line.size() <= nmea::kMaxSentence, "a line is as long as it may be");
+    const auto sentence = nmea::parse_sentence(line);
+    fuzz::require(sentence.ok(), "our own line is a sentence");
+    auto part = decode(*sentence);
+    fuzz::require(part.ok(), "our own list is understood");
+    parts.push_back(std::move(*part));
+  }
+  return parts;
+}
+
+void check_lists(const nmea::Sentence& sentence, std::size_t size) {
+  const auto labels = nmea::decode_tlb(sentence);
+  check(labels, size);
+  if (labels) {
+    std::size_t back = 0;
+    for (const auto& part : lines_read(nmea::encode_tlb(*labels), nmea::decode_tlb)) {
+      back += part.size();
+    }
+    fuzz::require(back == labels->size() && back <= size, "and all of the labels");
+  }
+  const auto alerts = nmea::decode_alc(sentence);
+  check(alerts, size);
+  if (alerts) {
+    std::size_t back = 0;
+    for (const auto& part :
+         lines_read(nmea::encode_alc(alerts->entries, alerts->sequence), nmea::decode_alc)) {
+      back += part.entries.size();
+    }
+    fuzz::require(back == alerts->entries.size() && back <= size, "and all of the alerts");
+  }
 }
 
 void check_in(std::optional<double> value, double least, double most) {
@@ -141,8 +179,15 @@ void check_readers(const nmea::Sentence& sentence, std::size_t size) {
   check_reader(nmea::decode_bod, sentence, size);
   check(nmea::decode_rsd(sentence), size);
   check(nmea::decode_osd(sentence), size);
-  check(nmea::decode_ttm(sentence), size);
-  check(nmea::decode_tll(sentence), size);
+  check_reader(nmea::decode_ttm, sentence, size);
+  check_reader(nmea::decode_tll, sentence, size);
+  check_reader(nmea::decode_alf, sentence, size);
+  check_reader(nmea::decode_acn, sentence, size);
+  check_reader(nmea::decode_arc, sentence, size);
+  check_reader(nmea::decode_alr, sentence, size);
+  check_reader(nmea::decode_ack, sentence, size);
+  check_reader(nmea::decode_hbt, sentence, size);
+  check_lists(sentence, size);
   const auto targets = nmea::decode_ttd(sentence);
   check(targets, size);
   if (targets) fuzz::require(targets->size() <= size / 15, "targets are bounded by the line");

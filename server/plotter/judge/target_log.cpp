@@ -38,10 +38,6 @@ struct Heard {
   std::size_t line = 0;
 };
 
-bool is_empty(const nmea::Sentence& sentence, std::size_t field) {
-  return field >= sentence.fields.size() || sentence.fields[field].empty();
-}
-
 ToldStatus status_heard(nmea::TargetStatus status) {
   switch (status) {
     case nmea::TargetStatus::lost:
@@ -150,13 +146,12 @@ class TargetLog {
     Heard heard{ttm->number,      {}, false, nautical_miles(ttm->range_nm).in_metres(),
                 ttm->bearing_deg, 0};
     heard.point.status = status_heard(ttm->status);
-    // Speed and course in another reference, or none, are empty fields.
-    if (!is_empty(sentence, 4) && !is_empty(sentence, 5)) {
+    if (ttm->speed_kn && ttm->course_deg) {
       heard.point.speed_kn = ttm->speed_kn;
       heard.point.course_deg = ttm->course_deg;
     }
-    if (!is_empty(sentence, 7)) heard.point.cpa_nm = ttm->cpa_nm;
-    if (!is_empty(sentence, 8)) heard.point.tcpa_min = ttm->tcpa_min;
+    heard.point.cpa_nm = ttm->cpa_nm;
+    heard.point.tcpa_min = ttm->tcpa_min;
     hear(heard, time_of(ttm->time_of_day));
   }
 

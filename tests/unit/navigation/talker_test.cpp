@@ -312,10 +312,10 @@ TEST(NavigationTalker, TargetsHaveRangeBearingAndClosestApproach) {
   EXPECT_EQ(target.number, 1u);
   EXPECT_NEAR(target.range_nm, 5.014, 0.002) << "a minute of latitude is 1857 m at 60 N";
   EXPECT_NEAR(target.bearing_deg, 0.0, 0.05);
-  EXPECT_NEAR(target.speed_kn, 20.0, 0.05);
+  EXPECT_NEAR(target.speed_kn.value(), 20.0, 0.05);
   EXPECT_EQ(target.course_deg, 180.0);
-  EXPECT_NEAR(target.cpa_nm, 0.0, 0.005);
-  EXPECT_NEAR(target.tcpa_min, 10.0, 0.06);
+  EXPECT_NEAR(target.cpa_nm.value(), 0.0, 0.005);
+  EXPECT_NEAR(target.tcpa_min.value(), 10.0, 0.06);
   EXPECT_EQ(target.name, "Target 1");
 }
 

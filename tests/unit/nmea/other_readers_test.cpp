@@ -14,6 +14,7 @@
 #include "protocol/nmea/log_sentences.hpp"
 #include "protocol/nmea/motion_sentences.hpp"
 #include "protocol/nmea/position_sentences.hpp"
+#include "protocol/nmea/radar_sentences.hpp"
 #include "protocol/nmea/rudder_sentences.hpp"
 #include "protocol/nmea/track_sentences.hpp"
 #include "protocol/nmea/transducer_sentences.hpp"
@@ -191,6 +192,49 @@ TEST_F(Pynmea2, FindsWhatATrackPilotNeeds) {
   EXPECT_EQ(text("DTM", "lon_dir"), "W");
   EXPECT_EQ(text("DTM", "altitude"), "1.5");
   EXPECT_EQ(text("DTM", "datum_code"), "W84");
+}
+
+// It knows neither TLB nor the sentences of alerts.
+TEST_F(Pynmea2, FindsWhatAPlotterTracks) {
+  read({encode(Ttm{.number = 7,
+                   .range_nm = 3.5,
+                   .bearing_deg = 45.5,
+                   .speed_kn = 12.5,
+                   .course_deg = 180.5,
+                   .cpa_nm = 0.25,
+                   .tcpa_min = -4.5,
+                   .name = "ASTRID",
+                   .status = TargetStatus::lost,
+                   .time_of_day = kNoon,
+                   .is_reference = true,
+                   .acquisition = TargetAcquisition::manual}),
+        encode(Tll{.number = 8,
+                   .position = kNorthWest,
+                   .name = "BRITT",
+                   .time_of_day = kNoon,
+                   .status = TargetStatus::acquiring,
+                   .is_reference = true})});
+  EXPECT_EQ(text("TTM", "target_number"), "07");
+  EXPECT_EQ(text("TTM", "distance"), "3.500");
+  EXPECT_EQ(text("TTM", "bearing"), "45.5");
+  EXPECT_EQ(text("TTM", "brg_ref"), "T");
+  EXPECT_EQ(text("TTM", "speed"), "12.5");
+  EXPECT_EQ(text("TTM", "cog"), "180.5");
+  EXPECT_EQ(text("TTM", "cog_unit"), "T");
+  EXPECT_EQ(text("TTM", "dist_cpa"), "0.25");
+  EXPECT_EQ(text("TTM", "time_cpa"), "-4.5");
+  EXPECT_EQ(text("TTM", "dist_unit"), "N");
+  EXPECT_EQ(text("TTM", "name"), "ASTRID");
+  EXPECT_EQ(text("TTM", "status"), "L");
+  EXPECT_EQ(text("TTM", "reference"), "R");
+  EXPECT_EQ(text("TTM", "timestamp"), "120000.00");
+  EXPECT_EQ(text("TTM", "acquisition"), "M");
+  EXPECT_EQ(text("TLL", "target_number"), "08");
+  EXPECT_EQ(text("TLL", "lat"), "6023.40000");
+  EXPECT_EQ(text("TLL", "lon_dir"), "W");
+  EXPECT_EQ(text("TLL", "target_name"), "BRITT");
+  EXPECT_EQ(text("TLL", "target_status"), "Q");
+  EXPECT_EQ(text("TLL", "reference"), "R");
 }
 
 TEST(Gpsdecode, FindsWindAndPosition) {

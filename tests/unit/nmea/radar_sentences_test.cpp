@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "protocol/nmea/tracked_target_data.hpp"
 #include "tests/unit/nmea/sentence_kit.hpp"
 
@@ -64,7 +66,7 @@ TEST(Ttm, GivesUpPartOfTheNameAndNotOfTheNumbers) {
   longest.range_nm = 99.9996;
   longest.tcpa_min = -1e9;
   longest.speed_kn = 102.2;
-  longest.bearing_deg = longest.course_deg = 234.5;
+  longest.course_deg = longest.bearing_deg = 234.5;
   const std::string line = encode(longest);
   EXPECT_EQ(line.size(), kMaxSentence) << line;
   const auto ttm = decode_ttm(parse_sentence(line).value());
@@ -72,6 +74,92 @@ TEST(Ttm, GivesUpPartOfTheNameAndNotOfTheNumbers) {
   EXPECT_FALSE(ttm->name.empty());
   EXPECT_TRUE(longest.name.starts_with(ttm->name));
   EXPECT_EQ(ttm->tcpa_min, -999.9);
+}
+
+TEST(Ttm, OfATargetThatIsBeingAcquiredHasEmptyFields) {
+  const Ttm acquired{.number = 3,
+                     .range_nm = 2.5,
+                     .bearing_deg = 45.0,
+                     .status = TargetStatus::acquiring,
+                     .acquisition = TargetAcquisition::manual};
+  const std::string line = encode(acquired);
+  EXPECT_EQ(body(line), "$RATTM,03,2.500,45.0,T,,,T,,,N,,Q,,,M");
+  const Ttm back = decoded(line, decode_ttm);
+  EXPECT_FALSE(back.speed_kn || back.course_deg || back.cpa_nm || back.tcpa_min);
+  EXPECT_EQ(back.status, TargetStatus::acquiring);
+  EXPECT_EQ(back.acquisition, TargetAcquisition::manual);
+  EXPECT_FALSE(back.is_reference);
+}
+
+TEST(Ttm, SaysWhichIsTheReferenceTarget) {
+  Ttm target = a_target();
+  target.is_reference = true;
+  target.acquisition = {};
+  const std::string line = encode(target);
+  EXPECT_TRUE(body(line).ends_with(",N,ASTRID,T,R,090807.06,")) << line;
+  EXPECT_TRUE(decoded(line, decode_ttm).is_reference);
+  EXPECT_FALSE(decoded(line, decode_ttm).acquisition);
+  EXPECT_TRUE(is_refused("RATTM,01,1,45.0,T,1,2,T,0,0,N,,T,X,,A", decode_ttm));
+  EXPECT_TRUE(is_refused("RATTM,01,1,45.0,T,1,2,T,0,0,N,,T,,,X", decode_ttm));
+  Tll place{.number = 1, .position = {60.0, 5.0}, .is_reference = true};
+  EXPECT_TRUE(body(encode(place)).ends_with(",,,T,R"));
+  EXPECT_TRUE(decoded(encode(place), decode_tll).is_reference);
+}
+
+TEST(Ttm, HasEmptyFieldsForWhatIsOutOfRange) {
+  Ttm target = a_target();
+  target.number = 1023;
+  target.range_nm = 9999.999;
+  target.speed_kn = 1000.0;
+  target.cpa_nm = 9999.99;
+  target.tcpa_min = 999.9;
+  target.course_deg = target.bearing_deg = 359.9;
+  target.is_reference = true;
+  target.name = "NO ROOM";
+  EXPECT_EQ(body(encode(target)),
+            "$RATTM,1023,9999.999,359.9,T,1000.0,359.9,T,9999.99,999.9,N,N,T,R,090807.06,A");
+  target.tcpa_min = std::numeric_limits<double>::infinity();
+  target.speed_kn = 1000.1;
+  target.cpa_nm = 10'000.0;
+  EXPECT_TRUE(
+      body(encode(target)).starts_with("$RATTM,1023,9999.999,359.9,T,,359.9,T,,,N,NO ROOM"));
+  target.number = 1024;
+  EXPECT_TRUE(body(encode(target)).starts_with("$RATTM,,9999.999"));
+  target.range_nm = 10'000.0;
+  EXPECT_FALSE(decode_ttm(parse_sentence(encode(target)).value()));
+}
+
+TEST(Tlb, GivesLabelsInPairs) {
+  const std::vector<TargetLabel> labels{{1, "XXX"}, {1023, ""}, {27, "PILOT BOAT"}};
+  const auto lines = encode_tlb(labels);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(body(lines[0]), "$RATLB,1,XXX,1023,,27,PILOT BOAT");
+  EXPECT_EQ(decoded(lines[0], decode_tlb), labels);
+  EXPECT_TRUE(encode_tlb({}).empty());
+}
+
+TEST(Tlb, APairIsNotSplitAndALongLabelIsCut) {
+  std::vector<TargetLabel> labels;
+  for (unsigned i = 0; i < 100; ++i) labels.push_back({i, std::string(i % 20, 'x')});
+  std::vector<TargetLabel> back;
+  for (const std::string& line : encode_tlb(labels)) {
+    (void)body(line);
+    const auto some = decoded(line, decode_tlb);
+    back.insert(back.end(), some.begin(), some.end());
+  }
+  EXPECT_EQ(back, labels);
+  const std::vector<TargetLabel> long_ones{{5, std::string(200, 'y')}, {1024, "NONE"}, {6, "z"}};
+  const auto lines = encode_tlb(long_ones);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].size(), kMaxSentence);
+  EXPECT_EQ(body(lines[1]), "$RATLB,6,z");
+}
+
+TEST(Tlb, WithoutANumberIsRefused) {
+  EXPECT_EQ(decoded(with_checksum("CDTLB,1,XXX,2"), decode_tlb).size(), 2u);
+  for (const char* bad : {"RATLB", "RATLB,,XXX", "RATLB,1,XXX,", "RATLB,1024,X", "RATLB,-1,X"}) {
+    EXPECT_TRUE(is_refused(bad, decode_tlb)) << bad;
+  }
 }
 
 TEST(Ttm, WithoutRangeOrInOtherUnitsIsRefused) {
