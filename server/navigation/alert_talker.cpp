@@ -1,6 +1,6 @@
 #include "server/navigation/alert_talker.hpp"
 
-#include "protocol/nmea/sentence.hpp"
+#include "protocol/nmea/position_sentences.hpp"
 #include "protocol/quantity/time.hpp"
 
 namespace skerry::server {

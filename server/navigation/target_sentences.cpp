@@ -1,5 +1,6 @@
 #include "server/navigation/target_sentences.hpp"
 
+#include "protocol/nmea/position_sentences.hpp"
 #include "protocol/nmea/radar_sentences.hpp"
 #include "protocol/nmea/tracked_target_data.hpp"
 #include "protocol/quantity/speed.hpp"
