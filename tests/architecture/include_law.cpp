@@ -209,6 +209,10 @@ const std::vector<Room>& table() {
         "server/plotter/assignment/", "server/plotter/judge/baselines/", "server/plotter/tracks/"}},
       {"server/plotter/judge/baselines",
        {"protocol/quantity/", "echo/chart/local_plane.hpp", "server/plotter/judge/"}},
+      // What a mariner has of a view's targets: it knows the plotter's tracks, never the truth.
+      {"server/targets/watch",
+       {"protocol/", "echo/chart/local_plane.hpp", "echo/kernel/exact_math.hpp",
+        "server/plotter/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.
