@@ -50,8 +50,6 @@ bool ViewPlotter::take(const OwnSensors& own) {
       }
       begin = end;
     }
-    stood_at_ = own.utc;
-    has_video_ = true;
   }
   return true;
 }
@@ -83,10 +81,7 @@ void ViewPlotter::note_plots() {
   }
 }
 
-void ViewPlotter::tell(OwnSensors own, std::span<const AisContact> ais) {
-  // Set back, or far on: a playback has jumped.
-  const Duration quiet = own.utc - stood_at_;
-  own.has_video = has_video_ && quiet < kVideoLost && quiet > -kVideoLost;
+void ViewPlotter::tell(const OwnSensors& own, std::span<const AisContact> ais) {
   const std::lock_guard lock(mutex_);
   watch_.update(own, ais, plotter_);
   auto list = std::make_shared<wire::TargetList>(watch_.list());

@@ -21,8 +21,6 @@ namespace skerry::server {
 class ViewPlotter {
  public:
   static constexpr int kSectorsAtOnce = 8;
-  // Without spokes for as long, the radar is in standby, or its source has gone.
-  static constexpr Duration kVideoLost = std::chrono::seconds(10);
 
   // `wake` is called on the radar's thread.  Requires a channel with the format kNativeFormat.
   // `beam_deg`: of the radar's antenna; 0: not known.
@@ -35,7 +33,7 @@ class ViewPlotter {
   // they are taken, and given to nobody.
   bool take(const OwnSensors& own);
   // Makes a list.
-  void tell(OwnSensors own, std::span<const AisContact> ais);
+  void tell(const OwnSensors& own, std::span<const AisContact> ais);
 
   TargetListPtr list() const { return list_.get(); }
   TargetPlotsPtr plots() const { return plots_.get(); }
@@ -48,8 +46,6 @@ class ViewPlotter {
   RingReader reader_;
   wire::ServerMessage message_;
   std::uint64_t spokes_lost_ = 0;  // of the ring
-  UtcTime stood_at_{};             // own ship's time when the newest spoke came
-  bool has_video_ = false;
 
   std::mutex mutex_;  // of what follows
   TargetWatch watch_;

@@ -173,14 +173,10 @@ const std::vector<Room>& table() {
       {"server/relay", {"protocol/", "server/core/"}},
       {"server/playback", {"protocol/", "server/core/", "server/relay/"}},
       {"server/live", {"protocol/", "server/core/", "server/relay/"}},
-      // The plotters of all views at work, whatever the source of their spokes; and what a mariner
-      // has of them, without threads and clocks.
+      // The plotters of all views at work, whatever the source of their spokes.
       {"server/tracking",
        {"protocol/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp", "server/core/",
         "server/navigation/target_geometry.hpp", "server/plotter/", "server/tracking/watch/"}},
-      {"server/tracking/watch",
-       {"protocol/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp",
-        "server/plotter/"}},
       // Logs of AIS into traffic, and traffic into logs.
       {"server/traffic_logs", {"protocol/", "server/core/", "server/navigation/", "server/world/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
@@ -217,6 +213,10 @@ const std::vector<Room>& table() {
         "server/plotter/assignment/", "server/plotter/judge/baselines/", "server/plotter/tracks/"}},
       {"server/plotter/judge/baselines",
        {"protocol/quantity/", "echo/chart/local_plane.hpp", "server/plotter/judge/"}},
+      // What a mariner has of a view's targets: it knows the plotter's tracks, never the truth.
+      {"server/tracking/watch",
+       {"protocol/", "echo/chart/local_plane.hpp", "echo/kernel/exact_math.hpp",
+        "server/plotter/"}},
       // Clients know the protocol, never the server nor how an echo is made.
       {"clients/common", {"protocol/"}},
       // The C library of the interface board, and its signals as files.

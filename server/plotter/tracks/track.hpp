@@ -45,5 +45,7 @@ struct PlottedApproach {
   bool moves = false;  // relative speed of more than 0.05 m/s; else the time means nothing
 };
 PlottedApproach closest_approach(const PlottedTrack& track);
+// Of what is there from own ship, m, and moves so against her, m/s.
+PlottedApproach closest_approach(PlanePoint from_own_ship, PlanePoint relative_velocity_mps);
 
 }  // namespace skerry::server

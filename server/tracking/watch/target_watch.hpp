@@ -25,8 +25,6 @@ struct OwnSensors {
   std::optional<double> heading_deg;  // true
   // East and north, m/s: by positions; by heading and log.
   std::optional<PlanePoint> over_ground_mps, through_water_mps;
-  // Spokes come.  Without, the radar is in standby or its source has gone: targets are frozen.
-  bool has_video = true;
 };
 
 // What AIS last told of a ship, at `utc`.

@@ -1,0 +1,146 @@
+// TargetWatch::Desk: all that is watched, as of the last update.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "server/tracking/watch/ais_book.hpp"
+#include "server/tracking/watch/alert_list.hpp"
+#include "server/tracking/watch/approach_guard.hpp"
+#include "server/tracking/watch/motion_frame.hpp"
+#include "server/tracking/watch/past_places.hpp"
+#include "server/tracking/watch/target_watch.hpp"
+#include "server/tracking/watch/zones.hpp"
+
+namespace skerry::server {
+
+class TargetWatch::Desk {
+ public:
+  Desk(std::uint32_t radar, std::uint32_t view);
+
+  wire::Reply order(const wire::TargetOrder& order, Plotter& plotter);
+  void update(const OwnSensors& own, std::span<const AisContact> ais, Plotter& plotter);
+  const wire::TargetList& list() const { return list_; }
+  const wire::TargetRules& rules() const { return rules_; }
+
+ private:
+  static constexpr double kTrend_s = 60.0, kTracked_s = 180.0;      // tracked for so long
+  static constexpr Duration kNoVideo = std::chrono::seconds(5);     // since the antenna went on
+  static constexpr Duration kFrozenFor = std::chrono::seconds(60);  // then dropped
+  static constexpr Duration kLongestStep = std::chrono::minutes(1);
+  static constexpr std::size_t kMostLost = 50;
+  static constexpr double kReachLeast_m = 150.0, kReachShare = 0.03;  // of the range
+
+  struct Watched {
+    PlottedTrack track;
+    bool is_dropped = false;  // frozen for too long; the plotter may still have it
+    bool is_known = false;    // from before the last update
+    ZoneTable::Mask zones = 0;
+    ApproachGuard guard;
+    PastPlaces past;
+    std::optional<PlottedApproach> approach;
+    std::uint32_t mmsi = 0;  // that it is taken to be; 0: none
+  };
+  struct Lost {
+    PlottedTrack track;
+    UtcTime seen{};
+    std::uint32_t mmsi = 0;
+    std::string name;
+  };
+  struct TrialRun {
+    wire::TrialOrder order;
+    UtcTime begins{};
+  };
+
+  // desk_orders.cpp
+  std::optional<wire::Reply> refusal_of(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_values(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_zones(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_targets(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_alerts(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_acquisition(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_trial(const wire::TargetOrder& order) const;
+  wire::Reply acquire(const wire::TargetOrder::Acquire& where, Plotter& plotter) const;
+  void change_rules(const wire::TargetOrder& order, Plotter& plotter);
+  void change_targets(const wire::TargetOrder& order, Plotter& plotter);
+  void cancel(std::uint32_t number, Plotter& plotter);
+  void end_trial() { trial_.reset(); }
+
+  // desk.cpp
+  void end_what_hangs_on_time();
+  void watch_inputs();
+  void watch_input(const std::string& name, bool is_there, const std::string& text);
+  void take_tracks(Plotter& plotter);
+  void take_lost(const std::vector<PlottedTrack>& lost, bool all_anew);
+  void tell_lost(const Watched& watched);
+  void freeze_or_thaw(bool is_video);
+  void keep_past();
+
+  // desk_ais.cpp
+  void watch_ais(std::span<const AisContact> ais);
+  void tell_lost_ais();
+  void pair_with_ais();
+  void set_partner(Watched& watched, std::uint32_t mmsi);
+
+  // desk_alerts.cpp
+  void watch_zones();
+  void watch_approaches();
+  void watch_capacity(std::uint64_t left_out);
+  void set_alert(bool is_on, AlertKind kind, const AlertSubject& subject, const std::string& text);
+
+  // desk_list.cpp
+  void tell(Plotter& plotter);
+  void tell_target(const Watched& watched);
+  void tell_motion(const Watched& watched, wire::Target& target) const;
+  void tell_lost_targets();
+  void tell_test_targets();
+  void tell_ais();
+  void tell_trial();
+  void tell_own_ship();
+  std::string problem() const;
+
+  bool has_motion(const Watched& watched) const;
+  static PlanePoint from_own_ship(const PlottedTrack& track);
+  static double tracked_s(const PlottedTrack& track);
+  ApproachLimits limits() const;
+  const Watched* find_watched(std::uint32_t number) const;
+  static AlertSubject subject_of(const Watched& watched) {
+    return {.target = watched.track.number, .mmsi = 0, .what = {}};
+  }
+  static AlertSubject subject_of(const AisRecord& record) {
+    return {.target = 0, .mmsi = record.contact.mmsi, .what = {}};
+  }
+  std::string name_of(const Watched& watched);
+
+  wire::TargetRules rules_;
+  ZoneTable zones_;
+  AlertList alerts_;
+  AisBook ais_;
+  std::map<std::uint32_t, Watched> targets_;  // by number
+  std::deque<Lost> lost_;
+  std::uint32_t reference_ = 0;
+  std::optional<TrialRun> trial_;
+  std::optional<UtcTime> test_targets_since_;
+  std::map<std::string, bool> inputs_;  // that were there once
+
+  bool has_time_ = false;
+  UtcTime now_{};
+  OwnSensors own_;
+  std::optional<GroundPlane> plane_;  // around own ship; absent: her place is not known
+  MotionFrame frame_;
+  ScenarioTime pass_{};  // of the antenna, the last one
+  UtcTime passed_{};     // when that was seen
+  bool is_video_ = true;
+  std::optional<UtcTime> frozen_since_, thawed_;
+  std::uint64_t resets_ = 0, left_out_ = 0;
+  std::optional<UtcTime> left_one_out_;
+  bool is_near_capacity_ = false;
+
+  wire::TargetList list_;
+};
+
+}  // namespace skerry::server
