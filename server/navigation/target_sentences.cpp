@@ -35,8 +35,8 @@ std::string ttm_of(const ToldTarget& target, UtcTime utc) {
                           .tcpa_min = divided(target.tcpa_s, 60.0),
                           .name = target.name,
                           .status = status_of(target),
-                          .is_reference = target.is_reference,
                           .time_of_day = nmea::time_of_day(utc),
+                          .is_reference = target.is_reference,
                           .acquisition = target.by_hand ? nmea::TargetAcquisition::manual
                                                         : nmea::TargetAcquisition::automatic});
 }

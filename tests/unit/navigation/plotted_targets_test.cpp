@@ -13,13 +13,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kNm = 1852.0;
+constexpr double kRange_m = 12 * 1852.0;  // within which targets are told
 
 wire::Target& add(wire::TargetList& list, std::uint32_t number, double range_nm) {
   wire::Target& target = *list.add_targets();
   target.set_number(number);
   target.set_state(wire::TARGET_TRACKED);
-  target.set_range_m(range_nm * kNm);
+  target.set_range_m(range_nm * 1852.0);
   target.set_bearing_deg(45.0);
   target.set_course_deg(200.0);
   target.set_speed_kn(9.0);
@@ -42,7 +42,7 @@ wire::Alert& alert(wire::TargetList& list, std::uint32_t instance, std::uint32_t
 }
 
 TEST(PlottedTargets, KeepTheirNumbersAndThoseBeyond99GetOneThatIsFree) {
-  PlottedTargets told(12 * kNm, 40, 4s);
+  PlottedTargets told(kRange_m, 40, 4s);
   wire::TargetList list;
   add(list, 1, 3.0);
   add(list, 100, 4.0);
@@ -62,7 +62,7 @@ TEST(PlottedTargets, KeepTheirNumbersAndThoseBeyond99GetOneThatIsFree) {
 }
 
 TEST(PlottedTargets, TheDangerousAndTheNearestHaveTheRoom) {
-  PlottedTargets told(12 * kNm, 2, 4s);
+  PlottedTargets told(kRange_m, 2, 4s);
   wire::TargetList list;
   add(list, 1, 3.0);
   add(list, 2, 2.0);
@@ -75,7 +75,7 @@ TEST(PlottedTargets, TheDangerousAndTheNearestHaveTheRoom) {
 }
 
 TEST(PlottedTargets, ALostOrCancelledOneIsToldAsLostForAWhile) {
-  PlottedTargets told(12 * kNm, 40, 4s);
+  PlottedTargets told(kRange_m, 40, 4s);
   wire::TargetList list;
   add(list, 1, 3.0);
   add(list, 2, 3.0);
@@ -91,7 +91,7 @@ TEST(PlottedTargets, ALostOrCancelledOneIsToldAsLostForAWhile) {
 }
 
 TEST(PlottedTargets, OneThatIsBeingAcquiredHasNoMotionInItsSentence) {
-  PlottedTargets told(12 * kNm, 40, 4s);
+  PlottedTargets told(kRange_m, 40, 4s);
   wire::TargetList list;
   wire::Target& target = add(list, 5, 3.0);
   target.set_state(wire::TARGET_ACQUIRING);
@@ -111,7 +111,7 @@ TEST(PlottedTargets, OneThatIsBeingAcquiredHasNoMotionInItsSentence) {
 }
 
 TEST(PlottedTargets, LabelsTellWhatTheOperatorCallsThem) {
-  PlottedTargets told(12 * kNm, 40, 4s);
+  PlottedTargets told(kRange_m, 40, 4s);
   wire::TargetList list;
   add(list, 112, 3.0);
   add(list, 3, 4.0).set_name("Frida");
@@ -187,16 +187,16 @@ TEST(AlertTalker, TheCyclicListHasThemAllAndMayBeEmpty) {
 
 TEST(AlertTalker, CommandsAcknowledgeAndSilence) {
   nmea::Acn command{.key = {.manufacturer = {}, .identifier = 3044, .instance = 2}};
-  auto order = order_of(command);
+  auto order = server::order_of(command);
   ASSERT_TRUE(order.has_value());
   ASSERT_EQ(order->acknowledge_size(), 1);
   EXPECT_EQ(order->acknowledge(0).number(), 3044u);
   EXPECT_EQ(order->acknowledge(0).instance(), 2u);
   command.command = nmea::AlertCommand::silence;
-  EXPECT_TRUE(order_of(command)->silence());
+  EXPECT_TRUE(server::order_of(command)->silence());
   command.command = nmea::AlertCommand::transfer;
-  EXPECT_FALSE(order_of(command).has_value());
-  EXPECT_EQ(order_of(nmea::Ack{.number = 44})->acknowledge(0).number(), 3044u);
+  EXPECT_FALSE(server::order_of(command).has_value());
+  EXPECT_EQ(server::order_of(nmea::Ack{.number = 44})->acknowledge(0).number(), 3044u);
 }
 
 }  // namespace
