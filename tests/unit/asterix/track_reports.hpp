@@ -102,16 +102,15 @@ inline Bytes cat048_of_others() {
           2,    0xAA};                            // RE
 }
 inline Bytes cat062_of_others() {
-  return {62,   0,    44,          // category, octets
-          0x81, 0x1D, 0x43, 0x08,  // FSPEC
-          25,   8,                 // 010
-          0x01, 0x40, 1,    1,    2,  3,  4,  5,  6,
-          7,    8,    9,    10,   11, 12, 13, 14, 15,  // 380: an intended point
-          0,    7,                                     // 040
-          0x80,                                        // 080
-          0x81, 0x80, 1,    2,                         // 295: subfields 1 and 8
-          0x01, 0x08, 1,    1,    2,  3,  4,           // 390: a time of departure
-          2,    0,    2};                              // 510: a master
+  return {62,   0,    40,    // category, octets
+          0x81, 0x1D, 0x42,  // FSPEC
+          25,   8,           // 010
+          0x01, 0x40, 1,    1,  2,  3,  4,  5,  6,
+          7,    8,    9,    10, 11, 12, 13, 14, 15,  // 380: an intended point
+          0,    7,                                   // 040
+          0x80,                                      // 080
+          0x81, 0x80, 1,    2,                       // 295: subfields 1 and 8
+          0x01, 0x08, 1,    1,  2,  3,  4};          // 390: a time of departure
 }
 
 // One interface for the three.

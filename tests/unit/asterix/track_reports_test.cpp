@@ -371,6 +371,20 @@ TEST(TrackReportReading, PassesOverItemsOfEveryShape) {
   EXPECT_EQ(tracks->front().track_number, 7);
 }
 
+// Item 510 is of three octets at a time, by asterix-specs; Wireshark 4.0 goes wrong in it.
+TEST(TrackReportReading, PassesOverItemsExtendedByThreeOctets) {
+  const Bytes start{62, 0, 18, 0x81, 0x0D, 0x01, 0x08, 25, 8, 0, 7, 0};
+  Bytes master = start, both = start;
+  master[2] = 15;
+  master.insert(master.end(), {1, 0, 2});
+  both.insert(both.end(), {1, 0, 3, 2, 0, 2});
+  for (const Bytes& datagram : {master, both}) {
+    const auto tracks = decode_cat062(datagram);
+    ASSERT_TRUE(tracks.ok()) << tracks.error().text;
+    EXPECT_EQ(tracks->size(), 1u);
+  }
+}
+
 TEST(TrackReportReading, RefusesSpareItemsAndSubfields) {
   // CAT062 with FRN 2; with 290 of an eleventh subfield.
   EXPECT_EQ(decode_cat062(Bytes{62, 0, 10, 0xC1, 0x0C, 1, 2, 0, 1, 0}).error().kind,

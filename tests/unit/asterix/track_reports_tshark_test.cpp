@@ -183,8 +183,8 @@ TEST_F(ReportTshark, ReadsTheRecordsOfOthersToo) {
     file.add(cat062_of_others());
   }
   EXPECT_EQ(tshark("-Y '!asterix or _ws.malformed or _ws.expert.severity >= warning'"), "");
-  EXPECT_EQ(tshark("-T fields -e asterix.062_040_VALUE -e asterix.062_510_MTRACK"),
-            "\t\n0x0007\t1\n");
+  EXPECT_EQ(tshark("-T fields -e asterix.062_040_VALUE -e asterix.062_390_TOD_SEC"),
+            "\t\n0x0007\t4\n");
 }
 
 }  // namespace
