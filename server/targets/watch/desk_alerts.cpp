@@ -102,8 +102,8 @@ void TargetWatch::Desk::watch_approaches() {
     const AisRecord* pair = ais_.find(watched.mmsi);
     const bool by_ais = !watched.guard.is_on() && pair != nullptr && pair->guard.is_on();
     const auto& approach = by_ais ? pair->approach : watched.approach;
-    set_alert(
-        watched.guard.is_on() || by_ais, AlertKind::approach, subject_of(watched),
+    watched.is_dangerous = watched.guard.is_on() || by_ais;
+    set_alert(watched.is_dangerous, AlertKind::approach, subject_of(watched),
         approach_text(fmt::format("Target {}", number), approach.value_or(PlottedApproach{})));
   }
 }
