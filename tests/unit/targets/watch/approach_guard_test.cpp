@@ -62,8 +62,8 @@ TEST(ApproachGuard, WithoutALimitItIsOffAtOnce) {
 }
 
 // A target that will pass at 0.95 to 1.05 NM, with the errors that CPA has after three minutes of
-// tracking (facts/exercise.md B6: 95 % within 0.14 NM for scenario 1, so sigma 0.07), which change
-// within some ten seconds.
+// tracking (server/plotter/README.md: 95 % within 0.15 NM for scenario 1, so sigma 0.07), which
+// change within some ten seconds.
 TEST(ApproachGuard, NoiseDoesNotMakeItComeAndGo) {
   int worst = 0, without = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {

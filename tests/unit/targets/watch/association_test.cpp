@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::Optional;
 
 // Own ship lies still; the target is 4 NM away, bearing 340, on course 090 at 10 kn
-// (facts/exercise.md B9).
+// (the scene of the tests of IEC 62388, 11.8, quoted at second hand).
 MovingTarget at(PlanePoint off = {}, double course_deg = 90.0, double speed_kn = 10.0) {
   return {vector_of(340.0, 4.0 * kNm) + off, vector_of(course_deg, speed_kn * kKnot)};
 }
@@ -30,7 +30,7 @@ bool are_one(const MovingTarget& tracked, const MovingTarget& ais, const Partner
 
 const Partners kWereOne{std::size_t{0}};
 
-// Of the four scenarios of B9 only the third is told of there; the others are what its criteria ask
+// Of the four scenarios there only the third is known here; the others are what its criteria ask
 // for.
 TEST(Association, OneSamePlaceAndMotionIsOne) {
   EXPECT_TRUE(are_one(at(), at()));

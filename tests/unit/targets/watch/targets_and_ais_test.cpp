@@ -39,7 +39,7 @@ TEST(TargetsAndAis, TwoShipsShowTwice) {
   EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
 }
 
-// B9, scenario 3: they meet at one place, on opposite courses.
+// The third scenario of association_test: they meet at one place, on opposite courses.
 TEST(TargetsAndAis, OnOppositeCoursesTheyAreTwo) {
   WatchedSea sea;
   const double meet_s = 300.0, v = 10.0 * kKnot;

@@ -23,7 +23,7 @@ wire::TrialOrder order(double course_deg, double speed_kn, double turn_rate = 0.
   return order;
 }
 
-// facts/exercise.md B7: scenario 1 of A.823(19), and own ship turns to 090.
+// Scenario 1 of A.823(19), and own ship turns to 090: 8 NM / sqrt(2), 8 NM at 20 kn.
 TEST(TrialPath, TheFirstScenarioHasTheCpaThatIsKnown) {
   const TrialPath path(order(90.0, 10.0), 0.0, 10.0 * kKnot, 0.0);
   const auto closest = path.closest_to({0.0, 8.0 * kNm}, vector_of(180.0, 10.0 * kKnot));
