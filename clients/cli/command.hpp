@@ -46,6 +46,7 @@ Command make_picture_command(CLI::App& app);
 Command make_radar_command(CLI::App& app);
 Command make_scenario_command(CLI::App& app);
 Command make_exercise_command(CLI::App& app);
+Command make_targets_command(CLI::App& app);
 Command make_track_command(CLI::App& app);
 Command make_traffic_command(CLI::App& app);
 Command make_board_command(CLI::App& app);

@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
       "  skerry doctor\n"
       "  skerry snapshot -o radar.png\n"
       "  skerry dump --count 5\n"
+      "  skerry targets --by range\n"
       "  skerry set --range 6 --gain 60\n"
       "  skerry record start\n"
       "  skerry play exercise.mcap\n"
@@ -41,7 +42,7 @@ int run(int argc, char** argv) {
       make_coast_command(app),    make_board_command(app),    make_recording_command(app),
       make_doctor_command(app),   make_picture_command(app),  make_radar_command(app),
       make_scenario_command(app), make_exercise_command(app), make_traffic_command(app),
-      make_track_command(app)};
+      make_targets_command(app),  make_track_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

@@ -28,6 +28,7 @@ enum class ClientErrorKind : std::uint8_t {
 struct ClientError {
   ClientErrorKind kind = ClientErrorKind::closed;
   std::string text;  // one sentence that names host and port; printable ASCII
+  int code = 0;      // rejected: the server's wire::Reply::Code
 };
 
 template <typename T>

@@ -141,8 +141,9 @@ Failure<ClientError> MessageStream::no_answer(const char* kind) const {
 }
 
 Failure<ClientError> MessageStream::rejected(const wire::Reply& reply) const {
-  return failure(ClientErrorKind::rejected,
-                 fmt::format("{} rejected the request: {}", name_, printable(reply.text())));
+  return Failure{ClientError{
+      ClientErrorKind::rejected,
+      fmt::format("{} rejected the request: {}", name_, printable(reply.text())), reply.code()}};
 }
 
 void MessageStream::start_read() {

@@ -79,6 +79,8 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
       return Event(std::move(*message.mutable_playback()));
     case wire::ServerMessage::kExercise:
       return Event(std::move(*message.mutable_exercise()));
+    case wire::ServerMessage::kTargets:
+      return Event(std::move(*message.mutable_targets()));
     case wire::ServerMessage::kReply: {
       const wire::Reply& reply = message.reply();
       if (reply.code() == wire::Reply::OK && reply.request() == status_request_) return Event{};
@@ -239,6 +241,17 @@ ClientResult<Done> SpokeClient::watch_exercise(std::uint32_t times_a_second, Dur
   if (!reply) return Failure{reply.error()};
   return Done{};
 }
+ClientResult<Done> SpokeClient::watch_targets(std::uint32_t radar, std::uint32_t view,
+                                              std::uint32_t times_a_second, Duration timeout) {
+  wire::Subscribe request;
+  request.set_radar(radar);
+  request.set_view(view);
+  request.set_targets_hz(times_a_second);
+  request.set_no_spokes(true);
+  const auto reply = connection_->subscribe(request, timeout);
+  if (!reply) return Failure{reply.error()};
+  return Done{};
+}
 ClientResult<std::optional<ClientEvent>> SpokeClient::receive(Duration timeout) {
   return connection_->receive(timeout);
 }
@@ -246,6 +259,12 @@ ClientResult<wire::Reply> SpokeClient::set(const wire::Set& request, Duration ti
   wire::ClientMessage message;
   *message.mutable_set() = request;
   return connection_->ask(std::move(message), "set", timeout);
+}
+ClientResult<wire::Reply> SpokeClient::order_targets(const wire::TargetOrder& order,
+                                                     Duration timeout) {
+  wire::ClientMessage message;
+  *message.mutable_target_order() = order;
+  return connection_->ask(std::move(message), "target_order", timeout);
 }
 ClientResult<wire::Reply> SpokeClient::record(const wire::Record& request, Duration timeout) {
   if (!hello().can_record()) {

@@ -18,7 +18,7 @@ namespace skerry::client {
 // Whatever a subscribed connection brings.
 using ClientEvent =
     std::variant<Spoke, wire::Settings, wire::OwnShip, wire::Reply, wire::Status, wire::World,
-                 wire::RecorderState, wire::PlaybackState, wire::ExerciseState>;
+                 wire::RecorderState, wire::PlaybackState, wire::ExerciseState, wire::TargetList>;
 
 // One connection to a server.  Nothing that comes from the network throws or is believed unchecked.
 // An error ends the connection: every later call answers with the same error, and whether to
@@ -60,6 +60,13 @@ class SpokeClient {
   ClientResult<Done> watch_exercise(std::uint32_t times_a_second, Duration timeout,
                                     const std::string& token = {});
 
+  // From now on receive() brings what the plotter of that view has (wire::TargetList), 1 or 2 times
+  // a second, settings and own ship, and no spokes.  The plotter begins now, if nobody has wanted
+  // it.  A server without plotters sends no list.
+  // Error: as subscribe().
+  ClientResult<Done> watch_targets(std::uint32_t radar, std::uint32_t view,
+                                   std::uint32_t times_a_second, Duration timeout);
+
   // The next event; nothing if none came within `timeout` (zero: what is there already).
   // Error: closed (with the server's last complaint, if it had one), malformed.
   ClientResult<std::optional<ClientEvent>> receive(Duration timeout);
@@ -68,6 +75,11 @@ class SpokeClient {
   // Error: rejected with the server's text, timed_out, and the errors of receive().
   ClientResult<wire::Reply> set(const wire::Set& request, Duration timeout);
   ClientResult<wire::Status> get_status(Duration timeout);
+
+  // Orders the plotter of a view; all or nothing.  Only once a TargetList has come: other servers
+  // may not know the request.
+  // Error: as set(); with Reply::UNKNOWN where no echo is to be acquired, or a target is not there.
+  ClientResult<wire::Reply> order_targets(const wire::TargetOrder& order, Duration timeout);
 
   // Only for a server whose Hello says can_record, or playback.  Otherwise it is rejected here and
   // nothing is sent, because such a server may not know the request.  All or nothing.

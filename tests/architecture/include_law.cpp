@@ -232,6 +232,7 @@ const std::vector<Room>& table() {
        {"protocol/", "clients/common/", "clients/cli/", "clients/board/", "clients/signals/"}},
       {"clients/cli/exercise", {"protocol/", "clients/common/", "clients/cli/"}},
       {"clients/cli/live", {"protocol/", "clients/common/", "clients/cli/", "clients/doctor/"}},
+      {"clients/cli/targets", {"protocol/", "clients/common/", "clients/cli/"}},
       {"clients/cli/recording",
        {"protocol/", "clients/common/", "clients/cli/", "clients/recording/",
         "clients/interchange/", "clients/signals/"}},

@@ -1,37 +1,22 @@
 // skerry exercise show and watch: the exercise as it really is.
 #include <fmt/format.h>
-#include <google/protobuf/util/json_util.h>
 
-#include <stdexcept>
 #include <variant>
 
 #include "clients/cli/console.hpp"
 #include "clients/cli/exercise/exercise_link.hpp"
 #include "clients/cli/exercise/exercise_words.hpp"
+#include "clients/cli/message_json.hpp"
 
 namespace skerry::client {
 namespace {
-
-std::string exercise_json(const wire::ExerciseState& state) {
-  google::protobuf::util::JsonPrintOptions format;
-  format.add_whitespace = true;
-  format.always_print_primitive_fields = true;
-  format.preserve_proto_field_names = true;
-  std::string out;
-  const auto done = google::protobuf::util::MessageToJsonString(state, &out, format);
-  if (!done.ok()) {
-    throw std::runtime_error("the exercise cannot be written as JSON: " +
-                             std::string(done.message()));
-  }
-  return out;
-}
 
 int show_exercise(const ExercisePlace& place, bool as_json) {
   auto client = place.server.connect();
   if (!client) return report(client.error());
   const auto state = exercise_now(*client, place);
   if (!state) return report(state.error());
-  write_out(as_json ? exercise_json(*state) : exercise_text(*state));
+  write_out(as_json ? json_text(*state) : exercise_text(*state));
   return kExitOk;
 }
 

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include "clients/cli/exercise/exercise_link.hpp"
-#include "clients/cli/exercise/message_options.hpp"
+#include "clients/cli/exercise/waypoint_option.hpp"
+#include "clients/cli/message_options.hpp"
 
 namespace skerry::client {
 namespace {
@@ -87,7 +88,7 @@ Command make_order_command(CLI::App& target) {
                           });
       });
   made.app->add_option("SHIP", request->ship, "Her name or number")->required();
-  add_message_options(*made.app, request->change, "target");
+  add_message_options(*made.app, request->change, {"target"});
   add_waypoint_option(*made.app, request->waypoints);
   made.app->footer(
       "Examples:\n"
@@ -135,7 +136,7 @@ Command make_put_command(CLI::App& exercise) {
                                              });
                          });
   made.app->add_option("SHIP", request->ship, "Her name or number")->required();
-  add_message_options(*made.app, request->change, "own_ship");
+  add_message_options(*made.app, request->change, {"own_ship"});
   return made;
 }
 

@@ -1,6 +1,5 @@
 // skerry status: what a server is doing, as tables or JSON.
 #include <fmt/format.h>
-#include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/message_json.hpp"
 #include "clients/cli/recording/record_words.hpp"
 #include "protocol/picture/label_text.hpp"
 #include "protocol/wire/printable_text.hpp"
@@ -264,25 +264,12 @@ std::string status_table(const wire::Status& status, const std::string& place) {
       clients(status) + outputs(status) + recorder(status), errors(status));
 }
 
-std::string status_json(const wire::Status& status) {
-  google::protobuf::util::JsonPrintOptions format;
-  format.add_whitespace = true;
-  format.always_print_primitive_fields = true;
-  format.preserve_proto_field_names = true;
-  std::string out;
-  const auto done = google::protobuf::util::MessageToJsonString(status, &out, format);
-  if (!done.ok())
-    throw std::runtime_error("the status cannot be written as JSON: " +
-                             std::string(done.message()));
-  return out;
-}
-
 int run_status(const ServerPlace& place, bool as_json) {
   auto client = place.connect();
   if (!client) return report(client.error());
   const auto status = client->get_status(place.timeout());
   if (!status) return report(status.error());
-  write_out(as_json ? status_json(*status) : status_table(*status, client->name()));
+  write_out(as_json ? json_text(*status) : status_table(*status, client->name()));
   return kExitOk;
 }
 

@@ -1,6 +1,5 @@
 // skerry record: begins, ends and marks recordings on the server's disk, and says how they go.
 #include <fmt/format.h>
-#include <google/protobuf/util/json_util.h>
 
 #include <chrono>
 #include <memory>
@@ -11,6 +10,7 @@
 
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
+#include "clients/cli/message_json.hpp"
 #include "clients/cli/recording/record_words.hpp"
 #include "protocol/wire/printable_text.hpp"
 
@@ -101,15 +101,7 @@ int show(const RecordOptions& options) {
     write_out(recorder_text(*state));
     return kExitOk;
   }
-  google::protobuf::util::JsonPrintOptions print;
-  print.always_print_primitive_fields = true;
-  print.add_whitespace = true;
-  print.preserve_proto_field_names = true;
-  std::string text;
-  if (!google::protobuf::util::MessageToJsonString(*state, &text, print).ok()) {
-    return report("the server's answer cannot be written as JSON");
-  }
-  write_out(text);
+  write_out(json_text(*state));
   return kExitOk;
 }
 

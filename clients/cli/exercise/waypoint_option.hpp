@@ -1,21 +1,15 @@
-// Options of a command that fill a message: one for each field, from the schema.
+// --waypoint of the commands that order ships.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "protocol/wire/exercise.pb.h"
-#include "protocol/wire/schema.hpp"
 
 namespace skerry::client {
-
-// One option for each number, switch, choice and text of `message` that is not `left_out`.
-// `message` must outlive the command.
-void add_message_options(CLI::App& command, wire::Message& message, std::string_view left_out = {});
 
 // --waypoint LATITUDE,LONGITUDE[,NAME=VALUE...], as often as wanted; names are those of Waypoint's
 // other fields.  `texts` must outlive the command.
