@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/asterix/report_parts.hpp"
 #include "protocol/quantity/result.hpp"
 #include "protocol/quantity/time.hpp"
 #include "protocol/video/spoke.hpp"
@@ -19,12 +20,7 @@ namespace skerry {
 inline constexpr std::uint8_t kCat240 = 240;
 inline constexpr std::size_t kCat240MaxSummary = 255;  // characters: REP of item 030 is one octet
 
-// Who sends: system area code and system identification code, assigned by the user.
-struct Cat240Source {
-  std::uint8_t sac = 0;
-  std::uint8_t sic = 0;
-  friend bool operator==(const Cat240Source&, const Cat240Source&) = default;
-};
+using Cat240Source = AsterixSource;
 
 // Which of the three sizes of video block carries the cells: item 050, 051 or 052.
 enum class Cat240Blocks : std::uint8_t {

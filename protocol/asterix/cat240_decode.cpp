@@ -6,6 +6,7 @@
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/asterix/cat240_cells.hpp"
 #include "protocol/asterix/cat240_items.hpp"
+#include "protocol/asterix/item_reader.hpp"
 #include "protocol/wire/byte_order.hpp"
 
 namespace skerry {
@@ -13,8 +14,6 @@ namespace {
 
 using cat240::Item;
 using cat240::ItemSet;
-
-constexpr std::size_t kMaxDatagramOctets = 65535;
 
 constexpr ItemSet kVideoItems(Item::message_index, Item::header_nano, Item::header_femto,
                               Item::resolution, Item::counters, Item::block_low, Item::block_medium,
@@ -26,22 +25,15 @@ class RecordReader {
  public:
   // `inflation_left`: octets that compressed cells of the datagram may still come to.
   RecordReader(ByteReader& in, std::size_t block_offset, std::size_t& inflation_left)
-      : in_(in), block_offset_(block_offset), inflation_left_(inflation_left) {}
+      : in_(in), reader_(in, block_offset, "CAT240"), inflation_left_(inflation_left) {}
 
   bool read(Cat240Record& record);
-  const WireError& error() const { return error_; }
+  const WireError& error() const { return reader_.error(); }
 
  private:
-  bool fail(WireErrorKind kind, std::string text) {
-    error_ = {kind, block_offset_ + in_.offset(), "CAT240: " + std::move(text)};
-    return false;
-  }
-  bool whole(const char* item) {
-    return !in_.truncated() ||
-           fail(WireErrorKind::truncated, fmt::format("data block ends within item {}", item));
-  }
+  bool fail(WireErrorKind kind, const std::string& text) { return reader_.fail(kind, text); }
+  bool whole(const char* item) { return reader_.whole(item); }
 
-  bool read_field_specification();
   bool read_kind(Cat240Record& record);
   void read_video_header(Cat240Video& video, Item item);
   bool read_resolution(Cat240Video& video);
@@ -49,26 +41,10 @@ class RecordReader {
   bool skip_explicit_length(const char* item);
 
   ByteReader& in_;
-  std::size_t block_offset_;
+  asterix::ItemReader reader_;
   std::size_t& inflation_left_;
   ItemSet items_;
-  WireError error_;
 };
-
-bool RecordReader::read_field_specification() {
-  std::uint8_t octet = cat240::kFieldExtension;
-  for (std::size_t index = 0; (octet & cat240::kFieldExtension) != 0; ++index) {
-    octet = in_.octet();
-    if (!whole("FSPEC")) return false;
-    if (index < 2) {
-      items_.set_octet(index, octet);
-    } else if ((octet & ~cat240::kFieldExtension) != 0) {
-      return fail(WireErrorKind::unknown_kind,
-                  fmt::format("FSPEC octet {} names items beyond FRN 14", index + 1));
-    }
-  }
-  return true;
-}
 
 bool RecordReader::read_kind(Cat240Record& record) {
   if (!items_.has_all(ItemSet(Item::source, Item::message_type))) {
@@ -162,19 +138,13 @@ bool RecordReader::read_blocks(Cat240Video& video) {
   return true;
 }
 
-// RE and SP: the first octet is the length, itself included.
 bool RecordReader::skip_explicit_length(const char* item) {
-  const std::uint8_t length = in_.octet();
-  if (!whole(item)) return false;
-  if (length == 0) {
-    return fail(WireErrorKind::malformed, fmt::format("item {} of length 0", item));
-  }
-  in_.take(length - 1u);
-  return whole(item);
+  asterix::ItemOctets octets;
+  return reader_.read(octets, asterix::lengthy(), item);
 }
 
 bool RecordReader::read(Cat240Record& record) {
-  if (!read_field_specification() || !read_kind(record)) return false;
+  if (!reader_.read(items_, cat240::kFieldSpecification) || !read_kind(record)) return false;
   if (record.kind == Cat240Kind::summary) {
     const auto text = in_.take(in_.octet());
     if (!whole("030")) return false;
@@ -189,10 +159,10 @@ bool RecordReader::read(Cat240Record& record) {
   if (items_.has(Item::time_of_day)) {
     record.time_of_day = in_.big_endian<std::uint32_t>(3);
     if (!whole("140")) return false;
-    if (*record.time_of_day >= cat240::kTimeOfDayPerDay) {
+    if (*record.time_of_day >= asterix::kTimeOfDayPerDay) {
       return fail(WireErrorKind::out_of_range,
                   fmt::format("time of day {} in item 140, expected less than {}",
-                              *record.time_of_day, cat240::kTimeOfDayPerDay));
+                              *record.time_of_day, asterix::kTimeOfDayPerDay));
     }
   }
   return (!items_.has(Item::reserved) || skip_explicit_length("RE")) &&
@@ -207,35 +177,18 @@ Length Cat240Video::cell_size() const {
 }
 
 Result<std::vector<Cat240Record>, WireError> decode_cat240(std::span<const std::uint8_t> datagram) {
-  if (datagram.size() > kMaxDatagramOctets) {
-    return Failure{WireError{WireErrorKind::oversized, kMaxDatagramOctets,
-                             fmt::format("CAT240: datagram of {} bytes, expected at most {}",
-                                         datagram.size(), kMaxDatagramOctets)}};
-  }
   std::vector<Cat240Record> records;
   std::size_t inflation_left = kCat240MaxInflated;
-  ByteReader in(datagram);
-  while (in.left() > 0) {
-    const std::size_t start = in.offset();
-    const std::uint8_t category = in.octet();
-    const auto length = in.big_endian<std::uint16_t>();
-    if (in.truncated() || length > datagram.size() - start) {
-      return Failure{WireError{WireErrorKind::truncated, start,
-                               fmt::format("CAT240: data block of {} bytes, but {} are left",
-                                           length, datagram.size() - start)}};
-    }
-    if (length < cat240::kBlockHeader) {
-      return Failure{
-          WireError{WireErrorKind::malformed, start,
-                    fmt::format("CAT240: data block of {} bytes, expected 3 or more", length)}};
-    }
-    ByteReader block(in.take(length - cat240::kBlockHeader));
-    if (category != kCat240) continue;
-    while (block.left() > 0) {
-      RecordReader reader(block, start + cat240::kBlockHeader, inflation_left);
-      if (!reader.read(records.emplace_back())) return Failure{reader.error()};
-    }
-  }
+  const auto error = asterix::for_each_block(
+      datagram, kCat240, "CAT240",
+      [&](ByteReader& block, std::size_t offset) -> std::optional<WireError> {
+        while (block.left() > 0) {
+          RecordReader reader(block, offset, inflation_left);
+          if (!reader.read(records.emplace_back())) return reader.error();
+        }
+        return std::nullopt;
+      });
+  if (error) return Failure{*error};
   return records;
 }
 

@@ -7,6 +7,8 @@
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/asterix/cat240_cells.hpp"
 #include "protocol/asterix/cat240_items.hpp"
+#include "protocol/asterix/common_items.hpp"
+#include "protocol/asterix/item_writer.hpp"
 #include "protocol/wire/byte_order.hpp"
 
 namespace skerry {
@@ -20,14 +22,6 @@ std::uint16_t azimuth(TrueBearing bearing) {
   return static_cast<std::uint16_t>((std::uint64_t{bearing.units()} + 0x8000) >> 16);
 }
 
-// Truncated, so that no time of day lies in the next day.
-std::uint32_t time_of_day(UtcTime utc) {
-  constexpr std::int64_t kDay = 86'400'000'000'000;
-  const std::int64_t count = utc.time_since_epoch().count() % kDay;
-  const std::int64_t since_midnight = count < 0 ? count + kDay : count;
-  return static_cast<std::uint32_t>(since_midnight * cat240::kTimeOfDayPerSecond / 1'000'000'000);
-}
-
 const cat240::BlockSize& block_for(std::size_t octets, Cat240Blocks wish) {
   const std::size_t first = wish == Cat240Blocks::smallest ? 0 : static_cast<std::size_t>(wish) - 1;
   return *std::find_if(cat240::kBlockSizes.begin() + static_cast<std::ptrdiff_t>(first),
@@ -38,8 +32,7 @@ const cat240::BlockSize& block_for(std::size_t octets, Cat240Blocks wish) {
 
 // Writes FSPEC and the items that every record has.
 void begin_record(Bytes& out, ItemSet items, Cat240Source source, Cat240Kind kind) {
-  out.push_back(items.octet(0) | (items.octet(1) != 0 ? cat240::kFieldExtension : 0));
-  if (items.octet(1) != 0) out.push_back(items.octet(1));
+  items.append_to(out);
   out.push_back(source.sac);
   out.push_back(source.sic);
   out.push_back(static_cast<std::uint8_t>(kind));
@@ -74,16 +67,9 @@ std::uint32_t cat240_max_cells(std::uint32_t bits_per_cell) {
   return kOctets * 8 / bits_per_cell;
 }
 
-std::size_t begin_cat240_block(Bytes& out) {
-  const std::size_t start = out.size();
-  append_big_endian(out, kCat240, 1);
-  append_big_endian(out, 0, 2);
-  return start;
-}
+std::size_t begin_cat240_block(Bytes& out) { return asterix::begin_block(out, kCat240); }
 
-void end_cat240_block(Bytes& out, std::size_t begun) {
-  put_big_endian(out, begun + 1, out.size() - begun, 2);
-}
+void end_cat240_block(Bytes& out, std::size_t begun) { asterix::end_block(out, begun); }
 
 void append_cat240_video_record(Bytes& out, const SpokeHeader& header,
                                 std::span<const std::uint8_t> cells, const Cat240Options& options,
@@ -126,7 +112,7 @@ void append_cat240_video_record(Bytes& out, const SpokeHeader& header,
     cat240::append_cells(out, cells, source_bits, bits);
   }
   out.insert(out.end(), repetitions * block.octets - octets, 0);
-  if (options.time_of_day) append_big_endian(out, time_of_day(header.utc), 3);
+  if (options.time_of_day) asterix::write_time_of_day(out, asterix_time_of_day(header.utc));
 }
 
 void append_cat240_video(Bytes& out, const Spoke& spoke, Cat240Source source,
@@ -152,7 +138,7 @@ void append_cat240_summary(Bytes& out, std::string_view text, Cat240Source sourc
   for (const char each : text) {
     out.push_back(static_cast<std::uint8_t>(each >= ' ' && each <= '~' ? each : '?'));
   }
-  append_big_endian(out, time_of_day(utc), 3);
+  asterix::write_time_of_day(out, asterix_time_of_day(utc));
   end_cat240_block(out, start);
 }
 

@@ -165,15 +165,20 @@ Json own_ship_document(const OwnShip& ship, UtcTime now) {
 
 std::string vessel_key(std::uint32_t mmsi) { return fmt::format("urn:mrn:imo:mmsi:{:09}", mmsi); }
 
+std::string tracked_vessel_key(std::uint32_t radar, std::uint32_t target) {
+  return fmt::format("urn:mrn:signalk:uuid:534b4552-5259-4{:03x}-8000-{:012x}", radar & 0xFFFu,
+                     target);
+}
+
 Values other_vessel_values(const OtherVessel& vessel) {
-  Values values{
-      {"", Json{{"name", vessel.ship.name}, {"mmsi", fmt::format("{:09}", vessel.mmsi)}}}};
+  Values values{{"", Json{{"name", vessel.ship.name}}}};
+  if (vessel.mmsi != 0) values.front().second["mmsi"] = fmt::format("{:09}", vessel.mmsi);
   for (auto& each : own_ship_values(vessel.ship)) values.push_back(std::move(each));
   if (vessel.length_m > 0.0) {
     values.emplace_back("design.length", Json{{"overall", vessel.length_m}});
   }
   if (vessel.beam_m > 0.0) values.emplace_back("design.beam", vessel.beam_m);
-  values.emplace_back("sensors.ais.class", "A");
+  if (vessel.mmsi != 0) values.emplace_back("sensors.ais.class", "A");
   return values;
 }
 

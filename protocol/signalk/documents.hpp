@@ -70,14 +70,17 @@ std::vector<std::pair<std::string, Json>> own_ship_values(const OwnShip& ship);
 // The ship as a tree, as /signalk/v1/api/vessels/self has it.
 Json own_ship_document(const OwnShip& ship, UtcTime now);
 
-// Another vessel, as an AIS receiver aboard the own ship would tell of her.
+// Another vessel, as an AIS receiver aboard own ship, or her plotter, would tell of her.
 struct OtherVessel {
-  std::uint32_t mmsi = 0;  // nine digits
+  std::string key;         // vessel_key() or tracked_vessel_key(): no two have the same
+  std::uint32_t mmsi = 0;  // nine digits; 0: none, she is a plotter's
   OwnShip ship;
   double length_m = 0.0, beam_m = 0.0;  // 0: not known
 };
 // "urn:mrn:imo:mmsi:257000222": in the tree of vessels; behind "vessels.", her context in deltas.
 std::string vessel_key(std::uint32_t mmsi);
+// The same of a tracked target that no AIS target is taken to be: a UUID of radar and number.
+std::string tracked_vessel_key(std::uint32_t radar, std::uint32_t target);
 // Name and number are at the path "".
 std::vector<std::pair<std::string, Json>> other_vessel_values(const OtherVessel& vessel);
 Json other_vessel_document(const OtherVessel& vessel, UtcTime now);

@@ -1,7 +1,8 @@
-// Writes the seeds of the wire, CAT240 and board fuzz targets, so that they can be made anew when a
-// format grows.  Usage: wire_seeds <tests/fuzz/corpus>
+// Writes the seeds of the wire, ASTERIX and board fuzz targets, so that they can be made anew when
+// a format grows.  Usage: wire_seeds <tests/fuzz/corpus>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/board/sweep_record.hpp"
@@ -10,6 +11,7 @@
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/spoke_message.hpp"
 #include "tests/fuzz/corpus_folder.hpp"
+#include "tests/unit/asterix/track_reports.hpp"
 #include "tests/unit/board/test_records.hpp"
 #include "tests/unit/wire/test_spoke.hpp"
 
@@ -192,6 +194,20 @@ void write_board_records(const Corpus& corpus) {
   corpus.write("over_the_arp", encoded(12, first, second));
 }
 
+void write_track_reports(const Corpus& corpus) {
+  for (const bool most : {false, true}) {
+    const std::string end = most ? "most" : "least";
+    const std::vector plots{full_cat048(most), Cat048Report{}};
+    const std::vector tracks{full_cat062(most), Cat062Report{}};
+    const std::vector shore{full_cat010(most), Cat010Report{.kind = Cat010Kind::turn}};
+    corpus.write("cat048_" + end, encode_cat048(plots).front());
+    corpus.write("cat062_" + end, encode_cat062(tracks).front());
+    corpus.write("cat010_" + end, encode_cat010(shore).front());
+  }
+  corpus.write("cat048_of_others", cat048_of_others());
+  corpus.write("cat062_of_others", cat062_of_others());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -200,6 +216,7 @@ int main(int argc, char** argv) {
   write_server_frames(Corpus(root / "server_frame"));
   write_datagrams(Corpus(root / "datagram"));
   write_cat240(Corpus(root / "cat240"));
+  write_track_reports(Corpus(root / "track_reports"));
   write_board_records(Corpus(root / "board_record"));
   return 0;
 }

@@ -147,10 +147,10 @@ void SignalkDeltaSession::on_tick(std::chrono::steady_clock::time_point now) {
 void SignalkDeltaSession::send_others(std::chrono::steady_clock::time_point now) {
   if (of_others_.empty() || now < others_due_) return;
   others_due_ = now + signalk::Subscriptions::kUsualPeriod;
-  std::map<std::uint32_t, std::map<std::string, Json>> told;
+  std::map<std::string, std::map<std::string, Json>> told;
   for (const signalk::OtherVessel& vessel : site_.vessels()) {
-    std::map<std::string, Json>& mine = told[vessel.mmsi];
-    const auto known = others_sent_.find(vessel.mmsi);
+    std::map<std::string, Json>& mine = told[vessel.key];
+    const auto known = others_sent_.find(vessel.key);
     Json values = Json::array();
     for (auto& [path, value] : signalk::other_vessel_values(vessel)) {
       if (!path.empty() && !of_others_.wants(path)) continue;
@@ -161,7 +161,7 @@ void SignalkDeltaSession::send_others(std::chrono::steady_clock::time_point now)
     }
     if (values.empty()) continue;
     send(signalk::delta_document(kSource, utc_now(), std::move(values), Json::array(),
-                                 "vessels." + signalk::vessel_key(vessel.mmsi)));
+                                 "vessels." + vessel.key));
   }
   others_sent_ = std::move(told);
 }

@@ -64,7 +64,7 @@ class SignalkDeltaSession final : public Connection,
   signalk::Subscriptions subscriptions_;
   std::map<std::string, Sent> sent_;  // by path
   signalk::Subscriptions of_others_;
-  std::map<std::uint32_t, std::map<std::string, signalk::Json>> others_sent_;  // by number and path
+  std::map<std::string, std::map<std::string, signalk::Json>> others_sent_;  // by key and path
   std::chrono::steady_clock::time_point others_due_{};
   std::deque<std::string> queue_;  // the first is in flight
   beast::flat_buffer request_{kLongestRequest};

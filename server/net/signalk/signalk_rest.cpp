@@ -160,8 +160,7 @@ WebAnswer full_model(SignalkSite& site, const Parts& parts) {
             {"self", signalk::kSelf},
             {"vessels", Json{{"self", signalk::own_ship_document(site.own_ship(), utc_now())}}}};
   for (const signalk::OtherVessel& vessel : site.vessels()) {
-    tree["vessels"][signalk::vessel_key(vessel.mmsi)] =
-        signalk::other_vessel_document(vessel, utc_now());
+    tree["vessels"][vessel.key] = signalk::other_vessel_document(vessel, utc_now());
   }
   const Json* at = &tree;
   for (const std::string_view name : parts) {

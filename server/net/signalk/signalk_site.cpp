@@ -103,7 +103,20 @@ std::vector<TrafficItem> SignalkSite::others() const {
   return traffic;
 }
 
-std::vector<signalk::OtherVessel> SignalkSite::vessels() const {
+std::vector<signalk::OtherVessel> SignalkSite::vessels() {
+  std::vector<signalk::OtherVessel> vessels = ais_vessels();
+  Mounted& radar = radars_.front();
+  const TargetListPtr list = target_list(radar);
+  if (list == nullptr) return vessels;
+  for (const wire::Target& target : list->targets()) {
+    const bool is_lost = target.state() == wire::TARGET_LOST;
+    if (target.is_test() || is_lost || target.mmsi() != 0) continue;
+    vessels.push_back(tracked_vessel(target, *list));
+  }
+  return vessels;
+}
+
+std::vector<signalk::OtherVessel> SignalkSite::ais_vessels() const {
   const wire::OwnShip own = context_.sensed_own_ship(first_radar_);
   if (own.no_ais()) return {};
   std::vector<TrafficItem> traffic = others();
@@ -127,7 +140,8 @@ std::vector<signalk::OtherVessel> SignalkSite::vessels() const {
   for (const TrafficItem& item : traffic) {
     const AisSaid said = said_by_ais(item);
     if (said.silent) continue;
-    vessels.push_back({.mmsi = item.mmsi,
+    vessels.push_back({.key = signalk::vessel_key(item.mmsi),
+                       .mmsi = item.mmsi,
                        .ship = {.name = item.name,
                                 .position = said.position,
                                 .heading_deg = said.heading_deg,

@@ -58,9 +58,10 @@ class SignalkSite {
   // As the plotter of the radar's shared view has them; test targets are left out.  Begins to look
   // for targets if nobody did.
   std::vector<signalk::Json> targets(Mounted& radar);
-  // Ships and boats with a number within VHF range, nearest first, at most kMostVessels.
+  // Ships and boats with a number within VHF range, nearest first, at most kMostVessels, as AIS
+  // tells of them; and what the first radar's plotter tracks besides.
   static constexpr std::size_t kMostVessels = 300;
-  std::vector<signalk::OtherVessel> vessels() const;
+  std::vector<signalk::OtherVessel> vessels();
 
   // `body` as signalk::read_change() takes it.  `origin` is for the log.
   SignalkOutcome set_control(Mounted& radar, std::string_view key, const signalk::Json& body,
@@ -84,6 +85,7 @@ class SignalkSite {
  private:
   std::vector<TrafficItem> others() const;  // all but her
   TargetListPtr target_list(Mounted& radar);
+  std::vector<signalk::OtherVessel> ais_vessels() const;
   SignalkOutcome order_targets(Mounted& radar, const wire::TargetOrder& order,
                                const std::string& origin);
   void put_targets(Mounted& radar, Values& fresh);

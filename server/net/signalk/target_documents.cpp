@@ -1,5 +1,7 @@
 #include "server/net/signalk/target_documents.hpp"
 
+#include <fmt/format.h>
+
 #include "protocol/quantity/length.hpp"
 #include "protocol/quantity/speed.hpp"
 
@@ -44,6 +46,17 @@ signalk::Json target_document(const wire::Target& target, const wire::TargetList
        .mmsi = target.mmsi(),
        .first_seen = now - seconds_as_duration(target.tracked_s()),
        .last_seen = now - seconds_as_duration(target.age_s())});
+}
+
+signalk::OtherVessel tracked_vessel(const wire::Target& target, const wire::TargetList& list) {
+  signalk::OtherVessel vessel{.key = signalk::tracked_vessel_key(list.radar(), target.number()),
+                              .ship = {.name = fmt::format("Radar target {}", target.number())}};
+  vessel.ship.position = GeoPoint{target.latitude_deg(), target.longitude_deg()};
+  if (list.stabilisation() == wire::STABILISATION_GROUND && target.has_course_deg()) {
+    vessel.ship.course_over_ground_deg = target.course_deg();
+    vessel.ship.speed_over_ground_mps = target.speed_kn() * kKnot;
+  }
+  return vessel;
 }
 
 signalk::Json notification_of(const wire::Alert& alert) {

@@ -34,8 +34,7 @@ struct AisRecord {
 
 // Fresh are targets whose last report is no older than three of their usual intervals, kLeastFresh
 // at least and kMostFresh at most; those that are slower than kSlow, or of which there is but one
-// report, kMostFresh: at anchor they report every three minutes.  Source: facts/exercise.md E5,
-// which has the intervals from memory and at second hand.
+// report, kMostFresh: at anchor they report every three minutes (from memory, not verified).
 class AisBook {
  public:
   static constexpr std::size_t kMostListed = 240, kMostKnown = 4000;

@@ -34,8 +34,8 @@ struct AlertRow {
   bool is_event;
 };
 
-// Source of the numbers: facts/exercise.md B10, which quotes IEC 62923-2 at second hand; the
-// categories are provisional there.
+// Source of the numbers: IEC 62923-2, table A.1, quoted at second hand; the categories are
+// provisional (README.md says what is not verified).
 const AlertRow& row_of(AlertKind kind);
 
 // Whose it is: of a tracked target, an AIS target, or of something else by a name.
@@ -45,8 +45,8 @@ struct AlertSubject {
   friend auto operator<=>(const AlertSubject&, const AlertSubject&) = default;
 };
 
-// Alerts by IEC 62923-1 as far as facts/exercise.md B10 tells of it: an instance for each subject,
-// a revision with every change.
+// Alerts in the shape of IEC 62923-1, as quoted at second hand: an instance for each subject, a
+// revision with every change.
 //
 // Time: go_on() first, with times that do not go back; else clear().
 class AlertList {

@@ -12,7 +12,7 @@ struct ApproachLimits {
   double cpa_m = 0.0, tcpa_s = 0.0;  // cpa_m 0: nothing is dangerous
 };
 
-// CPA within its limit, and TCPA from now to its own limit (facts/exercise.md B7).
+// CPA within its limit, and TCPA from now to its own limit.
 bool is_dangerous(const PlottedApproach& approach, const ApproachLimits& limits);
 
 // Of one target.  It is dangerous at once, and no longer only once it has stayed clear for a while:

@@ -17,8 +17,8 @@ struct MovingTarget {
   std::optional<PlanePoint> motion_mps;  // over ground; absent: not known yet, or not told
 };
 
-// What two that are one may differ by.  Source: facts/exercise.md B9, what is usual; no standard
-// gives numbers.
+// What two that are one may differ by.  Source: what is usual in other makers' displays; no
+// standard is known to give numbers.
 struct AssociationGates {
   double place_m = 0.5 * 1852.0;
   double course_deg = 15.0;

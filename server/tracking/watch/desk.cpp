@@ -49,12 +49,7 @@ void TargetWatch::Desk::update(const OwnSensors& own, std::span<const AisContact
   if (own_.place) plane_.emplace(*own_.place);
   alerts_.go_on(now_);
   take_tracks(plotter);
-  const Watched* reference = find_watched(reference_);
-  frame_ = motion_frame(rules_.stabilisation(), own_,
-                        {.number = reference_,
-                         .relative_mps = reference != nullptr && has_motion(*reference)
-                                             ? std::optional(reference->track.relative_velocity_mps)
-                                             : std::nullopt});
+  frame_ = frame_now();
   watch_inputs();
   plotter.tracker().set_areas(zones_.areas(own_.heading_deg));
   watch_ais(ais);
@@ -63,6 +58,7 @@ void TargetWatch::Desk::update(const OwnSensors& own, std::span<const AisContact
   watch_approaches();
   watch_capacity(plotter.tracker().counts().left_out);
   keep_past();
+  forget_acknowledged_ones();
   tell(plotter);
 }
 
@@ -75,36 +71,47 @@ void TargetWatch::Desk::end_what_hangs_on_time() {
   thawed_.reset();
   left_one_out_.reset();
   inputs_.clear();
-  passed_ = UtcTime{};
-  pass_ = ScenarioTime{};
-  if (test_targets_since_) test_targets_since_ = UtcTime{};
+  passed_.reset();
+  test_targets_since_.reset();
   for (auto& [number, watched] : targets_) {
     watched.past.clear();
     watched.guard.clear();
+    watched.is_dangerous = false;
     watched.mmsi = 0;
   }
 }
 
+MotionFrame TargetWatch::Desk::frame_now() const {
+  ReferenceTarget reference;
+  reference.number = reference_;
+  if (const Watched* watched = find_watched(reference_); watched && !watched->is_dropped) {
+    reference.is_tracked = true;
+    if (has_motion(*watched)) reference.relative_mps = watched->track.relative_velocity_mps;
+  }
+  return motion_frame(rules_.stabilisation(), own_, reference);
+}
+
 // --- what own ship's sensors tell
 
-void TargetWatch::Desk::watch_input(const std::string& name, bool is_there,
+// What was never there is not lost.
+void TargetWatch::Desk::watch_input(const std::string& name, bool is_there, bool is_needed,
                                     const std::string& text) {
   bool& was_there = inputs_[name];
   was_there = was_there || is_there;
-  set_alert(!is_there && was_there, AlertKind::lost_input, {0, 0, name}, text);
+  set_alert(is_needed && !is_there && was_there, AlertKind::lost_input, {0, 0, name}, text);
 }
 
 void TargetWatch::Desk::watch_inputs() {
-  watch_input("heading", own_.heading_deg.has_value(), "Heading is lost: targets are frozen");
-  watch_input("position", own_.place.has_value(), "Position is lost: targets are frozen");
+  watch_input("heading", own_.heading_deg.has_value(), true, "Heading is lost: targets are frozen");
+  watch_input("position", own_.place.has_value(), true, "Position is lost: targets are frozen");
   const bool by_water = rules_.stabilisation() == wire::STABILISATION_WATER;
-  watch_input("log", !by_water || own_.through_water_mps,
+  watch_input("log", own_.through_water_mps.has_value(), by_water,
               "Speed through water is lost: no courses of targets");
   const Watched* reference = find_watched(reference_);
   const bool has_reference = reference != nullptr && !reference->is_dropped;
-  watch_input("motion over ground", by_water || own_.over_ground_mps || has_reference,
+  watch_input("motion over ground", own_.over_ground_mps.has_value(), !by_water && !has_reference,
               "Motion over ground is lost: no courses of targets");
-  watch_input("reference", reference_ == 0 || has_reference,
+  watch_input(fmt::format("target {}", reference_), has_reference, !by_water && reference_ != 0,
               fmt::format("Reference target {} is lost", reference_));
 }
 
@@ -123,23 +130,26 @@ void TargetWatch::Desk::freeze_or_thaw(bool is_video) {
 void TargetWatch::Desk::take_tracks(Plotter& plotter) {
   const std::vector<PlottedTrack> tracks = plotter.tracks();
   const std::vector<PlottedTrack> lost = plotter.take_lost();
-  if (!tracks.empty() && (tracks.front().time != pass_ || passed_ == UtcTime{})) {
+  if (!tracks.empty() && (!passed_ || tracks.front().time != pass_)) {
     pass_ = tracks.front().time;
     passed_ = now_;
   }
-  freeze_or_thaw(tracks.empty() || now_ - passed_ <= kNoVideo);
+  freeze_or_thaw(tracks.empty() || now_ - *passed_ <= kNoVideo);
   const auto resets = plotter.tracker().counts().resets;
   take_lost(lost, resets != resets_);
   resets_ = resets;
 
+  const bool is_over = frozen_since_ && now_ - *frozen_since_ >= kFrozenFor;
   for (const PlottedTrack& track : tracks) {
     Watched& watched = targets_[track.number];
     watched.track = track;
-    watched.is_dropped = frozen_since_ && now_ - *frozen_since_ >= kFrozenFor;
-    if (watched.is_dropped) {
+    if (is_over && !watched.is_dropped) {
+      set_partner(watched, 0);
       alerts_.remove(subject_of(watched));
       watched.guard.clear();
+      watched.is_dangerous = false;
     }
+    watched.is_dropped = is_over;
   }
   // Those that the plotter has no more; `tracks` rises.
   std::erase_if(targets_, [&](const auto& target) {
@@ -147,7 +157,7 @@ void TargetWatch::Desk::take_tracks(Plotter& plotter) {
         tracks.begin(), tracks.end(), target.first,
         [](const PlottedTrack& track, std::uint32_t number) { return track.number < number; });
     if (at != tracks.end() && at->number == target.first) return false;
-    alerts_.remove(subject_of(target.second));
+    alerts_.remove(subject_of_target(target.first));
     return true;
   });
 }
@@ -159,56 +169,54 @@ void TargetWatch::Desk::take_lost(const std::vector<PlottedTrack>& lost, bool al
     const auto found = targets_.find(track.number);
     if (found == targets_.end()) continue;
     Watched& watched = found->second;
-    const UtcTime seen = now_ - (track.time - track.last_seen);
-    const bool was_frozen = watched.is_dropped || frozen_since_ || (thawed_ && seen < *thawed_);
-    any = any || !was_frozen;
     watched.track = track;
-    if (!was_frozen && !all_anew) tell_lost(watched);
+    // Nobody looked for it any more, or it was never seen again.
+    const bool was_frozen = watched.is_dropped || frozen_since_ ||
+                            (thawed_ && now_ - (track.time - track.last_seen) < *thawed_);
+    any = any || !was_frozen;
+    const AlertSubject subject = subject_of(watched);
+    if (watched.mmsi != 0) alerts_.move(AlertKind::approach, subject, {0, watched.mmsi, {}});
+    alerts_.remove(subject);
+    if (!was_frozen && !all_anew && is_worth_a_warning(watched)) put_aside(watched);
     targets_.erase(found);
-    alerts_.remove({.target = track.number, .mmsi = 0, .what = {}});
-    // What has just been put aside is told now.
-    if (!lost_.empty() && lost_.back().track.number == track.number) {
-      alerts_.raise(
-          AlertKind::lost_target, {.target = track.number, .mmsi = 0, .what = {}},
-          fmt::format("Target {} is lost, {:.1f} NM, {:03.0f} deg", track.number,
-                      metres(track.range_m).in_nautical_miles(), track.bearing.in_degrees()));
-    }
   }
-  if (all_anew && any) {
-    const AlertSubject subject{0, 0, "leap"};
-    alerts_.raise(AlertKind::lost_input, subject,
-                  "Position or time leapt: all targets are acquired anew");
-    alerts_.end(AlertKind::lost_input, subject);
-  }
+  if (!all_anew || !any) return;
+  const AlertSubject subject{0, 0, "leap"};
+  alerts_.raise(AlertKind::lost_input, subject,
+                "Position or time leapt: all targets are acquired anew");
+  alerts_.end(AlertKind::lost_input, subject);
 }
 
-// Only those that were something to a mariner: acquired by hand, or tracked for a minute, and
-// within the range in which targets are wanted.
-void TargetWatch::Desk::tell_lost(const Watched& watched) {
+// What was something to a mariner: acquired by hand, or tracked for a minute; and where targets are
+// wanted.
+bool TargetWatch::Desk::is_worth_a_warning(const Watched& watched) const {
   const PlottedTrack& track = watched.track;
-  if (watched.mmsi != 0) {
-    alerts_.move(AlertKind::approach, subject_of(watched),
-                 {.target = 0, .mmsi = watched.mmsi, .what = {}});
-  }
-  const double seen_s = in_seconds(track.last_seen - track.first_seen);
-  if (!rules_.lost_warnings() || (!track.by_hand && seen_s < kTrend_s) ||
-      track.range_m > nautical_miles(rules_.furthest_nm()).in_metres()) {
-    return;
-  }
+  return rules_.lost_warnings() &&
+         (track.by_hand || in_seconds(track.last_seen - track.first_seen) >= kTrend_s) &&
+         track.range_m <= nautical_miles(rules_.furthest_nm()).in_metres();
+}
+
+void TargetWatch::Desk::put_aside(const Watched& watched) {
+  const PlottedTrack& track = watched.track;
   lost_.push_back({.track = track,
                    .seen = now_ - (track.time - track.last_seen),
                    .mmsi = watched.mmsi,
                    .name = name_of(watched)});
+  alerts_.raise(AlertKind::lost_target, subject_of(watched),
+                fmt::format("Target {} is lost, {:.1f} NM, {:03.0f} deg", track.number,
+                            metres(track.range_m).in_nautical_miles(), track.bearing.in_degrees()));
   if (lost_.size() <= kMostLost) return;
-  alerts_.remove({.target = lost_.front().track.number, .mmsi = 0, .what = {}});
+  alerts_.remove(subject_of_target(lost_.front().track.number));
   lost_.pop_front();
 }
 
-void TargetWatch::Desk::keep_past() {
+void TargetWatch::Desk::forget_acknowledged_ones() {
   std::erase_if(lost_, [&](const Lost& lost) {
-    return !alerts_.has(AlertKind::lost_target,
-                        {.target = lost.track.number, .mmsi = 0, .what = {}});
+    return !alerts_.has(AlertKind::lost_target, subject_of_target(lost.track.number));
   });
+}
+
+void TargetWatch::Desk::keep_past() {
   if (frozen_since_) return;
   for (auto& [number, watched] : targets_) {
     watched.past.add(now_, {watched.track.place, from_own_ship(watched.track)});
@@ -234,7 +242,7 @@ const TargetWatch::Desk::Watched* TargetWatch::Desk::find_watched(std::uint32_t 
   return found == targets_.end() ? nullptr : &found->second;
 }
 
-std::string TargetWatch::Desk::name_of(const Watched& watched) {
+std::string TargetWatch::Desk::name_of(const Watched& watched) const {
   const AisRecord* record = ais_.find(watched.mmsi);
   return record == nullptr ? std::string{} : record->contact.name;
 }

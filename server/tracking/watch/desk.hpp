@@ -41,9 +41,10 @@ class TargetWatch::Desk {
     bool is_known = false;    // from before the last update
     ZoneTable::Mask zones = 0;
     ApproachGuard guard;
+    bool is_dangerous = false;  // by the guard, or by that of the AIS target it is
     PastPlaces past;
-    std::optional<PlottedApproach> approach;
-    std::uint32_t mmsi = 0;  // that it is taken to be; 0: none
+    std::optional<PlottedApproach> approach;  // absent: its motion is not known
+    std::uint32_t mmsi = 0;                   // that it is taken to be; 0: none
   };
   struct Lost {
     PlottedTrack track;
@@ -57,10 +58,14 @@ class TargetWatch::Desk {
   };
 
   // desk_orders.cpp
-  std::optional<wire::Reply> refusal_of(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of(const wire::TargetOrder& order,
+                                        const Plotter& plotter) const;
   std::optional<wire::Reply> refusal_of_values(const wire::TargetOrder& order) const;
   std::optional<wire::Reply> refusal_of_zones(const wire::TargetOrder& order) const;
-  std::optional<wire::Reply> refusal_of_targets(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_cancel(const wire::TargetOrder& order,
+                                               const Plotter& plotter) const;
+  std::optional<wire::Reply> refusal_of_reference(const wire::TargetOrder& order) const;
+  std::optional<wire::Reply> refusal_of_ais(const wire::TargetOrder& order) const;
   std::optional<wire::Reply> refusal_of_alerts(const wire::TargetOrder& order) const;
   std::optional<wire::Reply> refusal_of_acquisition(const wire::TargetOrder& order) const;
   std::optional<wire::Reply> refusal_of_trial(const wire::TargetOrder& order) const;
@@ -68,15 +73,16 @@ class TargetWatch::Desk {
   void change_rules(const wire::TargetOrder& order, Plotter& plotter);
   void change_targets(const wire::TargetOrder& order, Plotter& plotter);
   void cancel(std::uint32_t number, Plotter& plotter);
-  void end_trial() { trial_.reset(); }
 
   // desk.cpp
   void end_what_hangs_on_time();
   void watch_inputs();
-  void watch_input(const std::string& name, bool is_there, const std::string& text);
+  void watch_input(const std::string& name, bool is_there, bool is_needed, const std::string& text);
   void take_tracks(Plotter& plotter);
   void take_lost(const std::vector<PlottedTrack>& lost, bool all_anew);
-  void tell_lost(const Watched& watched);
+  bool is_worth_a_warning(const Watched& watched) const;
+  void put_aside(const Watched& watched);
+  void forget_acknowledged_ones();
   void freeze_or_thaw(bool is_video);
   void keep_past();
 
@@ -108,13 +114,13 @@ class TargetWatch::Desk {
   static double tracked_s(const PlottedTrack& track);
   ApproachLimits limits() const;
   const Watched* find_watched(std::uint32_t number) const;
+  MotionFrame frame_now() const;
+  static AlertSubject subject_of_target(std::uint32_t number) { return {number, 0, {}}; }
   static AlertSubject subject_of(const Watched& watched) {
-    return {.target = watched.track.number, .mmsi = 0, .what = {}};
+    return subject_of_target(watched.track.number);
   }
-  static AlertSubject subject_of(const AisRecord& record) {
-    return {.target = 0, .mmsi = record.contact.mmsi, .what = {}};
-  }
-  std::string name_of(const Watched& watched);
+  static AlertSubject subject_of(const AisRecord& record) { return {0, record.contact.mmsi, {}}; }
+  std::string name_of(const Watched& watched) const;
 
   wire::TargetRules rules_;
   ZoneTable zones_;
@@ -124,16 +130,17 @@ class TargetWatch::Desk {
   std::deque<Lost> lost_;
   std::uint32_t reference_ = 0;
   std::optional<TrialRun> trial_;
-  std::optional<UtcTime> test_targets_since_;
-  std::map<std::string, bool> inputs_;  // that were there once
+  bool test_targets_ = false;
+  std::optional<UtcTime> test_targets_since_;  // absent: the next update begins them
+  std::map<std::string, bool> inputs_;         // that were there once
 
   bool has_time_ = false;
   UtcTime now_{};
   OwnSensors own_;
   std::optional<GroundPlane> plane_;  // around own ship; absent: her place is not known
   MotionFrame frame_;
-  ScenarioTime pass_{};  // of the antenna, the last one
-  UtcTime passed_{};     // when that was seen
+  ScenarioTime pass_{};            // of the antenna, the last one
+  std::optional<UtcTime> passed_;  // the update that saw it
   bool is_video_ = true;
   std::optional<UtcTime> frozen_since_, thawed_;
   std::uint64_t resets_ = 0, left_out_ = 0;

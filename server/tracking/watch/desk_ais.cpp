@@ -12,11 +12,6 @@ namespace skerry::server {
 void TargetWatch::Desk::watch_ais(std::span<const AisContact> ais) {
   ais_.take(ais, now_);
   if (!plane_) return;
-  for (auto& [mmsi, record] : ais_.records()) {
-    if (!AisBook::is_fresh(record) || !record.is_lost) continue;
-    record.is_lost = false;
-    alerts_.end(AlertKind::lost_target, subject_of(record));
-  }
   ais_.place(*plane_, own_.over_ground_mps, now_);
   tell_lost_ais();
 }
@@ -24,10 +19,14 @@ void TargetWatch::Desk::watch_ais(std::span<const AisContact> ais) {
 // Only those that were activated, and that the radar does not have.
 void TargetWatch::Desk::tell_lost_ais() {
   for (auto& [mmsi, record] : ais_.records()) {
-    if (AisBook::is_fresh(record)) continue;
+    if (!record.is_listed) continue;
     const AlertSubject subject = subject_of(record);
-    if (record.is_listed && !record.is_lost && record.is_activated && record.target == 0 &&
-        rules_.lost_warnings()) {
+    if (AisBook::is_fresh(record)) {
+      if (record.is_lost) alerts_.end(AlertKind::lost_target, subject);
+      record.is_lost = false;
+      continue;
+    }
+    if (!record.is_lost && record.is_activated && record.target == 0 && rules_.lost_warnings()) {
       record.is_lost = true;
       record.guard.clear();
       alerts_.remove(subject);

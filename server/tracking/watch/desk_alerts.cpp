@@ -9,8 +9,8 @@
 namespace skerry::server {
 namespace {
 
-// Capacity: the caution begins and ends at these shares of it; facts/exercise.md B1 has 90 % as
-// common, no figure is fixed.
+// Capacity: the caution begins and ends at these shares of it.  90 % is common; no figure is known
+// to be fixed.
 constexpr double kNear = 0.9, kNotNear = 0.85;
 constexpr Duration kLeftOutFor = std::chrono::seconds(10);
 
@@ -102,8 +102,9 @@ void TargetWatch::Desk::watch_approaches() {
     const AisRecord* pair = ais_.find(watched.mmsi);
     const bool by_ais = !watched.guard.is_on() && pair != nullptr && pair->guard.is_on();
     const auto& approach = by_ais ? pair->approach : watched.approach;
+    watched.is_dangerous = watched.guard.is_on() || by_ais;
     set_alert(
-        watched.guard.is_on() || by_ais, AlertKind::approach, subject_of(watched),
+        watched.is_dangerous, AlertKind::approach, subject_of(watched),
         approach_text(fmt::format("Target {}", number), approach.value_or(PlottedApproach{})));
   }
 }

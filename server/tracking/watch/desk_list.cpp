@@ -46,7 +46,7 @@ wire::TargetState state_of(double tracked_s, double trend_s, double steady_s) {
 void TargetWatch::Desk::tell(Plotter& plotter) {
   list_.set_utc_ns(static_cast<std::uint64_t>(now_.time_since_epoch().count()));
   if (!targets_.empty()) {
-    const ScenarioTime scenario = pass_ + (now_ - passed_);
+    const ScenarioTime scenario = pass_ + (now_ - *passed_);
     list_.set_scenario_ns(static_cast<std::uint64_t>(scenario.time_since_epoch().count()));
   }
   list_.clear_targets();
@@ -81,10 +81,10 @@ void TargetWatch::Desk::tell_target(const Watched& watched) {
   target.set_by_hand(track.by_hand);
   put_place(track.place, from_own_ship(track), target);
   tell_motion(watched, target);
-  target.set_is_dangerous(alerts_.has(AlertKind::approach, subject_of(watched)));
+  target.set_is_dangerous(watched.is_dangerous);
   target.set_is_new(alerts_.is_unacknowledged(AlertKind::new_target, subject_of(watched)));
   target.set_is_reference(track.number == reference_);
-  target.set_age_s(in_seconds(now_ - passed_ + (track.time - track.last_seen)));
+  target.set_age_s(in_seconds(now_ - *passed_ + (track.time - track.last_seen)));
   target.set_tracked_s(tracked_s(track));
   target.set_hits(track.hits);
   target.set_looks(track.looks);
@@ -124,10 +124,9 @@ void TargetWatch::Desk::tell_lost_targets() {
 }
 
 void TargetWatch::Desk::tell_test_targets() {
-  list_.set_test_targets(test_targets_since_.has_value());
-  if (!test_targets_since_ || !plane_) return;
-  // Since the last leap of time.
-  if (*test_targets_since_ == UtcTime{}) test_targets_since_ = now_;
+  list_.set_test_targets(test_targets_);
+  if (!test_targets_ || !plane_) return;
+  if (!test_targets_since_) test_targets_since_ = now_;
   const Duration since = now_ - *test_targets_since_;
   for (std::size_t k = 0; k < kTestTargets.size(); ++k) {
     const TestTargetNow now = test_target_at(kTestTargets[k], since);
@@ -164,7 +163,8 @@ void TargetWatch::Desk::tell_ais() {
     if (contact.speed_mps) target.set_speed_kn(in_knots(*contact.speed_mps));
     if (contact.heading_deg) target.set_heading_deg(*contact.heading_deg);
     if (record.approach && !record.is_lost) put_approach(*record.approach, target);
-    target.set_is_dangerous(record.guard.is_on());
+    const Watched* pair = find_watched(record.target);
+    target.set_is_dangerous(record.guard.is_on() || (pair != nullptr && pair->is_dangerous));
     target.set_is_activated(record.is_activated);
     target.set_is_lost(record.is_lost);
     target.set_target(record.target);

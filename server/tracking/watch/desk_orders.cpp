@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <set>
 
 #include "server/tracking/watch/desk.hpp"
 #include "server/tracking/watch/rules.hpp"
@@ -25,14 +25,16 @@ wire::Reply unknown(std::string text) { return reply_of(wire::Reply::UNKNOWN, st
 
 // --- what is wrong
 
-std::optional<wire::Reply> TargetWatch::Desk::refusal_of(const wire::TargetOrder& order) const {
-  using Check = std::optional<wire::Reply> (Desk::*)(const wire::TargetOrder&) const;
-  for (const Check check :
-       {&Desk::refusal_of_values, &Desk::refusal_of_zones, &Desk::refusal_of_targets,
-        &Desk::refusal_of_alerts, &Desk::refusal_of_trial, &Desk::refusal_of_acquisition}) {
-    if (auto refusal = (this->*check)(order)) return refusal;
-  }
-  return std::nullopt;
+std::optional<wire::Reply> TargetWatch::Desk::refusal_of(const wire::TargetOrder& order,
+                                                         const Plotter& plotter) const {
+  if (auto refusal = refusal_of_values(order)) return refusal;
+  if (auto refusal = refusal_of_zones(order)) return refusal;
+  if (auto refusal = refusal_of_cancel(order, plotter)) return refusal;
+  if (auto refusal = refusal_of_reference(order)) return refusal;
+  if (auto refusal = refusal_of_ais(order)) return refusal;
+  if (auto refusal = refusal_of_alerts(order)) return refusal;
+  if (auto refusal = refusal_of_trial(order)) return refusal;
+  return refusal_of_acquisition(order);
 }
 
 std::optional<wire::Reply> TargetWatch::Desk::refusal_of_values(
@@ -65,31 +67,35 @@ std::optional<wire::Reply> TargetWatch::Desk::refusal_of_zones(
   return std::nullopt;
 }
 
-std::optional<wire::Reply> TargetWatch::Desk::refusal_of_targets(
-    const wire::TargetOrder& order) const {
-  const auto is_shown = [&](std::uint32_t number) {
-    const Watched* watched = find_watched(number);
-    return (watched != nullptr && !watched->is_dropped) ||
-           std::any_of(lost_.begin(), lost_.end(),
-                       [&](const Lost& lost) { return lost.track.number == number; });
-  };
+std::optional<wire::Reply> TargetWatch::Desk::refusal_of_cancel(const wire::TargetOrder& order,
+                                                                const Plotter& plotter) const {
+  if (order.cancel().empty()) return std::nullopt;
+  // Those of the plotter: one may have been acquired since the last update.
+  std::set<std::uint32_t> shown;
+  for (const PlottedTrack& track : plotter.tracks()) shown.insert(track.number);
+  for (const Lost& lost : lost_) shown.insert(lost.track.number);
   for (const std::uint32_t number : order.cancel()) {
-    if (!is_shown(number)) return unknown(fmt::format("target {} is not tracked", number));
+    if (!shown.contains(number)) return unknown(fmt::format("target {} is not tracked", number));
   }
-  if (order.has_reference() && order.reference() != 0) {
-    const Watched* watched = find_watched(order.reference());
-    if (watched == nullptr || watched->is_dropped) {
-      return unknown(fmt::format("target {} is not tracked", order.reference()));
-    }
-    if (!has_motion(*watched)) {
-      return refused(
-          fmt::format("target {}: its motion is not known until it has been tracked for {:.0f} s",
-                      order.reference(), kTrend_s));
-    }
+  return std::nullopt;
+}
+
+std::optional<wire::Reply> TargetWatch::Desk::refusal_of_reference(
+    const wire::TargetOrder& order) const {
+  if (!order.has_reference() || order.reference() == 0) return std::nullopt;
+  const Watched* watched = find_watched(order.reference());
+  if (watched == nullptr || watched->is_dropped) {
+    return unknown(fmt::format("target {} is not tracked", order.reference()));
   }
+  if (has_motion(*watched)) return std::nullopt;
+  return refused(fmt::format("target {}: its motion is not known; it is after {:.0f} s of tracking",
+                             order.reference(), kTrend_s));
+}
+
+std::optional<wire::Reply> TargetWatch::Desk::refusal_of_ais(const wire::TargetOrder& order) const {
   for (const auto* numbers : {&order.activate(), &order.let_sleep()}) {
     for (const std::uint32_t mmsi : *numbers) {
-      const auto found = ais_.find(mmsi);
+      const AisRecord* found = ais_.find(mmsi);
       if (found == nullptr) return unknown(fmt::format("there is no AIS target {}", mmsi));
       if (numbers == &order.let_sleep() && found->guard.is_on()) {
         return refused(fmt::format("AIS target {} is dangerous: it does not sleep", mmsi));
@@ -146,7 +152,7 @@ std::optional<wire::Reply> TargetWatch::Desk::refusal_of_acquisition(
 // --- doing it
 
 wire::Reply TargetWatch::Desk::order(const wire::TargetOrder& order, Plotter& plotter) {
-  if (auto refusal = refusal_of(order)) return *std::move(refusal);
+  if (auto refusal = refusal_of(order, plotter)) return *std::move(refusal);
   // First what may still fail.
   wire::Reply reply;
   if (order.has_acquire()) {
@@ -160,11 +166,8 @@ wire::Reply TargetWatch::Desk::order(const wire::TargetOrder& order, Plotter& pl
     trial_ = TrialRun{order.trial(), now_ + seconds_as_duration(60.0 * order.trial().delay_min())};
   }
   if (order.has_test_targets()) {
-    if (!order.test_targets()) {
-      test_targets_since_.reset();
-    } else if (!test_targets_since_) {
-      test_targets_since_ = now_;
-    }
+    test_targets_ = order.test_targets();
+    if (!test_targets_) test_targets_since_.reset();
   }
   for (const auto& key : order.acknowledge()) alerts_.acknowledge(key.number(), key.instance());
   if (order.silence()) alerts_.silence();
@@ -217,9 +220,12 @@ void TargetWatch::Desk::change_targets(const wire::TargetOrder& order, Plotter& 
 // A mariner who does so needs no alert of it.
 void TargetWatch::Desk::cancel(std::uint32_t number, Plotter& plotter) {
   plotter.tracker().cancel(number);
-  targets_.erase(number);
+  if (const auto found = targets_.find(number); found != targets_.end()) {
+    if (AisRecord* pair = ais_.find(found->second.mmsi)) pair->target = 0;
+    targets_.erase(found);
+  }
   std::erase_if(lost_, [&](const Lost& lost) { return lost.track.number == number; });
-  alerts_.remove({.target = number, .mmsi = 0, .what = {}});
+  alerts_.remove(subject_of_target(number));
   if (reference_ == number) reference_ = 0;
 }
 

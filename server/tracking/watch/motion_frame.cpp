@@ -15,7 +15,11 @@ MotionFrame motion_frame(wire::Stabilisation stabilisation, const OwnSensors& ow
     if (own.through_water_mps) return {own.through_water_mps, "gyro and log", ""};
     return {{}, "", fmt::format("speed through water is not known: {}", kNoCourses)};
   }
-  if (reference.number != 0 && reference.relative_mps) {
+  if (reference.number != 0 && reference.is_tracked) {
+    if (!reference.relative_mps) {
+      return {
+          {}, "", fmt::format("reference target {} is not seen: {}", reference.number, kNoCourses)};
+    }
     return {*reference.relative_mps * -1.0, fmt::format("target {}", reference.number), ""};
   }
   MotionFrame frame;

@@ -21,7 +21,8 @@ struct MotionFrame {
 // A target that is taken to lie still over ground.
 struct ReferenceTarget {
   std::uint32_t number = 0;                // 0: none
-  std::optional<PlanePoint> relative_mps;  // absent: it is lost, or its motion is not known
+  bool is_tracked = false;                 // false: it is lost
+  std::optional<PlanePoint> relative_mps;  // absent: its motion is not known now
 };
 
 // Over ground: by the reference target; by own ship's positions where there is none, or it is lost.

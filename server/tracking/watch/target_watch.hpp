@@ -36,7 +36,8 @@ struct AisContact {
   UtcTime utc{};
 };
 
-// Of one view of one radar.  The same calls make the same lists.
+// Of one view of one radar, with one plotter, which numbers its tracks.  The same calls make the
+// same lists.
 //
 // Thread: one at a time.
 class TargetWatch {
@@ -59,10 +60,11 @@ class TargetWatch {
 
   // Goes on to own.utc: takes the plotter's tracks and those lost, and looks after alerts.  Call it
   // at least twice a second.  A time that goes back, or on by more than a minute, ends what hangs
-  // on time (alerts, past positions).
+  // on time: alerts, past positions, lost targets, AIS targets, a trial.
   void update(const OwnSensors& own, std::span<const AisContact> ais, Plotter& plotter);
 
-  // As of the last update.
+  // As of the last update; orders show in the next one.  The caller fills in spokes_lost, and
+  // scenario_ns where there are no tracks: here it is theirs.
   const wire::TargetList& list() const;
 
  private:

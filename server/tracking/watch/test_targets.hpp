@@ -10,8 +10,8 @@
 namespace skerry::server {
 
 // In relative motion, so that what a display shows of CPA and TCPA can be checked whatever own ship
-// does.  The first three move as those of the scenarios of A.823(19) do (facts/exercise.md B3; the
-// fourth there moves as the third).  After kTestTargetsLast they begin anew.
+// does.  The first three move as those of the scenarios of A.823(19) do (the fourth there moves as
+// the third).  After kTestTargetsLast they begin anew.
 struct TestTarget {
   double range_nm, bearing_deg;  // when it begins
   double course_deg, speed_kn;   // relative to own ship

@@ -121,8 +121,10 @@ TEST(PlottedTargets, LabelsTellWhatTheOperatorCallsThem) {
   ASSERT_EQ(lines.size(), 1u);
   const auto labels = nmea::decode_tlb(nmea::parse_sentence(lines[0]).value()).value();
   ASSERT_EQ(labels.size(), 2u);
-  EXPECT_EQ(labels[0].label, "Frida");
-  EXPECT_EQ(labels[1].label, "112");
+  EXPECT_EQ(labels[0].number, 1u);
+  EXPECT_EQ(labels[0].label, "112");
+  EXPECT_EQ(labels[1].number, 3u);
+  EXPECT_EQ(labels[1].label, "Frida");
 }
 
 TEST(NavigationTalker, TellsWhatThePlotterHasUnlessItIsToldToTellTheTruth) {

@@ -108,6 +108,10 @@ class FakeHost : public RadarHost {
   RecordingPort* recording() override { return recorder; }
   PlaybackPort* playback() override { return player; }
 
+  // The plotters, if the test has some.
+  TargetPort* plotters = nullptr;
+  TargetPort* targets() override { return plotters; }
+
   // The answer of traffic(); not to be changed while the server runs.
   std::vector<TrafficItem> traffic_items;
   std::vector<TrafficItem> traffic() const override { return traffic_items; }

@@ -12,6 +12,7 @@
 #include "protocol/signalk/json.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
 #include "tests/unit/net/fake_host.hpp"
+#include "tests/unit/net/fake_plotters.hpp"
 #include "tests/unit/net/test_client.hpp"
 #include "tests/unit/net/test_web_socket.hpp"
 
@@ -39,6 +40,7 @@ class Signalk : public testing::Test {
          .name = "buoy",
          .position = {0.05, 0.0}},
         {.number = 1, .kind = TrafficKind::ship, .name = "she", .position = {}, .radars = {0}}};
+    host_.plotters = &plotters_;
   }
   void start(NetConfig config = test_config()) {
     server_.emplace(host_, std::move(config), std::span<const WebFile>{});
@@ -313,40 +315,99 @@ TEST_F(Signalk, AMessageThatIsTooLongEndsTheStream) {
   EXPECT_EQ(get(kRadars)["version"], "3.4.0") << "goes on";
 }
 
-TEST_F(Signalk, ShipsInRangeAreTargetsUntilTheyAreDropped) {
+TEST_F(Signalk, TargetsAreThoseOfThePlotterAndOrdersGoToIt) {
+  plotters_.change([](wire::TargetList& list) {
+    *list.add_targets() = FakePlotters::target(7, 1852.0);
+    wire::Target& young = *list.add_targets() = FakePlotters::target(8, 3000.0);
+    young.set_state(wire::TARGET_ACQUIRING);
+    young.clear_course_deg();
+    young.clear_speed_kn();
+    young.clear_cpa_nm();
+    young.clear_tcpa_min();
+    *list.add_targets() = FakePlotters::target(901, 500.0);
+    list.mutable_targets(2)->set_is_test(true);
+  });
   start();
+  EXPECT_FALSE(plotters_.is_wanted()) << "nobody has asked";
   const std::string targets = kRadars + "/skerry0/targets";
-  Json list = get(targets);
-  ASSERT_EQ(list.size(), 1u) << "the buoy is not acquired by itself";
+  const Json list = get(targets);
+  EXPECT_TRUE(plotters_.is_wanted());
+  ASSERT_EQ(list.size(), 2u) << "no test targets";
   EXPECT_EQ(list[0]["id"], 7);
-  EXPECT_NEAR(list[0]["position"]["distance"], 1852.0, 2.0);
-  EXPECT_NEAR(list[0]["position"]["bearing"], std::numbers::pi / 2, 1e-3);
-  EXPECT_NEAR(list[0]["danger"]["tcpa"], 1852.0 / 5.0, 2.0);
+  EXPECT_EQ(list[0]["status"], "tracking");
+  EXPECT_NEAR(list[0]["position"]["distance"], 1852.0, 1e-9);
+  EXPECT_NEAR(list[0]["position"]["bearing"], std::numbers::pi / 2, 1e-9);
+  EXPECT_NEAR(list[0]["danger"]["tcpa"], 240.0, 1e-9);
+  EXPECT_EQ(list[1]["status"], "acquiring");
+  EXPECT_FALSE(list[1].contains("motion"));
+  EXPECT_FALSE(list[1].contains("danger"));
+
   EXPECT_EQ(ask("DELETE", targets + "/7").status, 200u);
-  EXPECT_EQ(get(targets).size(), 0u);
-  expect_refused(ask("DELETE", targets + "/7"), 404, "");
-  const Answer acquired = ask("POST", targets, R"({"bearing":1.5708,"distance":1800})");
+  EXPECT_EQ(plotters_.orders().back().cancel(0), 7u);
+  plotters_.answer(wire::Reply::UNKNOWN, "target 9 is not tracked");
+  expect_refused(ask("DELETE", targets + "/9"), 404, "not tracked");
+  expect_refused(ask("DELETE", targets + "/x"), 404, "");
+  expect_refused(ask("POST", targets, R"({"bearing":3,"distance":9000})"), 404, "");
+  plotters_.answer(wire::Reply::OK, "12");
+  const Answer acquired = ask("POST", targets, R"({"bearing":1.5708,"distance":1852})");
   EXPECT_EQ(acquired.status, 201u);
-  EXPECT_EQ(acquired.body["targetId"], 7);
-  EXPECT_EQ(get(targets)[0]["acquisition"], "manual");
-  EXPECT_EQ(ask("POST", targets + "/acquire", R"({"bearing":0,"distance":5550})").body["targetId"],
-            9);
-  expect_refused(ask("POST", targets, R"({"bearing":3,"distance":9000})"), 404, "no target");
+  EXPECT_EQ(acquired.body["targetId"], 12);
+  EXPECT_NEAR(plotters_.orders().back().acquire().range_nm(), 1.0, 1e-9);
+  EXPECT_NEAR(plotters_.orders().back().acquire().bearing_deg(), 90.0, 0.01);
   expect_refused(ask("POST", targets, R"({"bearing":"x"})"), 400, "radians");
 }
 
-TEST_F(Signalk, ATargetThatIsDroppedIsNullInTheStream) {
+TEST_F(Signalk, ATargetOrAlertThatIsGoneIsNullInTheStream) {
+  plotters_.change([](wire::TargetList& list) {
+    *list.add_targets() = FakePlotters::target(7, 1852.0);
+    wire::Alert& alert = *list.add_alerts();
+    alert.set_number(3044);
+    alert.set_instance(1);
+    alert.set_priority(wire::ALERT_ALARM);
+    alert.set_text("Target 7: CPA .1 NM in 4 min");
+  });
   start();
   TestWebSocket stream(server_->http_port(), "/signalk/v1/stream?subscribe=none");
-  stream.send(R"({"subscribe":[{"path":"radars.*.targets.*","policy":"instant"}]})");
+  stream.send(
+      R"({"subscribe":[{"path":"radars.*.targets.*","policy":"instant"},{"path":"notifications.*","policy":"instant"}]})");
   const std::string boat = "radars.skerry0.targets.7";
-  const auto has_boat = [&](const Json& delta) { return value_in(delta, boat).has_value(); };
-  EXPECT_EQ(value_in(receive(stream, has_boat), boat)->at("id"), 7);
-  EXPECT_EQ(ask("DELETE", kRadars + "/skerry0/targets/7").status, 200u);
-  receive(stream, [&](const Json& delta) {
+  const std::string alert = "notifications.radars.skerry0.3044.1";
+  const Json told =
+      receive(stream, [&](const Json& delta) { return value_in(delta, alert).has_value(); });
+  EXPECT_EQ(value_in(told, boat)->at("id"), 7);
+  EXPECT_EQ(value_in(told, alert)->at("state"), "alarm");
+  EXPECT_EQ(value_in(told, alert)->at("method").size(), 2u) << "it sounds";
+  plotters_.change([](wire::TargetList& list) {
+    list.clear_targets();
+    list.clear_alerts();
+  });
+  const Json gone = receive(stream, [&](const Json& delta) {
     const auto value = value_in(delta, boat);
     return value && value->is_null();
   });
+  EXPECT_TRUE(value_in(gone, alert)->is_null());
+}
+
+TEST_F(Signalk, WhatIsTrackedWithoutAisIsAVesselToo) {
+  plotters_.change([](wire::TargetList& list) {
+    *list.add_targets() = FakePlotters::target(7, 1852.0);
+    *list.add_targets() = FakePlotters::target(8, 3000.0);
+    list.mutable_targets(1)->set_mmsi(257'000'222);
+  });
+  start();
+  const Json vessels = get("/signalk/v1/api/vessels");
+  const std::string key = "urn:mrn:signalk:uuid:534b4552-5259-4000-8000-000000000007";
+  ASSERT_TRUE(vessels.contains(key)) << vessels;
+  EXPECT_EQ(vessels.size(), 2u) << "own ship and target 7: target 8 is AIS's own";
+  EXPECT_NEAR(vessels[key]["navigation"]["position"]["value"]["longitude"], 0.016637, 1e-5);
+  EXPECT_FALSE(vessels[key].contains("mmsi"));
+}
+
+TEST_F(Signalk, WithoutAPlotterThereAreNoTargets) {
+  host_.plotters = nullptr;
+  start();
+  EXPECT_EQ(get(kRadars + "/skerry0/targets").size(), 0u);
+  expect_refused(ask("DELETE", kRadars + "/skerry0/targets/1"), 404, "plotter");
 }
 
 TEST_F(Signalk, ALoginTakesTheControlTokenForThePassword) {

@@ -3,10 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <GeographicLib/Geodesic.hpp>
-#include <cmath>
 #include <numbers>
-#include <random>
 
 #include "protocol/signalk/documents.hpp"
 #include "protocol/signalk/subscription.hpp"
@@ -163,54 +160,39 @@ TEST(StreamRequest, SetsControlsInEitherForm) {
   }
 }
 
-TEST(Target, RangeAndBearingAgreeWithTheGeodesic) {
-  std::mt19937 random(6);
-  std::uniform_real_distribution<double> latitude(-75, 75), longitude(-180, 180), range(10, 177792),
-      azimuth(0, 360);
-  double worst_range = 0, worst_bearing = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const GeoPoint from{latitude(random), longitude(random)};
-    const double s = range(random), a = azimuth(random);
-    GeoPoint to;
-    GeographicLib::Geodesic::WGS84().Direct(from.latitude_deg, from.longitude_deg, a, s,
-                                            to.latitude_deg, to.longitude_deg);
-    const auto [metres, deg] = range_and_bearing(from, to);
-    worst_range = std::max(worst_range, std::fabs(metres - s) / s);
-    worst_bearing = std::max(worst_bearing, std::fabs(std::remainder(deg - a, 360.0)));
-  }
-  std::printf("worst: %.6f of the range, %.5f deg\n", worst_range, worst_bearing);
-  EXPECT_LT(worst_range, 5e-5);
-  EXPECT_LT(worst_bearing, 0.004);
-}
-
-// Two ships head to head at 5 m/s each, 1 km apart, 100 m abeam of each other's track.
-TEST(Target, TheNearestIsWhereThePassIs) {
-  const double metre = 1.0 / 111'412.0;  // of latitude at 60 deg, deg
-  const Movement own{{60.0, 5.0}, 0.0, 5.0};
-  const double side = metre * 100 / std::cos(60 * std::numbers::pi / 180) * 0.99667;
-  const Movement other{{60.0 + 1000 * metre, 5.0 + side}, 180.0, 5.0};
-  const auto nearest = closest_approach(own, other);
-  ASSERT_TRUE(nearest.has_value());
-  EXPECT_NEAR(nearest->distance_m, 100.0, 2.0);
-  EXPECT_NEAR(nearest->seconds, 100.0, 1.0);
-  EXPECT_FALSE(closest_approach(own, {other.position, 0.0, 5.0}).has_value()) << "in company";
-  EXPECT_FALSE(closest_approach(own, {other.position, 0.0, 9.0}).has_value()) << "draws away";
-}
-
 TEST(Target, ItsDocumentLeavesOutWhatThereIsNot) {
-  const Movement own{{60.0, 5.0}, 0.0, 5.0};
-  Target target{.number = 3, .movement = {{60.1, 5.0}, 0.0, 9.0}};
-  const Json away = target_document(target, own);
-  EXPECT_EQ(away["id"], 3);
-  EXPECT_EQ(away["status"], "tracking");
-  EXPECT_EQ(away["acquisition"], "auto");
-  EXPECT_FALSE(away.contains("danger"));
-  EXPECT_NEAR(away["position"]["distance"], 11'141, 20);
-  target.movement.course_deg = 180.0;
+  Target target{.number = 3, .position = {60.1, 5.0}, .range_m = 11'141.0, .bearing_deg = 360.0};
+  const Json young = target_document(target);
+  EXPECT_EQ(young["id"], 3);
+  EXPECT_EQ(young["status"], "tracking");
+  EXPECT_EQ(young["acquisition"], "auto");
+  EXPECT_EQ(young["position"]["bearing"], 0.0);
+  for (const char* absent : {"motion", "danger", "name", "mmsi"}) {
+    EXPECT_FALSE(young.contains(absent)) << absent;
+  }
+  target.course_deg = 180.0;
+  target.speed_mps = 9.0;
+  target.cpa_m = 120.0;
+  target.tcpa_s = -5.0;
   target.acquired_by_hand = true;
-  const Json meets = target_document(target, own);
+  target.name = "Frida";
+  target.mmsi = 2'570'001;
+  EXPECT_FALSE(target_document(target).contains("danger")) << "past";
+  target.tcpa_s = 60.0;
+  const Json meets = target_document(target);
   EXPECT_EQ(meets["acquisition"], "manual");
-  EXPECT_LT(meets["danger"]["cpa"], 1.0);
+  EXPECT_NEAR(meets["motion"]["course"], std::numbers::pi, 1e-12);
+  EXPECT_EQ(meets["danger"]["cpa"], 120.0);
+  EXPECT_EQ(meets["mmsi"], "002570001");
+}
+
+TEST(Notification, SoundsUntilItIsAcknowledged) {
+  const Json alarm = notification_document(NotificationState::alarm, true, "near", UtcTime{});
+  EXPECT_EQ(alarm["state"], "alarm");
+  EXPECT_EQ(alarm["method"], Json::array({"visual", "sound"}));
+  EXPECT_EQ(alarm["timestamp"], "1970-01-01T00:00:00.000Z");
+  const Json seen = notification_document(NotificationState::warn, false, "lost", UtcTime{});
+  EXPECT_EQ(seen["method"], Json::array({"visual"}));
 }
 
 }  // namespace

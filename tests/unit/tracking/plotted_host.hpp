@@ -38,8 +38,6 @@ class PlottedHost final : public FakeHost {
     ship.set_utc_ns(static_cast<std::uint64_t>(now_.time_since_epoch().count()));
     return ship;
   }
-  TargetPort* plotters = nullptr;
-  TargetPort* targets() override { return plotters; }
 
   double range_m() const { return kFirst_m - kSpeed_mps * seconds_; }
 
