@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/quantity/speed.hpp"
 #include "server/targets/watch/desk.hpp"
 #include "server/targets/watch/test_targets.hpp"
 #include "server/targets/watch/trial_path.hpp"
