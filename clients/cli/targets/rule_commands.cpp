@@ -8,6 +8,7 @@
 #include "clients/cli/message_options.hpp"
 #include "clients/cli/targets/target_words.hpp"
 #include "clients/cli/targets/targets_link.hpp"
+#include "protocol/wire/schema.hpp"
 
 namespace skerry::client {
 namespace {
@@ -54,7 +55,9 @@ Command make_zone_command(const TargetsApp& targets) {
       "zone", "Lays a zone around own ship, in which targets are acquired and warned of");
   part->add_option_function<std::uint32_t>(
           "NUMBER", [request](std::uint32_t number) { request->zone.set_number(number); },
-          "1 to 8; the zone that has the number goes")
+          wire::allowed_by(
+              wire::rule_of(*wire::TargetZone::descriptor()->FindFieldByName("number"))) +
+              "; the zone that has the number goes")
       ->required();
   add_message_options(*part, request->zone, {"number", "kind", "relative"});
   auto* const outer = part->get_option("--outer");
