@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/quantity/speed.hpp"
 #include "server/tracking/watch/desk.hpp"
 #include "server/tracking/watch/test_targets.hpp"
 #include "server/tracking/watch/trial_path.hpp"

@@ -117,6 +117,42 @@ TEST(TargetsAndAis, WhatTheRadarLosesAisStillHas) {
   EXPECT_EQ(sea.target(1)->name(), "ALMA");
 }
 
+// Heading is lost, position is not: AIS goes on.
+TEST(TargetsAndAis, WhatIsFrozenAndDroppedLeavesItsAisTarget) {
+  WatchedSea sea;
+  const Way way = straight_way({0.0, 5.0 * kNm}, 180.0, 25.0);
+  sea.sea.targets = {{way}};
+  tell_by_ais(sea, kAlma, way, 180.0, 25.0);
+  sea.go_on_for(120.0);
+  sea.acknowledge(3044);
+  sea.has_heading = false;
+  sea.go_on_for(50.0);
+  EXPECT_EQ(sea.target(1)->mmsi(), kAlma);
+  EXPECT_EQ(sea.alert(3044).target(), 1u);
+  sea.go_on_for(15.0);
+  EXPECT_EQ(sea.list().targets_size(), 0);
+  EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
+  EXPECT_EQ(sea.alerts(3044).size(), 1u);
+  EXPECT_EQ(sea.alert(3044).mmsi(), kAlma);
+  EXPECT_EQ(sea.alert(3044).state(), wire::ALERT_ACKNOWLEDGED);
+}
+
+TEST(TargetsAndAis, WhatIsCancelledWhileFrozenLeavesItsAisTarget) {
+  WatchedSea sea;
+  const Way way = straight_way({0.0, 5.0 * kNm}, 90.0, 10.0);
+  sea.sea.targets = {{way}};
+  tell_by_ais(sea, kAlma, way, 90.0, 10.0);
+  sea.go_on_for(60.0);
+  sea.has_heading = false;
+  sea.go_on_for(10.0);
+  EXPECT_EQ(sea.ais_target(kAlma)->target(), 1u);
+  wire::TargetOrder cancel;
+  cancel.add_cancel(1);
+  EXPECT_EQ(sea.order(cancel).code(), wire::Reply::OK);
+  sea.go_on_for(2.5);
+  EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
+}
+
 TEST(TargetsAndAis, ASilentOneIsLostIfItWasActivated) {
   WatchedSea sea;
   tell_by_ais(sea, kAlma, straight_way({0.0, 8.0 * kNm}, 90.0, 10.0), 90.0, 10.0);
