@@ -30,6 +30,25 @@ TEST(TargetsAndAis, OneShipShowsOnceAndHasHerName) {
   EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
 }
 
+TEST(TargetsAndAis, APairHasOneOutcomeOfATrialByAisWhileTheTrackIsYoung) {
+  WatchedSea sea;
+  const Way way = straight_way({0.0, 4.0 * kNm}, 90.0, 10.0);
+  sea.sea.targets = {{way}};
+  tell_by_ais(sea, kAlma, way, 90.0, 10.0);
+  wire::TargetOrder order;
+  order.mutable_trial()->set_course_deg(90.0);
+  order.mutable_trial()->set_speed_kn(10.0);
+  sea.go_on_for(30.0);
+  sea.order(order);
+  sea.update();
+  ASSERT_EQ(sea.ais_target(kAlma)->target(), 1u);
+  ASSERT_EQ(sea.list().trial().outcomes_size(), 1);
+  EXPECT_EQ(sea.list().trial().outcomes(0).mmsi(), kAlma);
+  sea.go_on_for(60.0);
+  ASSERT_EQ(sea.list().trial().outcomes_size(), 1);
+  EXPECT_EQ(sea.list().trial().outcomes(0).target(), 1u);
+}
+
 TEST(TargetsAndAis, TwoShipsShowTwice) {
   WatchedSea sea;
   sea.sea.targets = {{straight_way({0.0, 4.0 * kNm}, 90.0, 10.0)}};
