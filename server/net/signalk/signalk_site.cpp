@@ -105,12 +105,17 @@ std::vector<TrafficItem> SignalkSite::others() const {
 
 std::vector<signalk::OtherVessel> SignalkSite::vessels() {
   std::vector<signalk::OtherVessel> vessels = ais_vessels();
+  const auto by_ais = static_cast<std::ptrdiff_t>(vessels.size());
   Mounted& radar = radars_.front();
   const TargetListPtr list = target_list(radar);
   if (list == nullptr) return vessels;
   for (const wire::Target& target : list->targets()) {
     const bool is_lost = target.state() == wire::TARGET_LOST;
-    if (target.is_test() || is_lost || target.mmsi() != 0) continue;
+    // Who has just fallen silent is still taken to be the same.
+    const bool is_told =
+        std::any_of(vessels.begin(), vessels.begin() + by_ais,
+                    [&](const signalk::OtherVessel& each) { return each.mmsi == target.mmsi(); });
+    if (target.is_test() || is_lost || is_told) continue;
     vessels.push_back(tracked_vessel(target, *list));
   }
   return vessels;

@@ -394,12 +394,15 @@ TEST_F(Signalk, WhatIsTrackedWithoutAisIsAVesselToo) {
     *list.add_targets() = FakePlotters::target(7, 1852.0);
     *list.add_targets() = FakePlotters::target(8, 3000.0);
     list.mutable_targets(1)->set_mmsi(257'000'222);
+    *list.add_targets() = FakePlotters::target(9, 4000.0);
+    list.mutable_targets(2)->set_mmsi(257'000'333);
   });
+  host_.traffic_items[0].mmsi = 257'000'222;
   start();
   const Json vessels = get("/signalk/v1/api/vessels");
   const std::string key = "urn:mrn:signalk:uuid:534b4552-5259-4000-8000-000000000007";
   ASSERT_TRUE(vessels.contains(key)) << vessels;
-  EXPECT_EQ(vessels.size(), 2u) << "own ship and target 7: target 8 is AIS's own";
+  EXPECT_EQ(vessels.size(), 4u) << "target 8 is AIS's own, and 9's AIS has fallen silent";
   EXPECT_NEAR(vessels[key]["navigation"]["position"]["value"]["longitude"], 0.016637, 1e-5);
   EXPECT_FALSE(vessels[key].contains("mmsi"));
 }

@@ -46,3 +46,16 @@ export function isStrong(shot, x, y) {
   const [r, g, b] = shot.data.subarray(i, i + 3);
   return Math.max(r, g) > 190 && b < 90 && Math.max(r, g) - b > 130;
 }
+
+// The middle of the magenta with which other vessels are drawn, and nothing else on the map; null if there is none.
+export function middleOfVessels(shot) {
+  let pixels = 0, x = 0, y = 0;
+  for (let i = 0; i < shot.width * shot.height; i += 1) {
+    const [r, g, b] = shot.data.subarray(4 * i, 4 * i + 3);
+    if (!(r > 200 && b > 200 && g < 80)) continue;
+    pixels += 1;
+    x += i % shot.width;
+    y += Math.floor(i / shot.width);
+  }
+  return pixels === 0 ? null : { pixels, x: x / pixels, y: y / pixels };
+}

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { launch } from '../browser.mjs';
 import { parsePgm } from '../compare_scan.mjs';
-import { capture, chooseRange, isStrong, openFreeboard, PUBLIC } from './freeboard.mjs';
+import { capture, chooseRange, isStrong, middleOfVessels, openFreeboard, PUBLIC } from './freeboard.mjs';
 import { compareOverlay, differences } from './overlay.mjs';
 import { skerry, start, startSkerryd } from './skerryd.mjs';
 
@@ -104,6 +104,50 @@ async function showAndSteer(t, base) {
 
 test('straight from skerryd, the overlay lies where the snapshot has it and its range control works', async (t) => {
   await showAndSteer(t, `http://127.0.0.1:${skerryd.http}`);
+});
+
+// A ship without AIS in the open sea, which the plotter alone knows of.
+const SILENT = `
+name: A silent ship
+own_ships:
+  - {name: Frida, position: {lat: 55.5, lon: 4.0}, course_deg: 0, speed_kn: 0,
+     radars: [{name: Radar, spokes: 1024, cells: 512, bits: 8, rpm: 60, range_nm: 3}]}
+targets:
+  - {name: Silent, position: {lat: 55.53, lon: 4.04}, course_deg: 180, speed_kn: 12, length_m: 90, beam_m: 15, height_m: 15}
+`;
+
+test('what the plotter tracks is drawn where the plotter has it', async (t) => {
+  const file = join(folder, 'silent.yaml');
+  writeFileSync(file, SILENT);
+  const server = await startSkerryd(['--web-root', join(folder, 'web'), '--scenario', file]);
+  const page = await openFreeboard(browser, `http://127.0.0.1:${server.http}`);
+  try {
+    await skerry(['exercise', 'target', 'order', 'Silent', '--port', String(server.tcp), '--ais-off', 'on']);
+    const targets = async () => json(`http://127.0.0.1:${server.http}${RADARS}/skerry0/targets`);
+    await until(async () => (await targets()).length === 1, 'a target', 90);
+    let seen;
+    await until(async () => {
+      const [target] = await targets();
+      const ship = (await json(`http://127.0.0.1:${server.http}/signalk/v1/api/vessels/self`)).navigation.position.value;
+      const shot = await capture(page, ship.latitude);
+      const { bearing, distance } = target.position;
+      const expected = {
+        x: shot.centre.x + distance * Math.sin(bearing) / shot.metresPerPixel,
+        y: shot.centre.y - distance * Math.cos(bearing) / shot.metresPerPixel,
+      };
+      const drawn = middleOfVessels(shot);
+      seen = drawn && { off: Math.hypot(drawn.x - expected.x, drawn.y - expected.y), pixels: drawn.pixels,
+        away: Math.hypot(expected.x - shot.centre.x, expected.y - shot.centre.y) };
+      return seen && seen.off < 8;
+    }, 'the target on the map');
+    t.diagnostic(JSON.stringify(seen));
+    assert.ok(seen.away > 30, 'she is well off own ship');
+    const vessels = await json(`http://127.0.0.1:${server.http}/signalk/v1/api/vessels`);
+    assert.deepEqual(Object.values(vessels).map((each) => each.name).sort(), ['Frida', 'Radar target 1']);
+  } finally {
+    await page.context().close();
+    await server.child.end();
+  }
 });
 
 describe('through signalk-server', () => {
