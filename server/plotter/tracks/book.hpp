@@ -89,6 +89,7 @@ class Tracker::Book {
   bool deserves_a_track(const Followed& followed) const;
   bool is_under_way(const Target& target) const;
   bool is_among_echoes(const Target& target) const;
+  bool is_inshore(const Target& target) const;
   Acquire acquired_at(PlanePoint place) const;
   void show(Followed& followed);
   void begin_new_ones();

@@ -56,6 +56,63 @@ Marks marks_at(const LandMap& map, PlanePoint ship, PlanePoint there) {
   return marks_of(map, place(ship.east_m, ship.north_m), toward(deg), length_of(way));
 }
 
+// A point at `there`, in one row, seen from 60 N 10 E; a turn.
+void see_point(LandMap& map, PlanePoint there) {
+  map.go_on(place(0.0, 0.0), kTurn, kReach);
+  const double deg = std::atan2(there.east_m, there.north_m) * kDegreesPerRadian;
+  const double range_m = length_of(there);
+  map.add_echo(place(0.0, 0.0), toward(deg), 0.001, range_m, range_m + 5.0, false);
+}
+
+int spans_at(const LandMap& map, PlanePoint there) {
+  const double deg = std::atan2(there.east_m, there.north_m) * kDegreesPerRadian;
+  int spans = 0;
+  for (auto stood = map.stood(map.spot(place(0.0, 0.0), toward(deg), length_of(there))); stood != 0;
+       stood &= stood - 1)
+    ++spans;
+  return spans;
+}
+
+bool by_standing_at(const LandMap& map, PlanePoint there) {
+  const double deg = std::atan2(there.east_m, there.north_m) * kDegreesPerRadian;
+  return map.is_by_standing(map.spot(place(0.0, 0.0), toward(deg), length_of(there)));
+}
+
+TEST(LandMap, RemembersForTenMinutesWhereAnEchoStood) {
+  LandMap map;
+  const PlanePoint islet{2025.0, 1025.0};
+  for (int turn = 0; turn < 80; ++turn) see_point(map, islet);
+  EXPECT_GE(spans_at(map, islet), 10);
+  EXPECT_EQ(spans_at(map, {2325.0, 1025.0}), 0);
+  EXPECT_TRUE(by_standing_at(map, {2325.0, 1025.0})) << "300 m beside it";
+  EXPECT_FALSE(by_standing_at(map, {3025.0, 1025.0})) << "1000 m beside it";
+  for (int turn = 0; turn < 100; ++turn) map.go_on(place(0.0, 0.0), kTurn, kReach);
+  EXPECT_GE(spans_at(map, islet), 10) << "four minutes later";
+  EXPECT_FALSE(by_standing_at(map, {2325.0, 1025.0})) << "it stands no more";
+  for (int turn = 0; turn < 160; ++turn) map.go_on(place(0.0, 0.0), kTurn, kReach);
+  EXPECT_EQ(spans_at(map, islet), 0);
+}
+
+TEST(LandMap, AShipThatGoesByStandsNowhereForLong) {
+  LandMap map;
+  // 10 knots: 12.9 m a turn.
+  for (int turn = 0; turn < 80; ++turn) see_point(map, {2000.0 + 12.9 * turn, 1000.0});
+  for (int turn = 0; turn < 80; ++turn)
+    EXPECT_LE(spans_at(map, {2000.0 + 12.9 * turn, 1000.0}), 2) << turn;
+  EXPECT_FALSE(by_standing_at(map, {2500.0, 1000.0}));
+}
+
+TEST(LandMap, WhatComesAndGoesStandsNowhere) {
+  LandMap map;
+  for (int turn = 0; turn < 80; ++turn) {
+    if (turn % 5 == 0)
+      see_point(map, {2025.0, 1025.0});
+    else
+      map.go_on(place(0.0, 0.0), kTurn, kReach);
+  }
+  EXPECT_EQ(spans_at(map, {2025.0, 1025.0}), 0);
+}
+
 TEST(LandMap, LearnsLandInSomeTurnsAndForgetsItInMore) {
   LandMap map;
   const PlanePoint ship{0.0, 0.0}, inside{2500.0, 300.0};

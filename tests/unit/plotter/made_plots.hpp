@@ -25,6 +25,7 @@ struct MadeTarget {
   Way way;
   double seen = 1.0;  // probability of a plot in a turn
   double glint_along_m = 0.0, glint_across_m = 0.0, heading_deg = 0.0;
+  std::function<void(Plot&)> also = [](Plot&) {};  // what else its plots say
 };
 
 struct MadeSea {
@@ -72,7 +73,7 @@ inline void sail(const MadeSea& sea, Tracker& tracker, double from_s, double to_
     if (t >= to_s) break;
     const double antenna_deg = static_cast<double>(n % kPasses) * 360.0 / kPasses;
     const PlanePoint own = sea.own(t);
-    const auto tell = [&](PlanePoint off) {
+    const auto tell = [&](PlanePoint off, const std::function<void(Plot&)>& also) {
       Plot plot;
       plot.time = time_of(t);
       plot.utc = UtcTime(plot.time.time_since_epoch());
@@ -85,6 +86,7 @@ inline void sail(const MadeSea& sea, Tracker& tracker, double from_s, double to_
       plot.bearing_sigma_rad = sea.bearing_sigma_deg / kDegreesPerRadian;
       plot.greatest = 200;
       plot.cells = 20;
+      also(plot);
       tracker.add(plot);
     };
     for (const MadeTarget& target : sea.targets) {
@@ -97,11 +99,11 @@ inline void sail(const MadeSea& sea, Tracker& tracker, double from_s, double to_
       const double h = target.heading_deg / kDegreesPerRadian;
       off = off + PlanePoint{along * std::sin(h) + across * std::cos(h),
                              along * std::cos(h) - across * std::sin(h)};
-      tell(off);
+      tell(off, target.also);
     }
     if (share() < sea.false_a_turn / kPasses) {
       const double r = sea.reach_m * std::sqrt(share()), a = antenna_deg / kDegreesPerRadian;
-      tell({r * std::sin(a), r * std::cos(a)});
+      tell({r * std::sin(a), r * std::cos(a)}, [](Plot&) {});
     }
     tracker.pass({.time = time_of(t),
                   .utc = UtcTime(time_of(t).time_since_epoch()),
