@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kMetresPerDegree = 60.0 * 1852.0;  // of latitude
 constexpr double kMostReachCells = 128.0, kLeastReachCells = 32.0;
-constexpr double kMostOwn = 6.0;   // cells
+constexpr double kMostOwn = 6.0;  // cells
+constexpr int kBySquares = 2;
+constexpr int kLongSpans = 4;
 constexpr double kFarthest = 1e7;  // metres from where the map began
 constexpr std::uint32_t kHistory = 16;
 constexpr int kLasting = 6;  // turns of a history
@@ -31,6 +33,8 @@ int bits_of(std::uint32_t history) {
   history = (history + (history >> 4)) & 0x0f0fu;
   return static_cast<int>((history + (history >> 8)) & 31u);
 }
+
+int spans_of(std::uint32_t stood) { return bits_of(stood & 0xffffu) + bits_of(stood >> 16); }
 
 // Of the eight directions, the one in which that cell lies.
 unsigned direction_of(int east, int north) {
@@ -106,7 +110,10 @@ LandMap::Cell LandMap::now(Place place) const {
   Cell cell = cells_[index_of(place)];
   const std::uint32_t turns = turn_ - cell.turn;
   const std::uint8_t where = where_of(place);
-  if (cell.where != where || turns >= kHistory) return {turn_, 0, 0, 0, 0, where};
+  if (cell.where != where) return {turn_, 0, 0, 0, 0, 0, where};
+  const std::uint32_t spans = turn_ / kSpan - cell.turn / kSpan;
+  cell.stood = spans < 32 ? cell.stood << spans : 0;
+  if (turns >= kHistory) return {turn_, cell.stood, 0, 0, 0, 0, where};
   cell.land = static_cast<std::uint16_t>(cell.land << turns);
   cell.echo = static_cast<std::uint16_t>(cell.echo << turns);
   cell.plots = static_cast<std::uint8_t>(cell.plots << turns);
@@ -131,8 +138,10 @@ LandMap::Square LandMap::square_now(Place place) const {
   Square square = squares_[square_of(place)];
   const std::uint32_t turns = turn_ - square.turn;
   const std::uint8_t where = where_of(place);
-  if (square.where != where || turns > 2u * kMostBar) return {turn_, 0, where, {}};
+  if (square.where != where || turns > 2u * kMostBar) return {turn_, 0, 0, where, {}};
   if (turns == 0) return square;
+  const std::uint32_t spans = turn_ / kSpan - square.turn / kSpan;
+  square.stood = spans < 32 ? square.stood << spans : 0;
   square.turn = turn_;
   square.half_levels = static_cast<std::uint16_t>(
       square.half_levels - std::min<std::uint32_t>(turns, square.half_levels));
@@ -179,6 +188,14 @@ void LandMap::add_echo(const GeoPoint& own_ship, TrueBearing bearing, double wid
       const Place place = place_of(ship + ahead * range + right * off);
       Cell& cell = renewed(place);
       cell.echo |= 1;
+      if ((cell.stood & 1u) == 0 && bits_of(cell.echo & 0xffu) >= 3) {
+        cell.stood |= 1;
+        if (spans_of(cell.stood) >= kLongSpans) {
+          Square square = square_now(place);
+          square.stood |= 1;
+          squares_[square_of(place)] = square;
+        }
+      }
       if (extended) cell.land |= 1;
     }
     if (range >= to_m) return;
@@ -234,6 +251,30 @@ double LandMap::surrounded_at(Place place, double half_m) const {
 LandMap::Spot LandMap::spot(const GeoPoint& own_ship, TrueBearing bearing, double range_m) const {
   const auto toward = echo::sin_cos_units(bearing.units());
   return {ground(own_ship) + PlanePoint{toward.sin, toward.cos} * range_m};
+}
+
+std::uint32_t LandMap::stood(Spot spot) const {
+  const Place middle = place_of(spot.at);
+  std::uint32_t most = 0;
+  for (int north = -1; north <= 1; ++north) {
+    for (int east = -1; east <= 1; ++east) {
+      const std::uint32_t here = now({middle.east + east, middle.north + north}).stood;
+      if (spans_of(here >> 2) > spans_of(most >> 2)) most = here;  // not just now
+    }
+  }
+  return most;
+}
+
+bool LandMap::is_by_standing(Spot spot) const {
+  constexpr std::uint32_t kLately = 7;
+  const Place middle = place_of(spot.at);
+  for (int north = -kBySquares; north <= kBySquares; ++north) {
+    for (int east = -kBySquares; east <= kBySquares; ++east) {
+      const Place at{middle.east + east * kSquare, middle.north + north * kSquare};
+      if ((square_now(at).stood & kLately) != 0) return true;
+    }
+  }
+  return false;
 }
 
 double LandMap::on_land(Spot spot, double half_m) const {

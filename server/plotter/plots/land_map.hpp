@@ -14,7 +14,8 @@ namespace skerry::server {
 // half of that, or a quarter, where 32 of those reach as far as the radar, and of twice that, and
 // again, until 128 do.  What the ship leaves behind makes room for what comes.  Each cell remembers
 // of the last sixteen turns in which there was an echo of a plot that was told, and in which it was
-// part of an extended one; and of the last eight in which there was a plot, told or not.
+// part of an extended one; and of the last eight in which there was a plot, told or not.  And of
+// the last 32 spans of eight turns, ten minutes or so, those in which an echo stood there.
 //
 // Squares of four by four cells count their new plots of the last eight turns: those where there
 // was none the turn before, in the same cell or the four beside it.  They also have a bar: how far
@@ -31,11 +32,12 @@ namespace skerry::server {
 // that are not finite move nothing; a step of more than kMostStepM, or another size of cells,
 // begins anew.  Sums and products only: the same calls give the same bits on every machine.
 //
-// Memory: 850 KiB.  Thread: one at a time.
+// Memory: 1130 KiB.  Thread: one at a time.
 class LandMap {
  public:
   static constexpr double kCellM = 50.0, kLeastCellM = 12.5, kMostStepM = 2000.0;
   static constexpr int kRaise = 12, kMostBar = 120;  // levels
+  static constexpr std::uint32_t kSpan = 8;          // turns
 
   LandMap();
 
@@ -66,6 +68,12 @@ class LandMap {
   double clutter(Spot spot) const;
   double bar(Spot spot) const;  // levels, 0 to kMostBar
   bool lasts(Spot spot) const;  // a plot was in this cell in six of the last eight turns
+  // In which spans of kSpan turns an echo stood there, in three of eight turns: bit 0 is this span,
+  // the next one the span before.  Of the nine cells around, the one where it did most often.
+  std::uint32_t stood(Spot spot) const;
+  // An echo stands within two squares or so that has stood in its cell for four spans: land, or a
+  // ship at anchor, or one that is slower than three cells a minute.
+  bool is_by_standing(Spot spot) const;
 
   // A plot that is not extended, and whether it is told: it passes the bar or lasts.
   void add_plot(Spot spot, bool told);
@@ -81,13 +89,15 @@ class LandMap {
   static constexpr std::int32_t kSquare = 4;  // cells of a square's side
   // Bit 0 of a history is this turn, the next one the turn before.
   struct Cell {
-    std::uint32_t turn = 0;  // of bit 0
+    std::uint32_t turn = 0;   // of bit 0
+    std::uint32_t stood = 0;  // bits of spans
     std::uint16_t land = 0, echo = 0;
     std::uint8_t plots = 0, told = 0;
     std::uint8_t where = 0;  // which of the places that share this memory
   };
   struct Square {
     std::uint32_t turn = 0;                   // as of which
+    std::uint32_t stood = 0;                  // spans in which a cell's echo has for four
     std::uint16_t half_levels = 0;            // its bar
     std::uint8_t where = 0;                   // as of a cell
     std::array<std::uint8_t, 8> new_plots{};  // this turn, the turn before, ...

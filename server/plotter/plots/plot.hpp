@@ -29,6 +29,10 @@ struct Plot {
   // What has been learnt of its place before (land_map.hpp), 0 to 1: how sure that it lies on land,
   // where half means beside it; and how much echoes come and go around it, as those of the sea.
   double on_land = 0.0, clutter = 0.0;
+  // In which spans of some turns an echo stood within stood_m of it; bit 0 is the present one.
+  std::uint32_t stood = 0;
+  double stood_m = 0.0;
+  bool by_standing = false;  // land, or another echo that stays, is near
 };
 
 }  // namespace skerry::server

@@ -167,6 +167,9 @@ bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, c
   if (told) {
     plot.on_land = land_.on_land(spot, 0.5 * shape.size_m(blob));
     plot.clutter = land_.clutter(spot);
+    plot.stood = land_.stood(spot);
+    plot.stood_m = 1.5 * land_.cell_m();
+    plot.by_standing = land_.is_by_standing(spot);
     out.push_back(plot);
     add_echo(blob, cells, plot.extended);
   } else {

@@ -58,6 +58,11 @@ void Tracker::Book::add(const Plot& plot) {
   const double late_deg = wrapped_deg((antenna_.bearing - plot.bearing).in_degrees());
   if (late_deg > 0.0 && late_deg < 20.0) late_deg_ = std::max(late_deg, 0.999 * late_deg_);
   suspects_.add(plot);
+  if (plot.extended) {
+    if (extended_.size() >= kMostExtended) extended_.pop_front();
+    const PlacedPlot placed = place(plot);
+    extended_.push_back({{placed.measured.place(0), placed.measured.place(1)}, plot.time});
+  }
   if (plot.extended || plot.range_m > rule_.furthest_nm * 1852.0) return;
   ++counts_.plots;
   if (open_.size() >= kMostPlots) {
@@ -265,6 +270,7 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
       if (followed.number == 0) {
         false_plots_.add(plot.range_m, plot.bearing.in_degrees());
       }
+      open.placed.on_old_ground = followed.target.is_on_old_ground(open.placed, turn_s_);
       followed.target.see(open.placed, density);
     } else if (followed.look.could_see()) {
       followed.target.miss();

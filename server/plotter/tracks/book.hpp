@@ -1,6 +1,7 @@
 // Tracker::Book: all targets that are followed, and the plots that have no target yet.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <utility>
@@ -40,6 +41,7 @@ class Tracker::Book {
 
  private:
   static constexpr std::size_t kMostFollowed = 2000, kMostPlots = 4000, kMostLost = 1000;
+  static constexpr std::size_t kMostExtended = 500;
 
   struct Followed {
     Target target;
@@ -47,6 +49,10 @@ class Tracker::Book {
     std::uint32_t number = 0;  // 0: not shown
     bool by_hand = false, refused = false, gone = false;
     double false_per_m2 = 1e-7;  // where it is
+  };
+  struct Extended {
+    PlanePoint place;
+    ScenarioTime time{};
   };
   struct Open {
     PlacedPlot placed;
@@ -81,6 +87,8 @@ class Tracker::Book {
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
   void judge(Followed& followed);
   bool deserves_a_track(const Followed& followed) const;
+  bool is_under_way(const Target& target) const;
+  bool is_among_echoes(const Target& target) const;
   Acquire acquired_at(PlanePoint place) const;
   void show(Followed& followed);
   void begin_new_ones();
@@ -104,6 +112,7 @@ class Tracker::Book {
   std::vector<Followed> followed_;
   std::vector<Sight> sights_;  // of followed_
   std::vector<Open> open_;
+  std::deque<Extended> extended_;  // of the last turns
   ByEast targets_by_east_, plots_by_east_;
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;

@@ -33,15 +33,7 @@ bool Tracker::Book::deserves_a_track(const Followed& followed) const {
       target.suspicion() > 0.3) {
     return false;
   }
-  if (acquire == Acquire::all) return true;
-  // The middle of an islet wanders as its aspect changes, but never by more than its own length.
-  const MotionState& state = target.state();
-  const double speed = length_of(state.velocity());
-  const double sigma = std::sqrt(std::max(state.covariance(2, 2), state.covariance(3, 3)));
-  const double way = length_of(state.place() - target.first_place());
-  const double place_sigma = std::sqrt(std::max(state.covariance(0, 0), state.covariance(1, 1)));
-  return speed > rule_.least_speed_kn * kKnot && speed > 4.0 * sigma &&
-         way > std::max({25.0, 3.0 * place_sigma, target.length_m(), target.width_m()});
+  return acquire == Acquire::all || is_under_way(target);
 }
 
 Tracker::Acquire Tracker::Book::acquired_at(PlanePoint place) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "echo/kernel/exact_math.hpp"
+#include "server/plotter/plots/land_map.hpp"
 
 namespace skerry::server {
 namespace {
@@ -92,9 +93,27 @@ Innovation Target::off(const PlacedPlot& plot) const {
   return innovation(imm_.state(), scaled(plot));
 }
 
+bool Target::is_on_old_ground(const PlacedPlot& plot, double turn_s) const {
+  constexpr double kTurnsOfASpan = LandMap::kSpan, kMargin_s = 20.0;
+  constexpr std::uint32_t kLately = 0xfff;  // spans that count: what went by earlier does not
+  constexpr int kOld = 4;                   // of them; a ship goes by in less
+  const double near_m =
+      plot.plot.stood_m + plot_sigma_m_ + 0.5 * std::max(plot.plot.length_m, plot.plot.width_m);
+  const double speed = std::max(length_of(imm_.state().velocity()), 0.1);
+  const double here_s =
+      std::min(near_m / speed, seconds_between(first_seen_, plot.plot.time)) + kMargin_s;
+  const double spans = std::ceil(here_s / (kTurnsOfASpan * turn_s));
+  const auto own = static_cast<unsigned>(std::clamp(spans, 0.0, 31.0));
+  return std::popcount(plot.plot.stood >> own & kLately) >= kOld;
+}
+
 void Target::see(const PlacedPlot& plot, double false_per_m2) {
   const MeasuredPlace measured = scaled(plot);
   const Innovation found = innovation(imm_.state(), measured);
+  signs_.take({.misfit = innovation(straight_.state(), plot.measured).distance2,
+               .unlike_m = plot.plot.length_m - length_m_,
+               .on_old_ground = plot.on_old_ground,
+               .by_standing = plot.plot.by_standing});
   const double log2_density = imm_.correct(measured);
   if (straight_.correct(measured, log2_density)) straight_.start(imm_.state());
   score_bits_ = std::min(

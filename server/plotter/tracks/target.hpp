@@ -4,6 +4,7 @@
 #include "server/plotter/motion/imm_filter.hpp"
 #include "server/plotter/motion/straight_filter.hpp"
 #include "server/plotter/plots/plot.hpp"
+#include "server/plotter/tracks/signs.hpp"
 #include "server/plotter/tracks/track.hpp"
 
 namespace skerry::server {
@@ -12,7 +13,8 @@ namespace skerry::server {
 struct PlacedPlot {
   Plot plot;
   MeasuredPlace measured;
-  bool suspect = false;  // land, or another echo's doing
+  bool suspect = false;        // land, or another echo's doing
+  bool on_old_ground = false;  // Target::is_on_old_ground()
 };
 
 class Target {
@@ -29,6 +31,8 @@ class Target {
   void go_on(ScenarioTime time);
   // How far the plot is from where the target is then, in its own noise's scale.
   Innovation off(const PlacedPlot& plot) const;
+  // An echo stood there, by Plot::stood, before this target can have been so near.
+  bool is_on_old_ground(const PlacedPlot& plot, double turn_s) const;
   // The plot is its echo, or it was looked for and not seen.  Bits that the plot speaks for a
   // target, against one of `false_per_m2` that are there by chance (Sittler's score).
   void see(const PlacedPlot& plot, double false_per_m2);
@@ -48,6 +52,7 @@ class Target {
   unsigned hits_ever() const { return hits_ever_; }
   // Share of its plots that were suspect, of the last ten or so.
   double suspicion() const { return suspicion_; }
+  const Signs& signs() const { return signs_; }
   double length_m() const { return length_m_; }
   double width_m() const { return width_m_; }
 
@@ -74,6 +79,7 @@ class Target {
   double noise_scale_ = 1.0;
   double plot_sigma_m_ = 30.0;  // of the last plot, the larger axis
   double score_bits_ = 0.0, suspicion_ = 0.0;
+  Signs signs_;
   unsigned looks_ = 1, misses_ = 0, hits_ever_ = 1;
   std::uint16_t seen_ = 1;  // a bit for each of the last ten looks, the lowest is the last
   double length_m_ = 0.0, width_m_ = 0.0;

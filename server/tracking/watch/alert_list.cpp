@@ -105,10 +105,6 @@ void AlertList::remove(const AlertSubject& subject) {
   std::erase_if(alerts_, [&](const auto& alert) { return alert.first.second == subject; });
 }
 
-void AlertList::remove(AlertKind kind, const AlertSubject& subject) {
-  alerts_.erase({kind, subject});
-}
-
 void AlertList::move(AlertKind kind, const AlertSubject& from, const AlertSubject& to) {
   auto node = alerts_.extract({kind, from});
   if (node.empty()) return;

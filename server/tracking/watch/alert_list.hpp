@@ -63,7 +63,6 @@ class AlertList {
   void end(AlertKind kind, const AlertSubject& subject);
   // Its subject is none any more.
   void remove(const AlertSubject& subject);
-  void remove(AlertKind kind, const AlertSubject& subject);
   // `to` is the same as `from` from now on, or is split off from it: its alert of this kind, unless
   // it has its own.
   void move(AlertKind kind, const AlertSubject& from, const AlertSubject& to);

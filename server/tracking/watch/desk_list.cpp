@@ -206,7 +206,10 @@ void TargetWatch::Desk::tell_trial() {
   }
   if (!plane_ || !own_.over_ground_mps) return;
   for (const auto& [mmsi, record] : ais_.records()) {
-    if (!record.is_listed || record.is_lost || record.target != 0 || !record.motion_mps) continue;
+    // A pair has one outcome: the radar's, once that has a motion.
+    const Watched* partner = record.target == 0 ? nullptr : find_watched(record.target);
+    const bool told = partner != nullptr && has_motion(*partner);
+    if (!record.is_listed || record.is_lost || told || !record.motion_mps) continue;
     tell(0, mmsi, record.from_own_ship, *record.motion_mps - *own_.over_ground_mps);
   }
 }

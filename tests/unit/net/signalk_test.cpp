@@ -95,6 +95,7 @@ class Signalk : public testing::Test {
     return std::nullopt;
   }
 
+  FakePlotters plotters_;  // before the host, which it outlives
   FakeHost host_;
   std::optional<NetServer> server_;
 };

@@ -75,6 +75,13 @@ TEST(AisBook, SilentOnesAreStaleAfterThreeOfTheirIntervals) {
   book.go_on({}, 241.0);
   EXPECT_FALSE(AisBook::is_fresh(*book.find(7)));
 
+  Book often;  // the same reports, told twice a second
+  for (double t = 0.0; t <= 150.0; t += 0.5) {
+    often.go_on({contact(7, 4.0, 0.0, 30.0 * std::floor(t / 30.0))}, t);
+  }
+  often.go_on({}, 239.0);
+  EXPECT_TRUE(AisBook::is_fresh(*often.find(7)));
+
   Book quick;  // every 2 s: a minute all the same
   for (double t = 0.0; t <= 20.0; t += 2.0) quick.go_on({contact(7, 4.0, 0.0, t)}, t);
   quick.go_on({}, 79.0);

@@ -198,6 +198,22 @@ TEST(TargetWatch, ATrackedTargetThatEntersAZoneIsWarnedOfToo) {
   EXPECT_EQ(sea.alert(3048).state(), wire::ALERT_RECTIFIED);
 }
 
+TEST(TargetWatch, WhatAMarinerAcquiresInAZoneIsNotNew) {
+  WatchedSea sea;
+  wire::TargetOrder order = zone_order(3.0, 5.0, 0.0, 0.0);
+  sea.order(order);
+  sea.sea.targets = {{straight_way({-4.0 * kNm, 0.0}, 0.0, 5.0)}};
+  sea.go_on_for(7.5);
+  EXPECT_EQ(sea.list().targets_size(), 0);
+  wire::TargetOrder acquire;
+  acquire.mutable_acquire()->set_range_nm(4.0);
+  acquire.mutable_acquire()->set_bearing_deg(270.0);
+  EXPECT_EQ(sea.order(acquire).code(), wire::Reply::OK);
+  sea.go_on_for(10.0);
+  EXPECT_EQ(sea.list().targets_size(), 1);
+  EXPECT_EQ(sea.alert_numbers(), "");
+}
+
 // Its place wanders by 20 m and more, and it goes along the border.
 TEST(TargetWatch, OnTheBorderOfAZoneItIsNewOnce) {
   WatchedSea sea;

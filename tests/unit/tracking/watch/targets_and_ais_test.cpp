@@ -30,6 +30,25 @@ TEST(TargetsAndAis, OneShipShowsOnceAndHasHerName) {
   EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
 }
 
+TEST(TargetsAndAis, APairHasOneOutcomeOfATrialByAisWhileTheTrackIsYoung) {
+  WatchedSea sea;
+  const Way way = straight_way({0.0, 4.0 * kNm}, 90.0, 10.0);
+  sea.sea.targets = {{way}};
+  tell_by_ais(sea, kAlma, way, 90.0, 10.0);
+  wire::TargetOrder order;
+  order.mutable_trial()->set_course_deg(90.0);
+  order.mutable_trial()->set_speed_kn(10.0);
+  sea.go_on_for(30.0);
+  sea.order(order);
+  sea.update();
+  ASSERT_EQ(sea.ais_target(kAlma)->target(), 1u);
+  ASSERT_EQ(sea.list().trial().outcomes_size(), 1);
+  EXPECT_EQ(sea.list().trial().outcomes(0).mmsi(), kAlma);
+  sea.go_on_for(60.0);
+  ASSERT_EQ(sea.list().trial().outcomes_size(), 1);
+  EXPECT_EQ(sea.list().trial().outcomes(0).target(), 1u);
+}
+
 TEST(TargetsAndAis, TwoShipsShowTwice) {
   WatchedSea sea;
   sea.sea.targets = {{straight_way({0.0, 4.0 * kNm}, 90.0, 10.0)}};
@@ -115,6 +134,42 @@ TEST(TargetsAndAis, WhatTheRadarLosesAisStillHas) {
   EXPECT_EQ(sea.alert(3044).mmsi(), kAlma);
   EXPECT_EQ(sea.alert(3044).state(), wire::ALERT_ACKNOWLEDGED);
   EXPECT_EQ(sea.target(1)->name(), "ALMA");
+}
+
+// Heading is lost, position is not: AIS goes on.
+TEST(TargetsAndAis, WhatIsFrozenAndDroppedLeavesItsAisTarget) {
+  WatchedSea sea;
+  const Way way = straight_way({0.0, 5.0 * kNm}, 180.0, 25.0);
+  sea.sea.targets = {{way}};
+  tell_by_ais(sea, kAlma, way, 180.0, 25.0);
+  sea.go_on_for(120.0);
+  sea.acknowledge(3044);
+  sea.has_heading = false;
+  sea.go_on_for(50.0);
+  EXPECT_EQ(sea.target(1)->mmsi(), kAlma);
+  EXPECT_EQ(sea.alert(3044).target(), 1u);
+  sea.go_on_for(15.0);
+  EXPECT_EQ(sea.list().targets_size(), 0);
+  EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
+  EXPECT_EQ(sea.alerts(3044).size(), 1u);
+  EXPECT_EQ(sea.alert(3044).mmsi(), kAlma);
+  EXPECT_EQ(sea.alert(3044).state(), wire::ALERT_ACKNOWLEDGED);
+}
+
+TEST(TargetsAndAis, WhatIsCancelledWhileFrozenLeavesItsAisTarget) {
+  WatchedSea sea;
+  const Way way = straight_way({0.0, 5.0 * kNm}, 90.0, 10.0);
+  sea.sea.targets = {{way}};
+  tell_by_ais(sea, kAlma, way, 90.0, 10.0);
+  sea.go_on_for(60.0);
+  sea.has_heading = false;
+  sea.go_on_for(10.0);
+  EXPECT_EQ(sea.ais_target(kAlma)->target(), 1u);
+  wire::TargetOrder cancel;
+  cancel.add_cancel(1);
+  EXPECT_EQ(sea.order(cancel).code(), wire::Reply::OK);
+  sea.go_on_for(2.5);
+  EXPECT_EQ(sea.ais_target(kAlma)->target(), 0u);
 }
 
 TEST(TargetsAndAis, ASilentOneIsLostIfItWasActivated) {
