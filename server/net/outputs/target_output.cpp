@@ -18,19 +18,19 @@ constexpr double kUnknownTurn_s = 6.0;  // at 10 turns a minute
 struct CategoryRow {
   const char* name;
   unsigned most_track;
-  std::vector<Bytes> (*datagrams)(const TargetNews& news, std::size_t most);
+  std::vector<Bytes> (*datagrams)(const ReportedTargets& news, std::size_t most);
 };
 constexpr std::array<CategoryRow, 3> kCategories = {{
     {"cat048", kMostCat048Track,
-     [](const TargetNews& news, std::size_t most) {
+     [](const ReportedTargets& news, std::size_t most) {
        return encode_cat048(cat048_reports(news), most);
      }},
     {"cat062", kMostCat062Track,
-     [](const TargetNews& news, std::size_t most) {
+     [](const ReportedTargets& news, std::size_t most) {
        return encode_cat062(cat062_reports(news), most);
      }},
     {"cat010", kMostCat010Track,
-     [](const TargetNews& news, std::size_t most) {
+     [](const ReportedTargets& news, std::size_t most) {
        return encode_cat010(cat010_reports(news), most);
      }},
 }};
@@ -64,7 +64,7 @@ void TargetOutput::tick() {
   if (wanted_targets_ == nullptr) wanted_targets_ = port->want(config_.to.radar, 0);
   TargetPlotsPtr plots = port->plots(config_.to.radar, 0);
   TargetListPtr list = port->targets(config_.to.radar, 0);
-  TargetNews news;
+  ReportedTargets news;
   if (plots != nullptr && plots != plots_) news.plots = plots.get();
   std::vector<ReportedTrack> tracks;
   if (list != nullptr && list != list_) {
@@ -83,8 +83,8 @@ void TargetOutput::close() {
   destination_.socket.close(ignored);
 }
 
-void TargetOutput::send(const TargetNews& what) {
-  TargetNews news = what;
+void TargetOutput::send(const ReportedTargets& what) {
+  ReportedTargets news = what;
   news.source = config_.source;
   const double rpm = context_.host.settings(config_.to.radar, 0).rotation_rpm();
   news.extrapolated_after_s = kTurns * (rpm > 0.0 ? 60.0 / rpm : kUnknownTurn_s);

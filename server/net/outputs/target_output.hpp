@@ -23,7 +23,7 @@ class TargetOutput {
   void close();
 
  private:
-  void send(const TargetNews& news);
+  void send(const ReportedTargets& news);
 
   NetContext& context_;
   const TargetOutputConfig config_;

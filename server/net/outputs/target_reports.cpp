@@ -36,7 +36,7 @@ struct TrackWords {
   bool is_extrapolated;  // not where it was seen in this turn
 };
 
-TrackWords words_of(const ReportedTrack& track, const TargetNews& news) {
+TrackWords words_of(const ReportedTrack& track, const ReportedTargets& news) {
   const wire::Target& target = track.target;
   TrackWords words{.polar = {target.range_m(), target.bearing_deg()},
                    .plane = {},
@@ -66,7 +66,7 @@ TrackWords words_of(const ReportedTrack& track, const TargetNews& news) {
 
 AsterixPolar polar_of(const wire::TargetPlot& plot) { return {plot.range_m(), plot.bearing_deg()}; }
 
-Cat048Report cat048_plot(const wire::TargetPlot& plot, const TargetNews& news) {
+Cat048Report cat048_plot(const wire::TargetPlot& plot, const ReportedTargets& news) {
   Cat048Report report{.source = news.source,
                       .time_of_day = time_of_day_at(plot.utc_ns()),
                       .measured = polar_of(plot)};
@@ -76,7 +76,7 @@ Cat048Report cat048_plot(const wire::TargetPlot& plot, const TargetNews& news) {
   return report;
 }
 
-Cat048Report cat048_track(const ReportedTrack& track, const TargetNews& news) {
+Cat048Report cat048_track(const ReportedTrack& track, const ReportedTargets& news) {
   const TrackWords words = words_of(track, news);
   Cat048Report report{
       .source = news.source,
@@ -95,7 +95,7 @@ Cat048Report cat048_track(const ReportedTrack& track, const TargetNews& news) {
   return report;
 }
 
-Cat062Report cat062_track(const ReportedTrack& track, const TargetNews& news) {
+Cat062Report cat062_track(const ReportedTrack& track, const ReportedTargets& news) {
   const TrackWords words = words_of(track, news);
   Cat062Report report{.source = news.source,
                       .time_of_day = time_of_day_at(news.list->utc_ns()),
@@ -118,11 +118,11 @@ Cat062Report cat062_track(const ReportedTrack& track, const TargetNews& news) {
   return report;
 }
 
-Cat010Report cat010_message(Cat010Kind kind, const TargetNews& news) {
+Cat010Report cat010_message(Cat010Kind kind, const ReportedTargets& news) {
   return {.source = news.source, .kind = kind, .time_of_day = time_of_day_at(news.list->utc_ns())};
 }
 
-Cat010Report cat010_plot(const wire::TargetPlot& plot, const TargetNews& news) {
+Cat010Report cat010_plot(const wire::TargetPlot& plot, const ReportedTargets& news) {
   Cat010Report report{
       .source = news.source,
       .time_of_day = time_of_day_at(plot.utc_ns()),
@@ -134,7 +134,7 @@ Cat010Report cat010_plot(const wire::TargetPlot& plot, const TargetNews& news) {
   return report;
 }
 
-Cat010Report cat010_track(const ReportedTrack& track, const TargetNews& news) {
+Cat010Report cat010_track(const ReportedTrack& track, const ReportedTargets& news) {
   const TrackWords words = words_of(track, news);
   Cat010Report report{.source = news.source,
                       .is_test = track.target.is_test(),
@@ -159,9 +159,9 @@ Cat010Report cat010_track(const ReportedTrack& track, const TargetNews& news) {
 
 // A report of each plot, if `of_plot` is given, and of each track.
 template <typename Report>
-void append_reports(const TargetNews& news,
-                    Report (*of_plot)(const wire::TargetPlot&, const TargetNews&),
-                    Report (*of_track)(const ReportedTrack&, const TargetNews&),
+void append_reports(const ReportedTargets& news,
+                    Report (*of_plot)(const wire::TargetPlot&, const ReportedTargets&),
+                    Report (*of_track)(const ReportedTrack&, const ReportedTargets&),
                     std::vector<Report>& out) {
   if (news.plots != nullptr) {
     for (const wire::TargetPlot& plot : news.plots->plots()) out.push_back(of_plot(plot, news));
@@ -210,13 +210,13 @@ unsigned ToldTracks::free_number(std::uint32_t number) const {
   return wrapped;
 }
 
-std::vector<Cat048Report> cat048_reports(const TargetNews& news) {
+std::vector<Cat048Report> cat048_reports(const ReportedTargets& news) {
   std::vector<Cat048Report> reports;
   append_reports(news, cat048_plot, cat048_track, reports);
   return reports;
 }
 
-std::vector<Cat062Report> cat062_reports(const TargetNews& news) {
+std::vector<Cat062Report> cat062_reports(const ReportedTargets& news) {
   std::vector<Cat062Report> reports;
   if (news.list == nullptr) return reports;
   for (const ReportedTrack& track : news.tracks) {
@@ -225,7 +225,7 @@ std::vector<Cat062Report> cat062_reports(const TargetNews& news) {
   return reports;
 }
 
-std::vector<Cat010Report> cat010_reports(const TargetNews& news) {
+std::vector<Cat010Report> cat010_reports(const ReportedTargets& news) {
   std::vector<Cat010Report> reports;
   if (news.list != nullptr) {
     reports.push_back(cat010_message(Cat010Kind::turn, news));

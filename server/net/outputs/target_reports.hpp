@@ -46,7 +46,7 @@ class ToldTracks {
 };
 
 // What is to be told at once.
-struct TargetNews {
+struct ReportedTargets {
   AsterixSource source = {};
   // A target that was not seen for longer than this is extrapolated.
   double extrapolated_after_s = 5.0;
@@ -61,13 +61,13 @@ inline constexpr unsigned kMostCat048Track = 4095, kMostCat062Track = 65'535,
 
 // Plots, then tracks, both by range and bearing from the radar as it was then.  Velocities are
 // told if they are over ground.
-std::vector<Cat048Report> cat048_reports(const TargetNews& news);
+std::vector<Cat048Report> cat048_reports(const ReportedTargets& news);
 
 // Tracks alone, but for test targets, which the category cannot mark.
-std::vector<Cat062Report> cat062_reports(const TargetNews& news);
+std::vector<Cat062Report> cat062_reports(const ReportedTargets& news);
 
 // As cat048_reports(), with places.  With a list come an update cycle, which so is a list and not a
 // turn, and the state of the system.
-std::vector<Cat010Report> cat010_reports(const TargetNews& news);
+std::vector<Cat010Report> cat010_reports(const ReportedTargets& news);
 
 }  // namespace skerry::server

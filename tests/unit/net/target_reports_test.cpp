@@ -43,7 +43,7 @@ struct First {
 
   wire::TargetList list;
   std::vector<ReportedTrack> tracks;
-  TargetNews news;
+  ReportedTargets news;
 };
 
 TEST(TargetReports, HaveATrackInTheWordsOfEachCategory) {
@@ -202,7 +202,7 @@ TEST(ToldTracks, EndALostTargetOnce) {
   tracks = told.next(lost);
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_TRUE(tracks[0].is_ended);
-  TargetNews news;
+  ReportedTargets news;
   news.list = &lost;
   news.tracks = tracks;
   EXPECT_TRUE(cat048_reports(news).at(0).status->is_ended);
