@@ -19,11 +19,11 @@ struct Target {
   Status status = Status::tracking;
   GeoPoint position;
   double range_m = 0.0;
-  double bearing_deg = 0.0;                     // true
-  std::optional<double> course_deg, speed_mps;  // true
-  std::optional<double> cpa_m, tcpa_s;          // told only if it is to come
+  double bearing_deg = 0.0;                               // true
+  std::optional<double> course_deg = {}, speed_mps = {};  // true
+  std::optional<double> cpa_m = {}, tcpa_s = {};          // told only if it is to come
   bool acquired_by_hand = false;
-  std::string name;        // of the ship, by AIS; empty: not known
+  std::string name = {};   // of the ship, by AIS; empty: not known
   std::uint32_t mmsi = 0;  // the same; 0
   UtcTime first_seen{}, last_seen{};
 };
