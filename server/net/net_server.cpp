@@ -27,6 +27,7 @@
 #include "server/net/navigation/navigation_output.hpp"
 #include "server/net/outputs/display_output.hpp"
 #include "server/net/outputs/stream_outputs.hpp"
+#include "server/net/outputs/target_output.hpp"
 #include "server/net/outputs/udp_sender.hpp"
 #include "server/net/signalk/signalk_service.hpp"
 
@@ -201,6 +202,9 @@ class NetServer::Impl {
     for (std::size_t i = 0; i < context_.config.streams.size(); ++i) {
       senders_.push_back(open_stream(context_, i));
     }
+    for (const TargetOutputConfig& output : context_.config.target_outputs) {
+      target_outputs_.push_back(std::make_unique<TargetOutput>(context_, output));
+    }
     displays_.emplace(context_);
     navigation_.emplace(context_);
     signalk_.emplace(context_, [this](SignalkSite& site, TcpSocket socket, ConnectionSlotPtr slot) {
@@ -238,6 +242,7 @@ class NetServer::Impl {
       tick_.cancel();
       context_.connections.close_all();
       for (const auto& sender : senders_) sender->close();
+      for (const auto& output : target_outputs_) output->close();
       displays_->close();
       navigation_->close();
     });
@@ -290,6 +295,7 @@ class NetServer::Impl {
       signalk_->tick(std::chrono::steady_clock::now());
       context_.end_views(std::chrono::steady_clock::now());
       context_.tell_own_ships();
+      for (const auto& output : target_outputs_) output->tick();
       if (++ticks_ % kSendBufferPeriods == 0) context_.tell_send_buffers();
       tick();
     });
@@ -303,6 +309,7 @@ class NetServer::Impl {
   Timer tick_;
   int ticks_ = 0;
   std::vector<std::unique_ptr<UdpSender>> senders_;
+  std::vector<std::unique_ptr<TargetOutput>> target_outputs_;
   std::optional<DisplayOutputs> displays_;
   std::optional<NavigationPorts> navigation_;
   std::optional<SignalkService> signalk_;

@@ -32,6 +32,7 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --output navico_4g                radar 0 as a Navico 4G, for displays on this host
   skerryd --output navico_halo:radar=1,interface_address=192.0.2.7,dual_range=true
   skerryd --output cat240:port=8601,spokes=720,cells=512,bits=4,compressed=true
+  skerryd --output cat048:sac=25            plots and tracks of radar 0, for a traffic display
   skerryd --output nmea0183:port=10110 --input nmea0183:port=10111
   skerryd --input navico_halo:interface_address=192.0.2.7 --output garmin_xhd
                                             a real HALO in place of radar 0, for a Garmin display

@@ -4,8 +4,10 @@
 #include <google/protobuf/descriptor.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 #include "server/displays/emulated_radars.hpp"
 
@@ -24,13 +26,36 @@ int multicast_ttl(const Output& output) {
   return interface.empty() || interface.starts_with("127.") ? 0 : 1;
 }
 
+// Where datagrams of a kind go unless a port is given.
+constexpr std::array<std::pair<Output::Kind, std::uint16_t>, 5> kDefaultPorts = {{
+    {Output::native, kNativePort},
+    {Output::cat240, kCat240Port},
+    {Output::cat048, std::uint16_t{8602}},
+    {Output::cat062, std::uint16_t{8603}},
+    {Output::cat010, std::uint16_t{8604}},
+}};
+
+// 0: the kind has none.
+std::uint16_t default_port(Output::Kind kind) {
+  for (const auto& [of, port] : kDefaultPorts) {
+    if (of == kind) return port;
+  }
+  return 0;
+}
+
+// SAC 0 and the radar's number modulo 256 unless others are given.
+AsterixSource asterix_source(const Output& output) {
+  AsterixSource source{.sic = static_cast<std::uint8_t>(output.radar())};
+  if (output.has_sac()) source.sac = static_cast<std::uint8_t>(output.sac());
+  if (output.has_sic()) source.sic = static_cast<std::uint8_t>(output.sic());
+  return source;
+}
+
 UdpDestination udp_destination(const Output& output, const std::string& name) {
   UdpDestination to;
   to.radar = output.radar();
   if (output.has_address()) to.address = output.address();
-  to.port = output.kind() == Output::native   ? kNativePort
-            : output.kind() == Output::cat240 ? kCat240Port
-                                              : std::uint16_t{0};
+  to.port = default_port(output.kind());
   if (output.has_port()) to.port = static_cast<std::uint16_t>(output.port());
   if (to.port == 0) throw std::runtime_error(name + ": port 0 cannot be sent to");
   to.max_datagram = output.max_datagram();
@@ -52,9 +77,7 @@ StreamOutputConfig stream_of(const Output& output, const std::string& name) {
     return stream;
   }
   Cat240StreamShape shape;
-  shape.options.source.sic = static_cast<std::uint8_t>(output.radar());  // modulo 256
-  if (output.has_sac()) shape.options.source.sac = static_cast<std::uint8_t>(output.sac());
-  if (output.has_sic()) shape.options.source.sic = static_cast<std::uint8_t>(output.sic());
+  shape.options.source = asterix_source(output);
   if (output.has_bits()) shape.options.bits = static_cast<std::uint8_t>(output.bits());
   shape.options.nanoseconds = output.nanoseconds();
   shape.options.blocks = static_cast<Cat240Blocks>(output.blocks());
@@ -191,6 +214,15 @@ constexpr Add kAddStream = [](const app::ServerConfig& file, int index, const st
                               NetConfig& net) {
   net.streams.push_back(stream_of(file.outputs(index), name));
 };
+// One for each category: that of the kind.
+template <TargetCategory category>
+constexpr Add kAddTargets =
+    [](const app::ServerConfig& file, int index, const std::string& name, NetConfig& net) {
+      const Output& output = file.outputs(index);
+      net.target_outputs.push_back({.to = udp_destination(output, name),
+                                    .category = category,
+                                    .source = asterix_source(output)});
+    };
 constexpr Add kAddRadar = [](const app::ServerConfig& file, int index, const std::string& name,
                              NetConfig& net) {
   const Output& output = file.outputs(index);
@@ -206,8 +238,9 @@ std::vector<OutputKind> make_kinds() {
   const Keys common = {"kind", "radar", "interface_address", "ttl"};
   const Keys datagrams = {"address", "port", "max_datagram"};
   const Keys shape = {"view", "spokes", "cells", "bits"};
-  const Keys cat240 = {"sac",         "sic",       "nanoseconds", "blocks", "compressed",
-                       "time_of_day", "summaries", "start_range", "records"};
+  const Keys source = {"sac", "sic"};
+  const Keys cat240 = {"nanoseconds", "blocks",      "compressed", "time_of_day",
+                       "summaries",   "start_range", "records"};
   const Keys sentences = {"address",         "port",         "sentences",
                           "own_mmsi",        "ais_range_nm", "tracking_range_nm",
                           "tracked_targets", "targets",      "static_period_s",
@@ -220,13 +253,16 @@ std::vector<OutputKind> make_kinds() {
     }
   };
   add("native", kAddStream, {datagrams, shape});
-  add("cat240", kAddStream, {datagrams, shape, cat240});
+  add("cat240", kAddStream, {datagrams, shape, source, cat240});
   add("sweeps", kAddStream, {datagrams});
   for (const EmulatedRadar& radar : emulated_radars()) {
     add(radar.name, kAddRadar, {{"view", "obeys"}, radar.keys});
   }
   add("nmea0183", kAddSentences, {sentences, {"transport", "broadcast"}});
   add("iec61162_450", kAddSentences, {sentences, {"source"}});
+  add("cat048", kAddTargets<TargetCategory::cat048>, {datagrams, source});
+  add("cat062", kAddTargets<TargetCategory::cat062>, {datagrams, source});
+  add("cat010", kAddTargets<TargetCategory::cat010>, {datagrams, source});
   return kinds;
 }
 

@@ -36,6 +36,7 @@ struct NetConfig {
   std::uint16_t tcp_port = 7410;   // native protocol; 0: any free port
   std::uint16_t http_port = 7480;  // HTTP and WebSocket; 0: any free port
   std::vector<StreamOutputConfig> streams;
+  std::vector<TargetOutputConfig> target_outputs;
   std::vector<DisplayOutputConfig> displays;
   std::vector<NavigationOutputConfig> navigation_outputs;
   std::vector<NavigationInputConfig> navigation_inputs;

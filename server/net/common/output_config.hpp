@@ -1,4 +1,4 @@
-// Outputs of radar pictures besides consoles: streams of datagrams, and emulated radars of other
+// Outputs besides consoles: streams of datagrams, plots and tracks, and emulated radars of other
 // makers.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "protocol/asterix/cat240_stream.hpp"
+#include "protocol/asterix/report_parts.hpp"
 #include "protocol/quantity/time.hpp"
 #include "server/displays/radar_emulation.hpp"
 
@@ -52,6 +53,16 @@ struct StreamOutputConfig {
   UdpDestination to;
   bool own_view = false;  // otherwise the view that all consoles share; not of records
   std::variant<NativeShape, Cat240StreamShape, BoardRecords> shape;
+};
+
+// What a plotter's plots and tracks are sent as.
+enum class TargetCategory : std::uint8_t { cat048, cat062, cat010 };
+
+// The plots and tracks of a radar's shared view.
+struct TargetOutputConfig {
+  UdpDestination to;  // max_datagram 0: 1472
+  TargetCategory category = TargetCategory::cat048;
+  AsterixSource source = {};
 };
 
 // A radar of another maker, at an address of this host.

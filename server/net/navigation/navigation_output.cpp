@@ -8,6 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "server/net/common/destination_socket.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/output_socket.hpp"
 
@@ -239,17 +240,15 @@ asio::ip::udp::endpoint NavigationOutput::endpoint_for(NavigationSentence senten
 
 void NavigationOutput::send_datagram(const asio::ip::udp::endpoint& to,
                                      std::span<const std::uint8_t> bytes) {
-  const auto sent =
-      ::sendto(socket_.native_handle(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
-               to.data(), static_cast<socklen_t>(to.size()));
-  if (sent >= 0) {
+  const int error = send_at_once(socket_, to, bytes);
+  if (error == 0) {
     counters_->reports.fetch_add(1, std::memory_order_relaxed);
     counters_->bytes.fetch_add(bytes.size(), std::memory_order_relaxed);
     return;
   }
   counters_->datagrams_unsent.fetch_add(1, std::memory_order_relaxed);
-  if (errno == ECONNREFUSED) return;  // nobody listens there, or not yet
-  context_.errors.add("nmea send", fmt::format("{}: {}", address(), std::strerror(errno)));
+  if (error == ECONNREFUSED) return;  // nobody listens there, or not yet
+  context_.errors.add("nmea send", fmt::format("{}: {}", address(), std::strerror(error)));
 }
 
 }  // namespace skerry::server

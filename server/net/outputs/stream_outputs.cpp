@@ -6,8 +6,8 @@
 #include <optional>
 #include <variant>
 
+#include "server/net/common/destination_socket.hpp"
 #include "server/net/common/encoders.hpp"
-#include "server/net/common/tcp_peer.hpp"
 
 namespace skerry::server {
 namespace {
@@ -41,18 +41,10 @@ std::optional<std::string> fault_of(const Cat240StreamShape& shape) {
   return std::nullopt;
 }
 
-// Octets of one datagram of CAT240, if that is left to the server.
-std::size_t longest_block(const UdpDestination& to) {
-  if (to.max_datagram != 0) return to.max_datagram;
-  error_code error;
-  const auto address = asio::ip::make_address(to.address, error);
-  return !error && is_loopback(address) ? kMaxDatagram : kDefaultDatagram;
-}
-
 SectorEncoder encoder_of(const StreamOutputConfig& config) {
   if (const auto* native = std::get_if<NativeShape>(&config.shape)) return native_encoder(*native);
   Cat240StreamShape shape = std::get<Cat240StreamShape>(config.shape);
-  shape.max_datagram = longest_block(config.to);
+  shape.max_datagram = longest_datagram(config.to);
   return cat240_encoder(shape);
 }
 
@@ -64,7 +56,7 @@ UdpStream::Cut cut_of(const StreamOutputConfig& config) {
 
 bool have_equal_bytes(const StreamOutputConfig& a, const StreamOutputConfig& b) {
   return a.to.radar == b.to.radar && a.shape == b.shape && !a.own_view && !b.own_view &&
-         longest_block(a.to) == longest_block(b.to);
+         longest_datagram(a.to) == longest_datagram(b.to);
 }
 
 // Adds the format of spokes to the view that the stream shows.
@@ -112,11 +104,7 @@ std::unique_ptr<UdpSender> open_stream(NetContext& context, std::size_t number) 
   const UdpDestination& to = config.to;
   const bool records = std::holds_alternative<BoardRecords>(config.shape);
   UdpStream stream{.cut = cut_of(config), .format = kRecordsFormat, .view = 0};
-  if (context.host.find_channel(to.radar, 0) == nullptr) {
-    fail_stream(to, stream,
-                fmt::format("there is no such radar; there are {}, counted from 0",
-                            context.host.radar_count()));
-  }
+  check_radar(context.host, to, stream.name());
   if (records && context.host.find_board(to.radar) == nullptr) {
     fail_stream(to, stream, "that radar has no interface board");
   }

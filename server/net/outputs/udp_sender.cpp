@@ -5,36 +5,20 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 
 #include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/frame.hpp"
-#include "server/net/common/output_socket.hpp"
-#include "server/net/common/tcp_peer.hpp"
 
 namespace skerry::server {
 namespace {
 
 constexpr std::size_t kCat240BlockHeader = 3;  // category, length in two bytes
 
-void check_destination(const UdpDestination& to, const UdpStream& stream) {
-  if (to.port == 0) fail_stream(to, stream, "the port must be 1 to 65535");
-  if (to.multicast_ttl < 0 || to.multicast_ttl > 255) {
-    fail_stream(to, stream, fmt::format("multicast TTL {} is not 0 to 255", to.multicast_ttl));
-  }
-  if (to.max_datagram != 0 && (to.max_datagram < kMinDatagram || to.max_datagram > kMaxDatagram)) {
-    fail_stream(to, stream,
-                fmt::format("a largest datagram of {} bytes is not 0 or {} to {}", to.max_datagram,
-                            kMinDatagram, kMaxDatagram));
-  }
-}
-
 }  // namespace
 
 void fail_stream(const UdpDestination& to, const UdpStream& stream, const std::string& reason) {
-  throw std::runtime_error(fmt::format("{} datagrams of radar {} to {} port {}: {}", stream.name(),
-                                       to.radar, to.address, to.port, reason));
+  fail_destination(to, stream.name(), reason);
 }
 
 std::string UdpStream::name() const {
@@ -53,31 +37,8 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const UdpStr
     : context_(context),
       to_(to),
       stream_(stream),
-      max_datagram_(to.max_datagram),
-      socket_(context.io) {
-  check_destination(to, stream);
-  error_code error;
-  const auto address = asio::ip::make_address(to.address, error);
-  if (error) fail_stream(to, stream, "the address must be an IPv4 or IPv6 literal");
-  endpoint_ = {address, to.port};
-  if (max_datagram_ == 0) max_datagram_ = is_loopback(address) ? kMaxDatagram : kDefaultDatagram;
-  const auto check = [&](const char* what) {
-    if (error) fail_stream(to, stream, fmt::format("{}: {}", what, error.message()));
-  };
-  socket_.open(endpoint_.protocol(), error);
-  check("cannot open a socket");
-  socket_.set_option(asio::socket_base::send_buffer_size(kDatagramSendBuffer), error);
-  check("cannot set the send buffer");
-  if (address.is_multicast()) {
-    socket_.set_option(asio::ip::multicast::hops(to.multicast_ttl), error);
-    check("cannot set the multicast TTL");
-    if (!to.interface_address.empty()) {
-      const auto interface = asio::ip::make_address_v4(to.interface_address, error);
-      check("the interface must be given by its IPv4 address");
-      socket_.set_option(asio::ip::multicast::outbound_interface(interface), error);
-      check("cannot send from that interface");
-    }
-  }
+      max_datagram_(longest_datagram(to)),
+      destination_(open_destination(context.io, to, stream.name())) {
   client_ = context.clients.add(stream.name(), fmt::format("{}:{}", to.address, to.port));
   client_->radar.store(to.radar, std::memory_order_relaxed);
   client_->view.store(stream.view, std::memory_order_relaxed);
@@ -94,7 +55,7 @@ void UdpSender::close() {
   if (feed_ != nullptr) feed_->remove(*this);
   feed_ = nullptr;
   error_code ignored;
-  socket_.close(ignored);
+  destination_.socket.close(ignored);
 }
 
 void UdpSender::on_sector() {
@@ -175,8 +136,8 @@ void UdpSender::send(std::span<const std::uint8_t> bytes_in_hand, std::uint32_t 
     // sendmmsg() does not write; iovec just has no const.
     pieces_[i] = {const_cast<std::uint8_t*>(payload.data()), payload.size()};
     msghdr& message = messages_[i].msg_hdr;
-    message.msg_name = endpoint_.data();
-    message.msg_namelen = static_cast<socklen_t>(endpoint_.size());
+    message.msg_name = destination_.endpoint.data();
+    message.msg_namelen = static_cast<socklen_t>(destination_.endpoint.size());
     message.msg_iov = &pieces_[i];
     message.msg_iovlen = 1;
   }
@@ -185,7 +146,7 @@ void UdpSender::send(std::span<const std::uint8_t> bytes_in_hand, std::uint32_t 
   std::uint64_t bytes = 0;
   std::size_t next = 0;
   while (next < messages_.size()) {
-    const int sent = ::sendmmsg(socket_.native_handle(), messages_.data() + next,
+    const int sent = ::sendmmsg(destination_.socket.native_handle(), messages_.data() + next,
                                 static_cast<unsigned>(messages_.size() - next), MSG_DONTWAIT);
     if (sent > 0) {
       for (const std::size_t end = next + static_cast<std::size_t>(sent); next < end; ++next) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocol/wire/datagram.hpp"
+#include "server/net/common/destination_socket.hpp"
 #include "server/net/common/net_context.hpp"
 
 namespace skerry::server {
@@ -40,8 +41,7 @@ struct UdpStream {
 class UdpSender final : public FeedReader {
  public:
   // Requires that the radar has the view or board of the stream.
-  // Error: fail_stream(): no literal address, a port, TTL or datagram size out of range, no such
-  // interface.
+  // Error: of open_destination().
   UdpSender(NetContext& context, const UdpDestination& to, const UdpStream& stream);
 
   void start();  // net-0: from now on it sends
@@ -61,8 +61,7 @@ class UdpSender final : public FeedReader {
   UdpDestination to_;
   UdpStream stream_;
   std::size_t max_datagram_;
-  UdpSocket socket_;
-  asio::ip::udp::endpoint endpoint_;
+  DestinationSocket destination_;
   ClientPtr client_;
   SpokeFeed* feed_ = nullptr;
   Cursor cursor_;

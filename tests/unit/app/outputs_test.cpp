@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "server/app/options/inputs.hpp"
@@ -128,6 +129,33 @@ TEST(Outputs, AStreamHasItsDestinationAndShape) {
   EXPECT_EQ(net.streams[1].to.address, "127.0.0.1");
   EXPECT_EQ(net.streams[1].to.port, 7411);
   EXPECT_EQ(net.streams[1].to.multicast_ttl, 0);
+}
+
+TEST(Outputs, OfPlotsAndTracksHaveTheirCategoryPortAndSource) {
+  const NetConfig net = config_of({"cat048", "cat062:radar=3,sac=25,sic=9",
+                                   "cat010:radar=300,address=239.1.2.3,port=4379,"
+                                   "interface_address=192.0.2.7,max_datagram=512"});
+  ASSERT_EQ(net.target_outputs.size(), 3u);
+  const auto& [first, second, third] =
+      std::tie(net.target_outputs[0], net.target_outputs[1], net.target_outputs[2]);
+  EXPECT_EQ(first.category, TargetCategory::cat048);
+  EXPECT_EQ(first.to.address, "127.0.0.1");
+  EXPECT_EQ(first.to.port, 8602);
+  EXPECT_EQ(first.to.multicast_ttl, 0);
+  EXPECT_EQ(second.category, TargetCategory::cat062);
+  EXPECT_EQ(second.to.radar, 3u);
+  EXPECT_EQ(second.to.port, 8603);
+  EXPECT_EQ(second.source, (AsterixSource{25, 9}));
+  EXPECT_EQ(third.category, TargetCategory::cat010);
+  EXPECT_EQ(config_of({"cat010"}).target_outputs[0].to.port, 8604);
+  EXPECT_EQ(third.to.port, 4379);
+  EXPECT_EQ(third.to.multicast_ttl, 1);
+  EXPECT_EQ(third.to.max_datagram, 512u);
+  EXPECT_EQ(third.source, (AsterixSource{0, 300 % 256}));
+  EXPECT_THAT(refusal("cat048:port=0"), HasSubstr("port 0 cannot be sent to"));
+  EXPECT_THAT(refusal("cat062:sac=256"),
+              HasSubstr("sac: 256 is out of range; allowed: at most 255"));
+  EXPECT_THAT(refusal("cat010:records=4"), HasSubstr("'records' is a key of cat240"));
 }
 
 TEST(Outputs, EmulatedRadarsStayOnThisHostUntilAnInterfaceIsGiven) {

@@ -14,7 +14,9 @@ namespace skerry::server {
 // Of radar 0, view 0.  Thread: any.
 class FakePlotters final : public TargetPort {
  public:
-  FakePlotters() { list_.set_utc_ns(1'795'000'000'000'000'000); }
+  FakePlotters() {
+    change([](wire::TargetList& list) { list.set_utc_ns(1'795'000'000'000'000'000); });
+  }
 
   // A target that is tracked, so far east of 0 N 0 E and going west.
   static wire::Target target(std::uint32_t number, double range_m) {
@@ -33,6 +35,11 @@ class FakePlotters final : public TargetPort {
   void change(const auto& how) {
     const std::lock_guard lock(mutex_);
     how(list_);
+    told_ = std::make_shared<const wire::TargetList>(list_);
+  }
+  void tell_plots(wire::TargetPlots plots) {
+    const std::lock_guard lock(mutex_);
+    plots_ = std::make_shared<const wire::TargetPlots>(std::move(plots));
   }
   void answer(wire::Reply::Code code, const std::string& text) {
     const std::lock_guard lock(mutex_);
@@ -55,9 +62,12 @@ class FakePlotters final : public TargetPort {
   TargetListPtr targets(std::uint32_t radar, std::uint32_t view) const override {
     const std::lock_guard lock(mutex_);
     if (radar != 0 || view != 0) return nullptr;
-    return std::make_shared<const wire::TargetList>(list_);
+    return told_;
   }
-  TargetPlotsPtr plots(std::uint32_t, std::uint32_t) const override { return nullptr; }
+  TargetPlotsPtr plots(std::uint32_t radar, std::uint32_t view) const override {
+    const std::lock_guard lock(mutex_);
+    return radar == 0 && view == 0 ? plots_ : nullptr;
+  }
   wire::Reply order(const wire::TargetOrder& order, const std::string&) override {
     const std::lock_guard lock(mutex_);
     orders_.push_back(order);
@@ -67,6 +77,8 @@ class FakePlotters final : public TargetPort {
  private:
   mutable std::mutex mutex_;
   wire::TargetList list_;
+  TargetListPtr told_;  // the list as it is; another one with each change
+  TargetPlotsPtr plots_;
   wire::Reply reply_;
   std::vector<wire::TargetOrder> orders_;
   std::weak_ptr<int> lease_;
