@@ -185,7 +185,8 @@ const std::vector<Room>& table() {
       // What happened in a recorded exercise, as values, a page and tables.
       {"server/debrief",
        {"protocol/", "server/page/", "server/world/", "server/replay/",
-        "server/app/control/control_change.hpp"}},
+        "server/app/control/control_change.hpp", "server/relay/values_in_range.hpp",
+        "server/tracking/watch/alert_list.hpp"}},
       // Pages with tables and figures, as one file.
       {"server/page", {"protocol/quantity/"}},
       // The tool that makes, checks and runs exercises without a network.
