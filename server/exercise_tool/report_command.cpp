@@ -166,11 +166,13 @@ echo::Command make_report_command(CLI::App& app) {
       ->take_all();
   command->add_option("--elevation", options->charts.elevation, "its heights, likewise");
   command->footer(
-      "The exercise is sailed again from what it was given, so everything in the report is the\n"
-      "truth, not what a console showed.  The page has tracks on the coast, how near ships came,\n"
-      "collisions and groundings, checks, reaction times, plots of each own ship, and a time line\n"
-      "with orders and settings.  Exit codes: 0 done, 1 it could not be done, 2 the command line\n"
-      "cannot be understood.\n"
+      "The exercise is sailed again from what it was given, so the report is the truth, not what "
+      "a\n"
+      "console showed; only the part \"What the set knew\" has targets and alerts as they were "
+      "told.\n"
+      "The page has tracks on the coast, how near ships came, collisions and groundings, checks,\n"
+      "reaction times, plots of each own ship, and a time line with orders and settings.\n"
+      "Exit codes: 0 done, 1 it could not be done, 2 the command line cannot be understood.\n"
       "Examples:\n"
       "  skerryd --scenario crossing --record\n"
       "  skerry exercise report crossing.mcap -o report.html\n"

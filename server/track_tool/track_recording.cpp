@@ -43,7 +43,8 @@ TrackRecording::TrackRecording(const TrackedView& of, TextSink sink)
             sink_(text_of(bytes));
             return true;
           },
-          {}) {
+          // Of a minute: a turn's list alone is hardly packed.
+          {.chunk_time = std::chrono::seconds(60)}) {
   plots_.set_radar(of_.radar);
   plots_.set_view(of_.view);
 }
