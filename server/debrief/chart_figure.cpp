@@ -134,6 +134,31 @@ std::string track_path(const ShipTrack& track, const Sheet& sheet) {
   return path;
 }
 
+// What sets tracked.  Bounded: a set may have told of thousands.
+void draw_known(const Debrief& debrief, const Sheet& sheet, std::string& out) {
+  constexpr std::size_t kMostWays = 500;
+  std::size_t drawn = 0;
+  for (const KnownView& view : debrief.known) {
+    for (const KnownTarget& target : view.targets) {
+      if (drawn == kMostWays) return;
+      std::string path;
+      PlanePoint last{-1e9, -1e9};
+      for (const GeoPoint& place : target.way) {
+        const PlanePoint p = sheet.at(place);
+        if (!sheet.has(p) || length_of(p - last) < 1.0) continue;
+        last = p;
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", p.east_m, p.north_m);
+      }
+      if (path.find('L') == std::string::npos) continue;
+      ++drawn;
+      const std::string name = target.name.empty() ? "" : ", " + target.name;
+      out +=
+          fmt::format("<path class=\"way known\" d=\"{}\"><title>{}</title></path>", path,
+                      escaped(fmt::format("target {} of {}{}", target.number, view.radar, name)));
+    }
+  }
+}
+
 void draw_hull(const ShipTrack& track, const TrackPoint& point, int colour, const Sheet& sheet,
                std::string& out) {
   const PlanePoint p = sheet.at(point.position);
@@ -224,6 +249,7 @@ std::string chart_figure(const Debrief& debrief, const std::optional<wire::Coast
                        track_path(track, sheet), escaped(track.name));
     if (!track.points.empty()) draw_hull(track, track.points.back(), 8, sheet, out);
   }
+  draw_known(debrief, sheet, out);
   for (std::size_t i = 0; i < debrief.own_ships.size(); ++i) {
     const ShipTrack& track = debrief.own_ships[i];
     const int colour = static_cast<int>(i % 8);

@@ -108,6 +108,45 @@ std::string checks_csv(const Debrief& debrief) {
   return csv.take();
 }
 
+CsvTable& operator<<(CsvTable& csv, const KnownView& view) {
+  return csv << view.own_name << view.radar << std::size_t{view.view};
+}
+CsvTable& operator<<(CsvTable& csv, const std::optional<Moment>& when) {
+  return csv << (when ? std::optional(when->at_s) : std::nullopt);
+}
+
+std::string known_targets_csv(const Debrief& debrief) {
+  CsvTable csv(
+      "at_s,exercise_s,own_ship,radar,view,target,name,by_hand,until_s,ending,least_cpa_nm,"
+      "tcpa_min,least_cpa_at_s");
+  for (const KnownView& view : debrief.known) {
+    for (const KnownTarget& target : view.targets) {
+      std::optional<Moment> least;
+      if (target.least_cpa_nm) least = target.least_when;
+      csv << target.first << view << std::size_t{target.number} << target.name
+          << std::size_t{target.by_hand} << target.last.at_s << ending_text(target)
+          << target.least_cpa_nm << target.tcpa_min << least;
+      csv.end();
+    }
+  }
+  return csv.take();
+}
+
+std::string known_alerts_csv(const Debrief& debrief) {
+  CsvTable csv(
+      "at_s,exercise_s,own_ship,radar,view,number,instance,priority,title,text,acknowledged_s,"
+      "reaction_s,ended_s");
+  for (const KnownView& view : debrief.known) {
+    for (const KnownAlert& alert : view.alerts) {
+      csv << alert.raised << view << std::size_t{alert.number} << std::size_t{alert.instance}
+          << alert.priority << alert.title << alert.text << alert.acknowledged << alert.reaction_s()
+          << alert.ended;
+      csv.end();
+    }
+  }
+  return csv.take();
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> csv_files(const Debrief& debrief) {
@@ -118,7 +157,9 @@ std::vector<std::pair<std::string, std::string>> csv_files(const Debrief& debrie
           {"mishaps.csv", mishaps_csv(debrief)},
           {"timeline.csv", timeline_csv(debrief)},
           {"reactions.csv", reactions_csv(debrief)},
-          {"checks.csv", checks_csv(debrief)}};
+          {"checks.csv", checks_csv(debrief)},
+          {"known_targets.csv", known_targets_csv(debrief)},
+          {"known_alerts.csv", known_alerts_csv(debrief)}};
 }
 
 }  // namespace skerry::server

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,6 +88,43 @@ struct JudgedCheck {
   std::vector<std::pair<bool, std::string>> lines;
 };
 
+// A target that a set told of.
+struct KnownTarget {
+  std::uint32_t number = 0;
+  std::string name;  // by AIS; empty: none was taken to be the same
+  bool by_hand = false;
+  Moment first, last;  // it was told
+  bool lost = false;   // the set lost it, at `last`; else it was let go, or told to the end
+  bool to_the_end = false;
+  // The least CPA that was told while it lay ahead, and the TCPA then.
+  std::optional<double> least_cpa_nm, tcpa_min;
+  Moment least_when;
+  std::vector<GeoPoint> way;  // a place each 10 s
+};
+
+// An alert of a set.  Times are those of lists, once a second.
+struct KnownAlert {
+  std::uint32_t number = 0, instance = 0;
+  std::string priority, title, text;
+  Moment raised;
+  std::optional<Moment> acknowledged;
+  std::optional<Moment> ended;  // without being acknowledged
+  std::optional<double> reaction_s() const {
+    if (!acknowledged) return std::nullopt;
+    return acknowledged->at_s - raised.at_s;
+  }
+};
+
+// What a view's plotter told, as the recording has it: not the truth.
+struct KnownView {
+  std::optional<std::size_t> own_ship;
+  std::string own_name, radar;
+  std::uint32_t view = 0;
+  std::vector<KnownTarget> targets;  // by the time that they were told first
+  std::vector<KnownAlert> alerts;    // by the time that they were raised
+  std::size_t left_out = 0;          // targets and alerts beyond what is kept
+};
+
 struct DebriefLimits {
   double every_s = 1.0;    // between the points of tracks
   double near_nm = 3.0;    // ships that came no nearer are left out
@@ -110,6 +148,7 @@ struct Debrief {
   std::vector<HappenedLine> happened;
   std::vector<Reaction> reactions;
   std::vector<JudgedCheck> checks;
+  std::vector<KnownView> known;
   bool has_one_clock = true;  // the exercise's clock is that on the air
 };
 

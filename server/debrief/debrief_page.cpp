@@ -10,6 +10,7 @@
 #include <set>
 
 #include "server/debrief/chart_figure.hpp"
+#include "server/debrief/known_section.hpp"
 #include "server/debrief/words.hpp"
 #include "server/page/html_text.hpp"
 #include "server/page/page_frame.hpp"
@@ -51,6 +52,9 @@ class Page {
     part("mishaps", "Collisions and groundings", [&] { mishaps(); });
     if (!debrief_.checks.empty()) part("checks", "Checks of the sheet", [&] { checks(); });
     part("reactions", "Reaction times", [&] { reactions(); });
+    if (!debrief_.known.empty()) {
+      part("known", "What the set knew", [&] { out_ += known_section(debrief_); });
+    }
     part("ships", "Helm, engine, heading and speed", [&] { ships(); });
     part("timeline", "Time line", [&] { timeline(); });
     out_ += fmt::format("<script>{}</script>\n</body></html>\n", kPageScript);
@@ -64,17 +68,10 @@ class Page {
     fill();
     out_ += "</section>\n";
   }
-  // The columns of a moment: the exercise's clock only where it is another.
   std::vector<std::string> columns(std::vector<std::string> more) const {
-    std::vector<std::string> all = {"#time"};
-    if (!debrief_.has_one_clock) all.emplace_back("#exercise");
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return moment_columns(debrief_, std::move(more));
   }
-  void add(HtmlTable& table, const Moment& when) const {
-    table.add(clock_text(when.at_s));
-    if (!debrief_.has_one_clock) table.add(clock_text(when.exercise_s));
-  }
+  void add(HtmlTable& table, const Moment& when) const { add_moment(debrief_, when, table); }
   void fact(const char* name, const std::string& value) {
     if (!value.empty()) out_ += fmt::format("<span>{} <b>{}</b></span>", name, escaped(value));
   }
@@ -115,10 +112,11 @@ class Page {
       out_ += "</ul>\n";
     }
     summary();
-    out_ +=
+    out_ += fmt::format(
         "<nav><a href=\"#chart\">Tracks</a><a href=\"#passings\">Passings</a><a "
-        "href=\"#mishaps\">Collisions and groundings</a><a href=\"#reactions\">Reactions</a><a "
-        "href=\"#ships\">Ships</a><a href=\"#timeline\">Time line</a></nav>\n";
+        "href=\"#mishaps\">Collisions and groundings</a><a href=\"#reactions\">Reactions</a>{}<a "
+        "href=\"#ships\">Ships</a><a href=\"#timeline\">Time line</a></nav>\n",
+        debrief_.known.empty() ? "" : "<a href=\"#known\">What the set knew</a>");
   }
 
   void summary() {
@@ -149,8 +147,9 @@ class Page {
     say("soft",
         fmt::format(
             "Times are since the server began. Targets that came nearer than {:g} NM are dashed; "
-            "ships stand where they were last. {}",
+            "ships stand where they were last. {}{}",
             debrief_.limits.near_nm,
+            debrief_.known.empty() ? "" : "Thin lines: what sets tracked. ",
             coast_ ? "The coast is the chart's, before it is refined; not for navigation."
                    : "No coast: the exercise's chart is not here."));
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "protocol/quantity/angle.hpp"
+#include "server/debrief/known_targets.hpp"
 #include "server/debrief/orders_told.hpp"
 #include "server/debrief/passings.hpp"
 #include "server/replay/replayed_world.hpp"
@@ -285,6 +286,8 @@ std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
   std::stable_sort(
       debrief.happened.begin(), debrief.happened.end(),
       [](const HappenedLine& a, const HappenedLine& b) { return a.when.at_s < b.when.at_s; });
+  debrief.known = known_views(reader, exercise.epoch, end_s, plan.scenario,
+                              [&](double at_s) { return exercise_at(debrief, at_s); });
   debrief.reactions = reactions_to(debrief.happened, debrief.passings, debrief.own_ships);
   return debrief;
 }

@@ -1,6 +1,8 @@
 // What was ordered in an exercise, in words.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "server/debrief/debrief.hpp"
@@ -13,6 +15,13 @@ namespace skerry::server {
 // that the world tells as marks itself (texts, marks, groundings).
 std::vector<HappenedLine> lines_of(const recording::Input& input, Moment when,
                                    const scenario::Scenario& scenario);
+
+// Radars by number, as a scenario has them aboard its own ships.
+struct RadarAboard {
+  std::string name;
+  std::size_t own_ship = 0;
+};
+std::vector<RadarAboard> radars_aboard(const scenario::Scenario& scenario);
 
 // The lines of all changes of radars' and consoles' settings that the recording holds.  `epoch`:
 // the scenario's time 0; exercise_s is left at 0.

@@ -11,12 +11,6 @@
 #include "server/debrief/orders_told.hpp"
 
 namespace skerry::server {
-namespace {
-
-struct RadarAboard {
-  std::string name;
-  std::size_t own_ship = 0;
-};
 
 std::vector<RadarAboard> radars_aboard(const scenario::Scenario& scenario) {
   std::vector<RadarAboard> radars;
@@ -29,6 +23,8 @@ std::vector<RadarAboard> radars_aboard(const scenario::Scenario& scenario) {
   }
   return radars;
 }
+
+namespace {
 
 // Steps of one control within this time are one change: a knob that is turned.
 constexpr double kOneTurn_s = 3.0;

@@ -35,6 +35,23 @@ std::string side_text(const ShipPassing& passing) {
   return fmt::format("{} to {}", side(passing.own_side_deg), side(passing.other_side_deg));
 }
 
+const char* ending_text(const KnownTarget& target) {
+  if (target.lost) return "lost";
+  return target.to_the_end ? "told to the end" : "let go";
+}
+
+std::vector<std::string> moment_columns(const Debrief& debrief, std::vector<std::string> more) {
+  std::vector<std::string> all = {"#time"};
+  if (!debrief.has_one_clock) all.emplace_back("#exercise");
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+void add_moment(const Debrief& debrief, const Moment& when, HtmlTable& table) {
+  table.add(clock_text(when.at_s));
+  if (!debrief.has_one_clock) table.add(clock_text(when.exercise_s));
+}
+
 std::string class_of(std::string_view kind) {
   std::string letters;
   for (const char c : kind) {

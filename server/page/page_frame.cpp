@@ -42,6 +42,7 @@ svg .tick{fill:var(--soft);font-size:11px} svg .name{font-weight:600}
 .limit{stroke:var(--bad);stroke-dasharray:6 4;fill:none}
 .curve,.way{fill:none;stroke-width:1.6;stroke-linejoin:round} .way{stroke-width:2}
 .target{stroke:var(--c8);stroke-width:1.2;stroke-dasharray:5 3}
+.known{stroke:var(--c4);stroke-width:.9;stroke-opacity:.8}
 .c0{stroke:var(--c0)}.c1{stroke:var(--c1)}.c2{stroke:var(--c2)}.c3{stroke:var(--c3)}
 .c4{stroke:var(--c4)}.c5{stroke:var(--c5)}.c6{stroke:var(--c6)}.c7{stroke:var(--c7)}
 .hull{stroke:var(--page);stroke-width:.8}

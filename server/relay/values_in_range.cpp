@@ -22,9 +22,9 @@ struct Range {
   double min, max;
 };
 
-// The numbers of Settings, OwnShip, ConState, World, Traffic, RadarInfo and ExerciseState that are
-// no controls; as in a Set, and wider where radars and ships of other makers are.  Those of faults
-// and waypoints have their rules in the schema.
+// The numbers of Settings, OwnShip, ConState, World, Traffic, RadarInfo, ExerciseState, TargetList
+// and TargetPlots that are no controls; as in a Set, and wider where radars and ships of other
+// makers are.  Those of faults and waypoints have their rules in the schema.
 constexpr double kLast = 359.999999;  // [0, 360)
 constexpr Range kRanges[] = {
     {"radar_range_nm", 0.0, 96.0},
@@ -92,6 +92,25 @@ constexpr Range kRanges[] = {
     {"gyro_error_deg", -360.0, 360.0},
     {"gnss_error_m", 0.0, 2e7},
     {"position_s", 0.0, 1e10},
+    // Of targets; cpa_nm and tcpa_min also of TargetRules.
+    {"course_deg", 0.0, kLast},
+    {"range_m", 0.0, 2e7},
+    {"bearing_deg", 0.0, kLast},
+    {"relative_course_deg", 0.0, kLast},
+    {"relative_speed_kn", 0.0, 1000.0},
+    {"cpa_nm", 0.0, 10'800.0},
+    {"tcpa_min", -1e6, 1e6},
+    {"age_s", 0.0, 1e9},
+    {"tracked_s", 0.0, 1e9},
+    {"place_sigma_m", 0.0, 2e7},
+    {"speed_sigma_kn", 0.0, 1000.0},
+    {"width_m", 0.0, 2e7},
+    {"own_course_deg", 0.0, kLast},
+    {"own_speed_kn", 0.0, 100.0},
+    {"own_latitude_deg", -90.0, 90.0},
+    {"own_longitude_deg", -180.0, 180.0},
+    {"own_heading_deg", 0.0, kLast},
+    {"begins_s", 0.0, 1e9},
 };
 
 // Controls may be 0 as well: of radars of other makers they are not known.

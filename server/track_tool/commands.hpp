@@ -7,6 +7,7 @@ namespace skerry::server {
 
 // `skerry track FILE`: the application itself, if none of its subcommands is given.
 echo::Command make_track_command(CLI::App& app);
+echo::Command make_recorded_command(CLI::App& app);
 echo::Command make_truth_command(CLI::App& app);
 echo::Command make_judge_command(CLI::App& app);
 

@@ -5,13 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "protocol/quantity/angle.hpp"
-#include "protocol/quantity/speed.hpp"
-
 namespace skerry::server {
 namespace {
-
-std::string since_text(Duration since) { return time_text(UtcTime(since), ScenarioTime(since)); }
 
 // Coordinates and times of a line that does not cross the 180th meridian.
 struct Part {
@@ -21,7 +16,7 @@ struct Part {
   void add(GeoPoint place, Duration since) {
     const char* comma = points++ == 0 ? "" : ",";
     places += fmt::format("{}[{:.7f},{:.7f}]", comma, place.longitude_deg, place.latitude_deg);
-    times += fmt::format("{}{}", comma, since_text(since));
+    times += fmt::format("{}{}", comma, time_text(since));
   }
 };
 
@@ -32,29 +27,22 @@ TrackGeoJson::TrackGeoJson(std::uint32_t radar, TextSink sink)
   sink_("{\"type\":\"FeatureCollection\",\"features\":[");
 }
 
-void TrackGeoJson::turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
-  for (const PlottedTrack& track : tracked) add(track);
-  for (const PlottedTrack& track : lost) {
-    add(track);
-    end(lines_[track.number]);
-    lines_.erase(track.number);
+void TrackGeoJson::row(const TrackRow& row) {
+  Line& line = lines_[row.number];
+  // A lost one's last place may be that of a turn before.
+  if (line.points.empty() || row.since > line.points.back().since) {
+    line.points.push_back({row.place, row.since});
   }
+  line.last = row;
+  if (row.status != TrackStatus::lost) return;
+  end(line);
+  lines_.erase(row.number);
 }
 
 void TrackGeoJson::finish() {
   for (const auto& [number, line] : lines_) end(line);
   lines_.clear();
   sink_("\n]}\n");
-}
-
-void TrackGeoJson::add(const PlottedTrack& track) {
-  Line& line = lines_[track.number];
-  const Point point{track.place, track.utc.time_since_epoch().count() != 0
-                                     ? track.utc.time_since_epoch()
-                                     : track.time.time_since_epoch()};
-  // A lost one's last place may be that of a turn before.
-  if (line.points.empty() || point.since > line.points.back().since) line.points.push_back(point);
-  line.last = track;
 }
 
 void TrackGeoJson::end(const Line& line) {
@@ -92,17 +80,17 @@ void TrackGeoJson::end(const Line& line) {
     places = parts[0].points > 1 ? fmt::format("[{}]", parts[0].places) : parts[0].places;
     times = parts[0].times;
   }
-  const PlottedTrack& last = line.last;
-  const double course_rad = std::atan2(last.velocity_mps.east_m, last.velocity_mps.north_m);
+  const TrackRow& last = line.last;
   sink_(fmt::format(
       "{}\n{{\"type\":\"Feature\",\"geometry\":{{\"type\":\"{}\",\"coordinates\":{}}},"
       "\"properties\":{{\"radar\":{},\"track\":{},\"status\":\"{}\","
-      "\"course_deg\":{},\"speed_kn\":{:.2f},\"begin_utc_s\":{},\"end_utc_s\":{},"
+      "\"course_deg\":{},\"speed_kn\":{},\"begin_utc_s\":{},\"end_utc_s\":{},"
       "\"times_utc_s\":[{}]}}}}",
       std::exchange(any_, true) ? "," : "", type, places, radar_, last.number,
       last.status == TrackStatus::lost ? "lost" : "tracked",
-      degrees_text(radians(course_rad).in_degrees()), length_of(last.velocity_mps) / kKnot,
-      since_text(line.points.front().since), since_text(line.points.back().since), times));
+      last.course_deg ? degrees_text(*last.course_deg) : "null",
+      last.speed_kn ? fmt::format("{:.2f}", *last.speed_kn) : "null",
+      time_text(line.points.front().since), time_text(line.points.back().since), times));
 }
 
 }  // namespace skerry::server

@@ -10,16 +10,16 @@ namespace skerry::server {
 
 // A FeatureCollection with a LineString for each track: a point for each turn.  Its properties are
 // radar, track, status ("tracked": until the end; "lost"), course_deg and speed_kn of the last
-// turn, begin_utc_s, end_utc_s, and times_utc_s, the time of each point.  A line over the 180th
-// meridian is a MultiLineString, cut there (RFC 7946, 3.1.9), and so are its times; a track of one
-// turn is a Point.  Coordinates are longitude and latitude, degrees.
+// turn (null: not known), begin_utc_s, end_utc_s, and times_utc_s, the time of each point.  A line
+// over the 180th meridian is a MultiLineString, cut there (RFC 7946, 3.1.9), and so are its times;
+// a track of one turn is a Point.  Coordinates are longitude and latitude, degrees.
 //
 // Features stand in the order in which their tracks ended.  Memory: 24 octets for each turn of the
 // tracks that have not ended.
-class TrackGeoJson final : public TrackWriter {
+class TrackGeoJson final : public TrackTable {
  public:
   TrackGeoJson(std::uint32_t radar, TextSink sink);
-  void turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) override;
+  void row(const TrackRow& row) override;
   void finish() override;
 
  private:
@@ -28,10 +28,9 @@ class TrackGeoJson final : public TrackWriter {
     Duration since;  // 1970, or the scenario's begin
   };
   struct Line {
-    PlottedTrack last;
+    TrackRow last;
     std::vector<Point> points;
   };
-  void add(const PlottedTrack& track);
   void end(const Line& line);
 
   std::uint32_t radar_;

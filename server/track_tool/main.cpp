@@ -38,10 +38,13 @@ int run(int argc, char** argv) {
       "  skerry track watch.mcap -o tracks.csv\n"
       "  skerry track halo20-ranges.pcap.gz -o tracks.geojson --plots plots.csv\n"
       "  skerry track watch.mcap -o tracks.csv --radar 1 --from 10:00 --until 25:00\n"
+      "  skerry track watch.mcap -o tracks.mcap\n"
+      "  skerry track recorded watch.mcap -o known.csv\n"
       "  skerry track truth watch.mcap -o truth.csv\n"
       "  skerry track judge --truth truth.csv --told tracks.csv --page judged.html\n");
   const console::Command track = make_track_command(app);
-  const std::array subcommands = {make_truth_command(app), make_judge_command(app)};
+  const std::array subcommands = {make_recorded_command(app), make_truth_command(app),
+                                  make_judge_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return console::kExitUsage;

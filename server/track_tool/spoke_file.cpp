@@ -143,13 +143,18 @@ SpokeFile::View SpokeFile::chosen(const SpokeChoice& choice) const {
                           choice.view ? fmt::format(" view {}", *choice.view) : "", there));
 }
 
+wire::Hello SpokeFile::hello(std::uint32_t radar) const {
+  wire::Hello hello = reader_->hello().value_or(wire::Hello());
+  auto* radars = hello.mutable_radars();
+  radars->erase(std::remove_if(radars->begin(), radars->end(),
+                               [&](const auto& info) { return info.radar() != radar; }),
+                radars->end());
+  return hello;
+}
+
 double SpokeFile::beam_deg(std::uint32_t radar) const {
-  const auto hello = reader_->hello();
-  if (!hello) return 0.0;
-  for (const auto& info : hello->radars()) {
-    if (info.radar() == radar) return info.beam_width_deg();
-  }
-  return 0.0;
+  const wire::Hello hello = this->hello(radar);
+  return hello.radars().empty() ? 0.0 : hello.radars(0).beam_width_deg();
 }
 
 UtcTime SpokeFile::position(const std::string& text, const char* option) const {

@@ -9,6 +9,7 @@
 
 #include "protocol/recording/reader.hpp"
 #include "protocol/video/spoke.hpp"
+#include "protocol/wire/radar.pb.h"
 
 namespace skerry::server {
 
@@ -49,6 +50,8 @@ class SpokeFile {
   };
   // Error: std::runtime_error, says which there are.
   View chosen(const SpokeChoice& choice) const;
+  // The recording's, with that radar alone.
+  wire::Hello hello(std::uint32_t radar) const;
   // As the recording tells it; 0 if it does not.
   double beam_deg(std::uint32_t radar) const;
 

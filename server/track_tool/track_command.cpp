@@ -40,7 +40,7 @@ std::string misuse(const TrackOptions& options) {
   if (options.tracks.empty() && options.plots.empty()) {
     return "nothing to write; expected -o FILE or --plots FILE";
   }
-  if (!options.tracks.empty() && !track_writer_for(options.tracks, 0, [](std::string_view) {})) {
+  if (!options.tracks.empty() && !track_writer_for(options.tracks, {}, [](std::string_view) {})) {
     return fmt::format("-o {}: expected {}", options.tracks, kTrackEndings);
   }
   if (!options.plots.empty() && !options.plots.ends_with(".csv")) {
@@ -88,7 +88,7 @@ int track_file(const TrackOptions& options) {
   std::optional<PlotCsv> plot_csv;
   PlotterOutput output;
   if (tracks) {
-    writer = track_writer_for(options.tracks, view.radar,
+    writer = track_writer_for(options.tracks, {view.radar, view.view, file.hello(view.radar)},
                               [&](std::string_view text) { tracks->write(text); });
     output.turn = [&](std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
       writer->turn(tracked, lost);
@@ -96,8 +96,11 @@ int track_file(const TrackOptions& options) {
   }
   if (plots) {
     plot_csv.emplace(view.radar, [&](std::string_view text) { plots->write(text); });
-    output.plot = [&](const Plot& plot) { plot_csv->add(plot); };
   }
+  output.plot = [&](const Plot& plot) {
+    if (plot_csv) plot_csv->add(plot);
+    if (writer) writer->plot(plot);
+  };
   const PlotterRun run = run_plotter(file, options.choice, rule, output, progress);
   shown.clear();
   if (run.spokes.chunks > 0 || run.spokes.refused > 0) {
@@ -125,7 +128,8 @@ echo::Command make_track_command(CLI::App& app) {
   auto options = std::make_shared<TrackOptions>();
   app.add_option("FILE", options->file,
                  "a recording (.mcap), or a capture of a real radar: pcap, pcapng, by gzip or not");
-  app.add_option("-o,--output", options->tracks, "the tracks, FILE.csv or FILE.geojson");
+  app.add_option("-o,--output", options->tracks,
+                 "the tracks, FILE.csv or FILE.geojson; FILE.mcap: the plots, too");
   app.add_option("--plots", options->plots, "the plots, FILE.csv");
   app.add_option("--radar", options->choice.radar, "its number; without it the first with spokes");
   app.add_option("--view", options->choice.view, "its number; without it the radar's first");

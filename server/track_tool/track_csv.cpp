@@ -7,7 +7,6 @@
 #include "echo/chart/local_plane.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "protocol/quantity/speed.hpp"
-#include "server/track_tool/geojson_writer.hpp"
 #include "server/track_tool/track_writer.hpp"
 
 namespace skerry::server {
@@ -27,16 +26,40 @@ const char* word_of(TrackStatus status) {
   return "";
 }
 
-std::string minutes_text(double seconds) {
-  std::string text = fmt::format("{:.2f}", seconds / 60.0);
+std::string minutes_text(double minutes) {
+  std::string text = fmt::format("{:.2f}", minutes);
   return text == "-0.00" ? "0.00" : text;
+}
+
+TrackRow row_of(const PlottedTrack& track) {
+  const PlottedApproach closest = closest_approach(track);
+  const double course_rad = std::atan2(track.velocity_mps.east_m, track.velocity_mps.north_m);
+  TrackRow row;
+  row.since = since_of(track.utc, track.time);
+  row.number = track.number;
+  row.status = track.status;
+  row.place = track.place;
+  row.course_deg = radians(course_rad).in_degrees();
+  row.speed_kn = length_of(track.velocity_mps) / kKnot;
+  row.range_m = track.range_m;
+  row.bearing_deg = track.bearing.in_degrees();
+  row.cpa_nm = closest.range_m / kMile_m;
+  if (closest.moves) row.tcpa_min = closest.time_s / 60.0;
+  row.place_sigma_m = track.place_sigma_m;
+  row.hits = track.hits;
+  row.looks = track.looks;
+  row.by_hand = track.by_hand;
+  row.own_ship = track.own_ship;
+  return row;
 }
 
 }  // namespace
 
-std::string time_text(UtcTime utc, ScenarioTime scenario) {
-  const Duration since =
-      utc.time_since_epoch().count() != 0 ? utc.time_since_epoch() : scenario.time_since_epoch();
+Duration since_of(UtcTime utc, ScenarioTime scenario) {
+  return utc.time_since_epoch().count() != 0 ? utc.time_since_epoch() : scenario.time_since_epoch();
+}
+
+std::string time_text(Duration since) {
   const auto ms = std::chrono::round<std::chrono::milliseconds>(since).count();
   const auto size = static_cast<std::uint64_t>(ms < 0 ? -ms : ms);
   return fmt::format("{}{}.{:03}", ms < 0 ? "-" : "", size / 1000, size % 1000);
@@ -48,11 +71,9 @@ std::string degrees_text(double degrees) {
   return text == "360.00" ? "0.00" : text;
 }
 
-std::unique_ptr<TrackWriter> track_writer_for(std::string_view file, std::uint32_t radar,
-                                              TextSink sink) {
-  if (file.ends_with(".csv")) return std::make_unique<TrackCsv>(radar, std::move(sink));
-  if (file.ends_with(".geojson")) return std::make_unique<TrackGeoJson>(radar, std::move(sink));
-  return nullptr;
+void TrackTable::turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
+  for (const PlottedTrack& track : tracked) row(row_of(track));
+  for (const PlottedTrack& track : lost) row(row_of(track));
 }
 
 TrackCsv::TrackCsv(std::uint32_t radar, TextSink sink) : radar_(radar), sink_(std::move(sink)) {
@@ -61,25 +82,15 @@ TrackCsv::TrackCsv(std::uint32_t radar, TextSink sink) : radar_(radar), sink_(st
       "tcpa_min,place_sigma_m,hits,looks,by_hand,own_lat_deg,own_lon_deg\n");
 }
 
-void TrackCsv::turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
-  for (const PlottedTrack& track : tracked) row(track);
-  for (const PlottedTrack& track : lost) row(track);
-}
-
-void TrackCsv::row(const PlottedTrack& track) {
-  const PlottedApproach closest = closest_approach(track);
-  const double speed_mps = length_of(track.velocity_mps);
-  const double course_rad = std::atan2(track.velocity_mps.east_m, track.velocity_mps.north_m);
-  sink_(
-      fmt::format("{},{},{},{},{:.7f},{:.7f},{},{:.2f},{:.4f},{},{:.4f},{},{:.1f},{},{},{},{:.7f},"
-                  "{:.7f}\n",
-                  time_text(track.utc, track.time), radar_, track.number, word_of(track.status),
-                  track.place.latitude_deg, track.place.longitude_deg,
-                  degrees_text(radians(course_rad).in_degrees()), speed_mps / kKnot,
-                  track.range_m / kMile_m, degrees_text(track.bearing.in_degrees()),
-                  closest.range_m / kMile_m, closest.moves ? minutes_text(closest.time_s) : "",
-                  track.place_sigma_m, track.hits, track.looks, track.by_hand ? 1 : 0,
-                  track.own_ship.latitude_deg, track.own_ship.longitude_deg));
+void TrackCsv::row(const TrackRow& row) {
+  sink_(fmt::format(
+      "{},{},{},{},{:.7f},{:.7f},{},{},{:.4f},{},{},{},{:.1f},{},{},{},{:.7f},{:.7f}\n",
+      time_text(row.since), radar_, row.number, word_of(row.status), row.place.latitude_deg,
+      row.place.longitude_deg, row.course_deg ? degrees_text(*row.course_deg) : "",
+      row.speed_kn ? fmt::format("{:.2f}", *row.speed_kn) : "", row.range_m / kMile_m,
+      degrees_text(row.bearing_deg), row.cpa_nm ? fmt::format("{:.4f}", *row.cpa_nm) : "",
+      row.tcpa_min ? minutes_text(*row.tcpa_min) : "", row.place_sigma_m, row.hits, row.looks,
+      row.by_hand ? 1 : 0, row.own_ship.latitude_deg, row.own_ship.longitude_deg));
 }
 
 PlotCsv::PlotCsv(std::uint32_t radar, TextSink sink) : radar_(radar), sink_(std::move(sink)) {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "echo/kernel/exact_math.hpp"
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/spoke_message.hpp"
+#include "server/tracking/watch/told_target.hpp"
 
 namespace skerry::server {
 namespace {
@@ -13,17 +13,6 @@ Plotter::Rule rule_of(const TargetWatch& watch, double beam_deg) {
   Plotter::Rule rule = watch.plotter_rule();
   if (beam_deg >= 0.1 && beam_deg <= 10.0) rule.plots.beam_deg = beam_deg;
   return rule;
-}
-
-std::uint64_t nanoseconds(UtcTime time) {
-  return static_cast<std::uint64_t>(time.time_since_epoch().count());
-}
-
-// Where the echo is: own ship's place then, and from there.
-GeoPoint place_of(const Plot& plot) {
-  const echo::LocalPlane plane(plot.own_ship);
-  const echo::SinCos way = echo::sin_cos_degrees(plot.bearing.in_degrees());
-  return plane.to_geo({plot.range_m * way.sin, plot.range_m * way.cos});
 }
 
 }  // namespace
@@ -68,16 +57,7 @@ void ViewPlotter::note_plots() {
   for (const Plot& plot : plotter_.new_plots()) {
     ++plots_so_far_;
     if (new_plots_.plots_size() >= TargetPort::kMostPlots) continue;
-    const GeoPoint place = place_of(plot);
-    wire::TargetPlot& told = *new_plots_.add_plots();
-    told.set_range_m(plot.range_m);
-    told.set_bearing_deg(plot.bearing.in_degrees());
-    told.set_latitude_deg(place.latitude_deg);
-    told.set_longitude_deg(place.longitude_deg);
-    told.set_length_m(plot.length_m);
-    told.set_width_m(plot.width_m);
-    told.set_level(plot.greatest);
-    told.set_utc_ns(nanoseconds(plot.utc));
+    put_plot(plot, *new_plots_.add_plots());
   }
 }
 

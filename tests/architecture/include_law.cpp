@@ -185,7 +185,8 @@ const std::vector<Room>& table() {
       // What happened in a recorded exercise, as values, a page and tables.
       {"server/debrief",
        {"protocol/", "server/page/", "server/world/", "server/replay/",
-        "server/app/control/control_change.hpp"}},
+        "server/app/control/control_change.hpp", "server/relay/values_in_range.hpp",
+        "server/tracking/watch/alert_list.hpp"}},
       // Pages with tables and figures, as one file.
       {"server/page", {"protocol/quantity/"}},
       // The tool that makes, checks and runs exercises without a network.
@@ -193,7 +194,8 @@ const std::vector<Room>& table() {
       // The tool that tracks targets in recordings: it knows spokes, never how they were made.
       {"server/track_tool",
        {"protocol/", "echo/tool_console/", "echo/chart/local_plane.hpp", "server/plotter/",
-        "server/playback/play_request.hpp", "server/relay/values_in_range.hpp"}},
+        "server/playback/play_request.hpp", "server/relay/values_in_range.hpp",
+        "server/tracking/watch/told_target.hpp", "server/tracking/watch/vectors.hpp"}},
       // Targets out of the video of any source: it knows spokes, neither radar model nor truth.
       {"server/plotter",
        {"protocol/quantity/", "protocol/video/", "server/plotter/plots/",

@@ -205,6 +205,26 @@ TEST(Track, OfACaptureHasTimesThatGrow) {
   EXPECT_LT(fewer, rows.size());
 }
 
+TEST(Track, ARecordingOfTargetsBecomesATableAgain) {
+  const TempFolder folder;
+  const RecordedFile recording = made_recording();
+  const std::string tracks = folder.path("tracks.mcap"), known = folder.path("known.csv");
+  ASSERT_EQ(track({recording.path(), "-o", tracks, "--acquire", "2"}).code, 0);
+  const Ending made = track({"recorded", tracks, "-o", known});
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr(" lists, 2 targets"));
+  // The same places as in the table of the run itself.
+  const std::string direct = folder.path("tracks.csv");
+  ASSERT_EQ(track({recording.path(), "-o", direct, "--acquire", "2"}).code, 0);
+  const auto rows = rows_of(text_of_file(known)), wanted = rows_of(text_of_file(direct));
+  ASSERT_EQ(rows.size(), wanted.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const char* name : {"utc_s", "track", "status", "lat_deg", "lon_deg", "hits"}) {
+      EXPECT_EQ(rows[i].at(name), wanted[i].at(name)) << name;
+    }
+  }
+}
+
 TEST(Track, TellsTheTruthOfAnExercise) {
   const TempFolder folder;
   const RecordedFile recording({.turns = 5, .exercise = true});  // 10 s
@@ -235,7 +255,9 @@ TEST(Track, SaysWhatCannotBeTracked) {
   refused(1, {in, "-o", out, "--until", "nothing"}, "--until: ");
   refused(1, {in, "-o", folder.path("no/tracks.csv")}, "no/tracks.csv: No such file");
   refused(1, {"truth", in, "-o", out}, "it holds no state of an exercise");
-  refused(2, {in, "-o", folder.path("tracks.mcap")}, "expected .csv or .geojson");
+  refused(2, {in, "-o", folder.path("tracks.json")}, "expected .csv, .geojson or .mcap");
+  refused(1, {"recorded", in, "-o", out}, "it holds no lists of targets");
+  refused(2, {"recorded", in, "-o", folder.path("tracks.mcap")}, "expected .csv or .geojson");
   refused(2, {in, "--plots", folder.path("plots.geojson")}, "expected .csv");
   refused(2, {"truth", in, "-o", folder.path("truth.geojson")}, "expected .csv");
   refused(2, {in, "-o", out, "--plots", out}, "the same file");

@@ -192,7 +192,7 @@ void TargetWatch::Desk::take_lost(const std::vector<PlottedTrack>& lost, bool al
 bool TargetWatch::Desk::is_worth_a_warning(const Watched& watched) const {
   const PlottedTrack& track = watched.track;
   return rules_.lost_warnings() &&
-         (track.by_hand || in_seconds(track.last_seen - track.first_seen) >= kTrend_s) &&
+         (track.by_hand || in_seconds(track.last_seen - track.first_seen) >= kTrendAfter_s) &&
          track.range_m <= nautical_miles(rules_.furthest_nm()).in_metres();
 }
 
@@ -225,16 +225,8 @@ void TargetWatch::Desk::keep_past() {
 
 // --- what is known of a target
 
-PlanePoint TargetWatch::Desk::from_own_ship(const PlottedTrack& track) {
-  return vector_of(track.bearing.in_degrees(), track.range_m);
-}
-
-double TargetWatch::Desk::tracked_s(const PlottedTrack& track) {
-  return in_seconds(track.time - track.first_seen);
-}
-
 bool TargetWatch::Desk::has_motion(const Watched& watched) const {
-  return !frozen_since_ && tracked_s(watched.track) >= kTrend_s;
+  return !frozen_since_ && tracked_s(watched.track) >= kTrendAfter_s;
 }
 
 const TargetWatch::Desk::Watched* TargetWatch::Desk::find_watched(std::uint32_t number) const {

@@ -14,6 +14,7 @@
 #include "server/tracking/watch/motion_frame.hpp"
 #include "server/tracking/watch/past_places.hpp"
 #include "server/tracking/watch/target_watch.hpp"
+#include "server/tracking/watch/told_target.hpp"
 #include "server/tracking/watch/zones.hpp"
 
 namespace skerry::server {
@@ -28,7 +29,6 @@ class TargetWatch::Desk {
   const wire::TargetRules& rules() const { return rules_; }
 
  private:
-  static constexpr double kTrend_s = 60.0, kTracked_s = 180.0;      // tracked for so long
   static constexpr Duration kNoVideo = std::chrono::seconds(5);     // since the antenna went on
   static constexpr Duration kFrozenFor = std::chrono::seconds(60);  // then dropped
   static constexpr Duration kLongestStep = std::chrono::minutes(1);
@@ -110,8 +110,6 @@ class TargetWatch::Desk {
   std::string problem() const;
 
   bool has_motion(const Watched& watched) const;
-  static PlanePoint from_own_ship(const PlottedTrack& track);
-  static double tracked_s(const PlottedTrack& track);
   ApproachLimits limits() const;
   const Watched* find_watched(std::uint32_t number) const;
   MotionFrame frame_now() const;

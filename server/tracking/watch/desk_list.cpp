@@ -9,40 +9,6 @@
 #include "server/tracking/watch/vectors.hpp"
 
 namespace skerry::server {
-namespace {
-
-double in_knots(double mps) { return mps / kKnot; }
-double in_nm(double m) { return metres(m).in_nautical_miles(); }
-
-void put_place(GeoPoint place, PlanePoint from_own_ship, wire::Target& target) {
-  target.set_latitude_deg(place.latitude_deg);
-  target.set_longitude_deg(place.longitude_deg);
-  target.set_range_m(length_of(from_own_ship));
-  target.set_bearing_deg(direction_of(from_own_ship));
-}
-
-void put_motion(PlanePoint relative_mps, const MotionFrame& frame, wire::Target& target) {
-  target.set_relative_course_deg(direction_of(relative_mps));
-  target.set_relative_speed_kn(in_knots(length_of(relative_mps)));
-  if (!frame.own_mps) return;
-  const PlanePoint mps = relative_mps + *frame.own_mps;
-  target.set_course_deg(direction_of(mps));
-  target.set_speed_kn(in_knots(length_of(mps)));
-}
-
-// Of tracked and of AIS targets.
-template <typename Target>
-void put_approach(const PlottedApproach& approach, Target& target) {
-  target.set_cpa_nm(in_nm(approach.range_m));
-  if (approach.moves) target.set_tcpa_min(approach.time_s / 60.0);
-}
-
-wire::TargetState state_of(double tracked_s, double trend_s, double steady_s) {
-  if (tracked_s < trend_s) return wire::TARGET_ACQUIRING;
-  return tracked_s < steady_s ? wire::TARGET_TREND : wire::TARGET_TRACKED;
-}
-
-}  // namespace
 
 void TargetWatch::Desk::tell(Plotter& plotter) {
   list_.set_utc_ns(static_cast<std::uint64_t>(now_.time_since_epoch().count()));
@@ -76,23 +42,13 @@ void TargetWatch::Desk::tell(Plotter& plotter) {
 void TargetWatch::Desk::tell_target(const Watched& watched) {
   const PlottedTrack& track = watched.track;
   wire::Target& target = *list_.add_targets();
-  target.set_number(track.number);
-  target.set_state(frozen_since_ ? wire::TARGET_FROZEN
-                                 : state_of(tracked_s(track), kTrend_s, kTracked_s));
-  target.set_by_hand(track.by_hand);
-  put_place(track.place, from_own_ship(track), target);
+  put_track(track, target);
+  target.set_state(frozen_since_ ? wire::TARGET_FROZEN : target_state(tracked_s(track)));
   tell_motion(watched, target);
   target.set_is_dangerous(watched.is_dangerous);
   target.set_is_new(alerts_.is_unacknowledged(AlertKind::new_target, subject_of(watched)));
   target.set_is_reference(track.number == reference_);
   target.set_age_s(in_seconds(now_ - *passed_ + (track.time - track.last_seen)));
-  target.set_tracked_s(tracked_s(track));
-  target.set_hits(track.hits);
-  target.set_looks(track.looks);
-  target.set_place_sigma_m(track.place_sigma_m);
-  target.set_speed_sigma_kn(in_knots(track.velocity_sigma_mps));
-  target.set_length_m(track.length_m);
-  target.set_width_m(track.width_m);
   target.set_mmsi(watched.mmsi);
   target.set_name(name_of(watched));
   for (const WasAt& was : watched.past.told(now_, seconds_as_duration(rules_.past_interval_s()))) {
@@ -106,7 +62,7 @@ void TargetWatch::Desk::tell_target(const Watched& watched) {
 
 void TargetWatch::Desk::tell_motion(const Watched& watched, wire::Target& target) const {
   if (!has_motion(watched)) return;
-  put_motion(watched.track.relative_velocity_mps, frame_, target);
+  put_motion(watched.track.relative_velocity_mps, frame_.own_mps, target);
   if (watched.approach) put_approach(*watched.approach, target);
 }
 
@@ -134,11 +90,11 @@ void TargetWatch::Desk::tell_test_targets() {
     wire::Target& target = *list_.add_targets();
     target.set_number(kFirstTestTarget + static_cast<std::uint32_t>(k));
     target.set_is_test(true);
-    target.set_state(state_of(in_seconds(since), kTrend_s, kTracked_s));
+    target.set_state(target_state(in_seconds(since)));
     target.set_tracked_s(in_seconds(since));
     put_place(plane_->to_geo(now.place), now.place, target);
     if (target.state() == wire::TARGET_ACQUIRING) continue;
-    put_motion(now.relative_mps, frame_, target);
+    put_motion(now.relative_mps, frame_.own_mps, target);
     const PlottedApproach approach = closest_approach(now.place, now.relative_mps);
     put_approach(approach, target);
     target.set_is_dangerous(server::is_dangerous(approach, limits()));
@@ -161,7 +117,7 @@ void TargetWatch::Desk::tell_ais() {
     target.set_range_m(length_of(record.from_own_ship));
     target.set_bearing_deg(direction_of(record.from_own_ship));
     if (contact.course_deg) target.set_course_deg(*contact.course_deg);
-    if (contact.speed_mps) target.set_speed_kn(in_knots(*contact.speed_mps));
+    if (contact.speed_mps) target.set_speed_kn(*contact.speed_mps / kKnot);
     if (contact.heading_deg) target.set_heading_deg(*contact.heading_deg);
     if (record.approach && !record.is_lost) put_approach(*record.approach, target);
     const Watched* pair = find_watched(record.target);
@@ -194,7 +150,7 @@ void TargetWatch::Desk::tell_trial() {
     wire::Trial::Outcome& outcome = *trial.add_outcomes();
     outcome.set_target(number);
     outcome.set_mmsi(mmsi);
-    outcome.set_cpa_nm(in_nm(closest.range_m));
+    outcome.set_cpa_nm(metres(closest.range_m).in_nautical_miles());
     outcome.set_tcpa_min(closest.time_s / 60.0);
     // One that only goes away is not.
     outcome.set_is_dangerous(
@@ -220,7 +176,7 @@ void TargetWatch::Desk::tell_own_ship() {
   list_.clear_own_heading_deg();
   if (frame_.own_mps) {
     list_.set_own_course_deg(direction_of(*frame_.own_mps));
-    list_.set_own_speed_kn(in_knots(length_of(*frame_.own_mps)));
+    list_.set_own_speed_kn(length_of(*frame_.own_mps) / kKnot);
   }
   // The last one that was known.
   if (own_.place) {

@@ -89,7 +89,7 @@ std::optional<wire::Reply> TargetWatch::Desk::refusal_of_reference(
   }
   if (has_motion(*watched)) return std::nullopt;
   return refused(fmt::format("target {}: its motion is not known; it is after {:.0f} s of tracking",
-                             order.reference(), kTrend_s));
+                             order.reference(), kTrendAfter_s));
 }
 
 std::optional<wire::Reply> TargetWatch::Desk::refusal_of_ais(const wire::TargetOrder& order) const {

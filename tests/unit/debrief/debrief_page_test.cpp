@@ -57,6 +57,18 @@ Debrief some_debrief(const std::string& name) {
   debrief.happened.push_back({{60.0, 50.0}, name, name, name, {}});
   Reaction& reaction = debrief.reactions.emplace_back();
   reaction.stimulus = reaction.own_name = name;
+  KnownView& view = debrief.known.emplace_back();
+  view.own_name = view.radar = name;
+  view.left_out = 3;
+  KnownTarget& target = view.targets.emplace_back();
+  target.name = name;
+  target.least_cpa_nm = 0.2;
+  target.way = {{60.0, 5.0}, {60.01, 5.01}};
+  view.targets.resize(400, target);
+  KnownAlert& alert = view.alerts.emplace_back();
+  alert.priority = alert.title = alert.text = name;
+  alert.acknowledged = Moment{20.0, 16.0};
+  view.alerts.resize(400, alert);
   debrief.checks.push_back({{60.0, 60.0}, name, true, false, {{false, name}}});
   return debrief;
 }

@@ -62,7 +62,8 @@ class ObserverTest : public testing::Test {
     return found;
   }
 
-  RecordedInputs recorded_{.yaml = kYaml, .length_s = 240.0, .inputs = {}, .settings = {}};
+  RecordedInputs recorded_{
+      .yaml = kYaml, .length_s = 240.0, .inputs = {}, .settings = {}, .known = {}};
   const fs::path folder_ =
       fs::temp_directory_path() / ("skerry-debrief-" + std::to_string(getpid()));
 };
@@ -135,6 +136,60 @@ TEST_F(ObserverTest, TellsReactionsOfEachKind) {
   EXPECT_TRUE(std::any_of(debrief.reactions.begin(), debrief.reactions.end(), [](const auto& each) {
     return each.stimulus == "CPA with Kilo forecast too small";
   }));
+}
+
+TEST_F(ObserverTest, TellsWhatTheSetKnew) {
+  for (int second = 0; second <= 300; ++second) {  // beyond its end
+    wire::TargetList list;
+    wire::Target& target = *list.add_targets();
+    target.set_number(1);
+    target.set_latitude_deg(0.016748 - second * 5.144 / 110'574.0);
+    target.set_longitude_deg(2.0);
+    target.set_name("Kilo");
+    if (second >= 60) target.set_cpa_nm(0.02);
+    if (second >= 60 && second < 100) {
+      wire::Alert& alert = *list.add_alerts();
+      alert.set_number(3044);
+      alert.set_instance(1);
+      alert.set_priority(wire::ALERT_ALARM);
+      alert.set_title("CPA/TCPA");
+      alert.set_text("Target 1: CPA 0.0 NM in 2 min");
+      if (second >= 75) alert.set_state(wire::ALERT_ACKNOWLEDGED);
+    }
+    recorded_.known.push_back({1.0 * second, 0, 3, list});
+  }
+  recorded_.known.push_back({10.0, 9, 0, {}});  // of a radar that the scenario does not have
+  DebriefOptions options;
+  options.until_s = 240.0;
+  const Debrief debrief = debrief_of(bytes_of(recorded_), options);
+  ASSERT_EQ(debrief.known.size(), 2u);
+  const KnownView& view = debrief.known[0];
+  EXPECT_EQ(view.own_name, "Alfa");
+  EXPECT_EQ(view.radar, "Main");
+  EXPECT_EQ(view.view, 3u);
+  ASSERT_EQ(view.targets.size(), 1u);
+  EXPECT_NEAR(view.targets[0].last.at_s, 240.0, 1e-6);
+  ASSERT_EQ(view.alerts.size(), 1u);
+  ASSERT_TRUE(view.alerts[0].reaction_s());
+  EXPECT_NEAR(*view.alerts[0].reaction_s(), 15.0, 1e-6);
+  EXPECT_FALSE(debrief.known[1].own_ship);
+  const std::string page = debrief_page(debrief, {});
+  for (const char* part : {"<h3>Alfa, Main, console view 3</h3>", "<td>Kilo</td>", "0.02 NM",
+                           "15 s", "It tracked nothing.", "way known"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  for (const auto& [name, text] : csv_files(debrief)) {
+    if (name == "known_targets.csv") {
+      EXPECT_NE(text.find("0.000,0.000,Alfa,Main,3,1,Kilo,0,240,told to the end,0.02,,60\r\n"),
+                std::string::npos)
+          << text;
+    } else if (name == "known_alerts.csv") {
+      EXPECT_NE(text.find("60.000,60.000,Alfa,Main,3,3044,1,alarm,CPA/TCPA,"
+                          "Target 1: CPA 0.0 NM in 2 min,75,15,\r\n"),
+                std::string::npos)
+          << text;
+    }
+  }
 }
 
 TEST_F(ObserverTest, TellsBothClocksWhereTheyDiffer) {
@@ -272,7 +327,7 @@ TEST_F(ObserverTest, BearsRecordingsThatAreCutOrDamaged) {
     try {
       const Debrief debrief = debrief_of(bytes, options);
       EXPECT_GT(debrief_page(debrief, {}).size(), 1000u);
-      EXPECT_EQ(csv_files(debrief).size(), 8u);
+      EXPECT_EQ(csv_files(debrief).size(), 10u);
       ++told;
     } catch (const std::exception& error) {
       EXPECT_GT(std::string(error.what()).size(), 10u);

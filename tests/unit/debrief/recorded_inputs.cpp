@@ -60,6 +60,10 @@ std::string bytes_of(const RecordedInputs& recorded) {
     add({recording::Kind::settings, each.radar, each.view}, each.at_s,
         each.settings.SerializeAsString());
   }
+  for (const RecordedInputs::Known& each : recorded.known) {
+    add({recording::Kind::targets, each.radar, each.view}, each.at_s,
+        each.list.SerializeAsString());
+  }
   input.mutable_reached()->set_first(1600);
   add({recording::Kind::input}, recorded.length_s, input.SerializeAsString());
   writer.finish();

@@ -7,6 +7,7 @@
 
 #include "protocol/recording/inputs.pb.h"
 #include "protocol/wire/radar.pb.h"
+#include "protocol/wire/targets.pb.h"
 
 namespace skerry::server {
 
@@ -20,6 +21,12 @@ struct RecordedInputs {
     wire::Settings settings;
   };
   std::vector<Setting> settings;
+  struct Known {
+    double at_s = 0.0;
+    std::uint32_t radar = 0, view = 0;
+    wire::TargetList list;
+  };
+  std::vector<Known> known;
 
   // From that tick on.
   void order(std::uint64_t tick, const wire::ExerciseOrder& order);

@@ -37,6 +37,12 @@ class FakePlotters final : public TargetPort {
     how(list_);
     told_ = std::make_shared<const wire::TargetList>(list_);
   }
+  // As once nobody wants them any more.
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    told_ = nullptr;
+    plots_ = nullptr;
+  }
   void tell_plots(wire::TargetPlots plots) {
     const std::lock_guard lock(mutex_);
     plots_ = std::make_shared<const wire::TargetPlots>(std::move(plots));

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "protocol/recording/topics.hpp"
+#include "protocol/wire/targets.pb.h"
 #include "server/playback/piece_reader.hpp"
 #include "server/playback/play_request.hpp"
 #include "server/playback/recorded_radars.hpp"
@@ -333,13 +334,31 @@ TEST(RelayedState, WhatNobodyToldIsNotKnown) {
 }
 
 TEST(RecordedValues, EveryNumberHasARange) {
-  for (const google::protobuf::Descriptor* message :
-       {wire::Settings::descriptor(), wire::OwnShip::descriptor(), wire::ConState::descriptor(),
-        wire::World::descriptor(), wire::RainCell::descriptor(), wire::RadarInfo::descriptor(),
-        wire::BlankedSectors::Sector::descriptor(), recording::Traffic::Item::descriptor(),
-        wire::ExerciseState::descriptor(), wire::ExerciseShip::descriptor(),
-        wire::ExerciseMark::descriptor(), wire::PlayedMark::descriptor(),
-        wire::Waypoint::descriptor(), wire::Faults::descriptor()}) {
+  for (const google::protobuf::Descriptor* message : {wire::Settings::descriptor(),
+                                                      wire::OwnShip::descriptor(),
+                                                      wire::ConState::descriptor(),
+                                                      wire::World::descriptor(),
+                                                      wire::RainCell::descriptor(),
+                                                      wire::RadarInfo::descriptor(),
+                                                      wire::BlankedSectors::Sector::descriptor(),
+                                                      recording::Traffic::Item::descriptor(),
+                                                      wire::ExerciseState::descriptor(),
+                                                      wire::ExerciseShip::descriptor(),
+                                                      wire::ExerciseMark::descriptor(),
+                                                      wire::PlayedMark::descriptor(),
+                                                      wire::Waypoint::descriptor(),
+                                                      wire::Faults::descriptor(),
+                                                      wire::TargetList::descriptor(),
+                                                      wire::Target::descriptor(),
+                                                      wire::PastPlace::descriptor(),
+                                                      wire::AisTarget::descriptor(),
+                                                      wire::TargetZone::descriptor(),
+                                                      wire::TargetRules::descriptor(),
+                                                      wire::Trial::descriptor(),
+                                                      wire::Trial::Outcome::descriptor(),
+                                                      wire::TrialOrder::descriptor(),
+                                                      wire::TargetPlots::descriptor(),
+                                                      wire::TargetPlot::descriptor()}) {
     for (int i = 0; i < message->field_count(); ++i) {
       const auto& field = *message->field(i);
       if (field.cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_DOUBLE) continue;

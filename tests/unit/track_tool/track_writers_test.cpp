@@ -7,6 +7,7 @@
 #include <string>
 
 #include "server/track_tool/geojson_writer.hpp"
+#include "server/track_tool/track_recording.hpp"
 
 namespace skerry::server {
 namespace {
@@ -153,6 +154,14 @@ TEST(TrackGeoJson, HasALineForEachTrackWithItsTimes) {
             "]}\n");
 }
 
+TEST(TrackGeoJson, WhatIsNotKnownIsNull) {
+  Text out;
+  TrackGeoJson json(0, out.sink());
+  json.row({});
+  json.finish();
+  EXPECT_NE(out.text.find("\"course_deg\":null,\"speed_kn\":null,"), std::string::npos) << out.text;
+}
+
 TEST(TrackGeoJson, OfNothingIsAnEmptyCollection) {
   Text out;
   TrackGeoJson json(0, out.sink());
@@ -188,11 +197,14 @@ TEST(TrackGeoJson, IsCutAtTheMeridianOf180) {
 
 TEST(TrackWriterFor, GoesByTheEnding) {
   Text out;
-  EXPECT_NE(dynamic_cast<TrackCsv*>(track_writer_for("a.csv", 0, out.sink()).get()), nullptr);
-  EXPECT_NE(dynamic_cast<TrackGeoJson*>(track_writer_for("a.geojson", 0, out.sink()).get()),
+  EXPECT_NE(dynamic_cast<TrackCsv*>(track_writer_for("a.csv", {}, out.sink()).get()), nullptr);
+  EXPECT_NE(dynamic_cast<TrackGeoJson*>(track_writer_for("a.geojson", {}, out.sink()).get()),
             nullptr);
-  for (const char* other : {"a.mcap", "a.json", "csv", "a.csv.gz", ""}) {
-    EXPECT_EQ(track_writer_for(other, 0, out.sink()), nullptr) << other;
+  EXPECT_NE(dynamic_cast<TrackRecording*>(track_writer_for("a.mcap", {}, out.sink()).get()),
+            nullptr);
+  EXPECT_EQ(track_table_for("a.mcap", 0, out.sink()), nullptr) << "it is no table";
+  for (const char* other : {"a.json", "csv", "a.csv.gz", ""}) {
+    EXPECT_EQ(track_writer_for(other, {}, out.sink()), nullptr) << other;
   }
 }
 
