@@ -16,7 +16,7 @@ namespace skerry::server {
 //
 // Features stand in the order in which their tracks ended.  Memory: 24 octets for each turn of the
 // tracks that have not ended.
-class TrackGeoJson final : public TrackRowWriter {
+class TrackGeoJson final : public TableWriter {
  public:
   TrackGeoJson(std::uint32_t radar, TextSink sink);
   void row(const TrackRow& row) override;

@@ -78,7 +78,7 @@ recording::Topic chosen_lists(const recording::RecordingReader& reader,
 }
 
 ListsTaken write_recorded(const recording::RecordingReader& reader, const recording::Topic& topic,
-                          TrackRowWriter& table) {
+                          TableWriter& table) {
   RecordedTracks tracks(table);
   ListsTaken taken;
   recording::ItemCursor cursor = reader.items({topic});

@@ -17,7 +17,7 @@ namespace skerry::server {
 // as long as the set was stabilised so.
 class RecordedTracks {
  public:
-  explicit RecordedTracks(TrackRowWriter& table) : table_(table) {}
+  explicit RecordedTracks(TableWriter& table) : table_(table) {}
   // Numbers must be in range (bring_into_range()).  `time`: of the item.
   void add(UtcTime time, const wire::TargetList& list);
 
@@ -25,7 +25,7 @@ class RecordedTracks {
   std::size_t targets() const { return lost_.size(); }
 
  private:
-  TrackRowWriter& table_;
+  TableWriter& table_;
   std::uint64_t lists_ = 0, plots_ = 0;
   std::uint32_t base_ = 0, greatest_ = 0;
   std::map<std::uint32_t, bool> lost_;  // all that had a row, and whether it was the last one
@@ -46,6 +46,6 @@ struct ListsTaken {
 };
 // Error of both: std::runtime_error that names the file: it has none (of that radar and view).
 ListsTaken write_recorded(const recording::RecordingReader& reader, const recording::Topic& topic,
-                          TrackRowWriter& table);
+                          TableWriter& table);
 
 }  // namespace skerry::server

@@ -71,8 +71,7 @@ std::string degrees_text(double degrees) {
   return text == "360.00" ? "0.00" : text;
 }
 
-void TrackRowWriter::turn(std::span<const PlottedTrack> tracked,
-                          std::span<const PlottedTrack> lost) {
+void TableWriter::turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) {
   for (const PlottedTrack& track : tracked) row(row_of(track));
   for (const PlottedTrack& track : lost) row(row_of(track));
 }

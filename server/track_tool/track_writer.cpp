@@ -5,8 +5,8 @@
 
 namespace skerry::server {
 
-std::unique_ptr<TrackRowWriter> track_table_for(std::string_view file, std::uint32_t radar,
-                                                const TextSink& sink) {
+std::unique_ptr<TableWriter> track_table_for(std::string_view file, std::uint32_t radar,
+                                             const TextSink& sink) {
   if (file.ends_with(".csv")) return std::make_unique<TrackCsv>(radar, sink);
   if (file.ends_with(".geojson")) return std::make_unique<TrackGeoJson>(radar, sink);
   return nullptr;

@@ -47,7 +47,7 @@ struct TrackRow {
 };
 
 // Writes rows.
-class TrackRowWriter : public TrackWriter {
+class TableWriter : public TrackWriter {
  public:
   virtual void row(const TrackRow& row) = 0;
   void turn(std::span<const PlottedTrack> tracked, std::span<const PlottedTrack> lost) final;
@@ -60,8 +60,8 @@ struct TrackedView {
 };
 
 // The writer that a file's ending asks for; null: there is none.
-std::unique_ptr<TrackRowWriter> track_table_for(std::string_view file, std::uint32_t radar,
-                                                const TextSink& sink);
+std::unique_ptr<TableWriter> track_table_for(std::string_view file, std::uint32_t radar,
+                                             const TextSink& sink);
 inline constexpr const char* kTableEndings = ".csv or .geojson";
 // The same, and recordings.
 std::unique_ptr<TrackWriter> track_writer_for(std::string_view file, const TrackedView& of,
@@ -72,7 +72,7 @@ inline constexpr const char* kTrackEndings = ".csv, .geojson or .mcap";
 // utc_s,radar,track,status,lat_deg,lon_deg,course_deg,speed_kn,range_nm,bearing_deg,cpa_nm,tcpa_min,
 // place_sigma_m,hits,looks,by_hand,own_lat_deg,own_lon_deg.  Lost ones have one row more, `lost`,
 // with their last place.  Without relative motion cpa_nm is the range and tcpa_min is empty.
-class TrackCsv final : public TrackRowWriter {
+class TrackCsv final : public TableWriter {
  public:
   TrackCsv(std::uint32_t radar, TextSink sink);
   void row(const TrackRow& row) override;

@@ -18,7 +18,7 @@ using namespace skerry;
 using server::Plot;
 using server::PlotExtractor;
 
-constexpr std::size_t kHead = 16, kMostSpokes = 96;
+constexpr std::size_t kHead = 16, kMostSpokes = 40;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 double reach_of(std::uint16_t value) {

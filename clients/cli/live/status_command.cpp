@@ -225,8 +225,10 @@ std::string outputs(const wire::Status& status) {
                   "AT", "RADAR", "VIEW", "DATAGRAMS", "REPORTS", "MIB", "LOST", "COMMANDS",
                   "REFUSED", "LAST DISPLAY");
   for (const auto& output : status.outputs()) {
+    const std::string& at =
+        output.interface_address().empty() ? output.address() : output.interface_address();
     out += fmt::format("{:<18} {:<15} {:>5} {:>4} {:>10} {:>9} {:>8.1f} {:>6} {:>8} {:>8} {}\n",
-                       printable(output.name(), 18), printable(output.interface_address(), 15),
+                       printable(output.name(), 18), printable(at, 15),
                        output.radar(), output.view(), output.datagrams(), output.reports(),
                        static_cast<double>(output.bytes()) / (1 << 20),
                        output.spokes_lost() + output.datagrams_unsent(), output.commands(),

@@ -45,8 +45,8 @@ constexpr Demand kInshore{.speeds = 1.5,
                           .most_misfit = 2.5,
                           .most_old_ground = 0.05,
                           .unlike_share = 0.12,
-                          .hits_ever = 15,
-                          .hits = 8,
+                          .hits_ever = 12,
+                          .hits = 6,
                           .age_s = 60.0};
 // What is faster is rare, and chains of what is there by chance are fast.
 constexpr double kFast_kn = 30.0;
@@ -55,7 +55,7 @@ constexpr unsigned kHitsOfFast = 8;
 constexpr double kCompany_m = 400.0;     // of other echoes that are followed
 constexpr double kFromLand_m = 12e3;     // of the middle of an extended echo
 constexpr double kTurnsOfLand = 4.0;     // since when it was seen
-constexpr long kLeastOfLand = 4;        // so many then: near ships run together, too
+constexpr long kLeastOfLand = 4;         // so many then: near ships run together, too
 constexpr unsigned kSeenOften = 4;       // looks of the last ten
 constexpr double kMostByStanding = 0.3;  // share of its plots
 

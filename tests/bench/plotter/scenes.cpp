@@ -67,6 +67,16 @@ std::string anchorage(int count) {
   return text;
 }
 
+constexpr double kCoastLat = 60.42, kCoastLon = 4.95;  // a sound west of Bergen
+
+std::string coast() {
+  return fmt::format(
+      "name: scene\nseed: 7\nsea: {{state: 2, wind_from_deg: 250}}\nown_ships:\n  - {{name: Own, "
+      "position: {{lat: {:.2f}, lon: {:.2f}}}, course_deg: 350, speed_kn: 10, radars: [{{range_nm: "
+      "6}}]}}\n",
+      kCoastLat, kCoastLon);
+}
+
 }  // namespace
 
 std::vector<PlotterScene> plotter_scenes() {
@@ -80,6 +90,10 @@ std::vector<PlotterScene> plotter_scenes() {
                                      ship("B", "coaster", 20, 3.4, 180, 9) +
                                      ship("C", "container", 150, 3, 60, 15) +
                                      ship("D", "container", 120, 3.2, 235, 15)});
+  // They cross at a small angle after five minutes, as one echo for two.
+  scenes.push_back({"two merge and part", calm + own(0, 0, 6) + "targets:\n" +
+                                              ship("A", "coaster", 344.17, 3.0425, 85, 10) +
+                                              ship("B", "coaster", 344.89, 3.183, 95, 10)});
   scenes.push_back(
       {"rain 16 mm/h",
        sea_of(3, fmt::format("rain: [{{{}, radius_nm: 2.5, rate_mm_h: 16}}]\n", at(45, 4))) +
@@ -104,12 +118,23 @@ std::vector<PlotterScene> plotter_scenes() {
            own(0, 5, 6),
        10.0, false, false});
   scenes.push_back({"sea state 5, nothing", sea_of(5) + own(0, 10, 6), 30.0, false, false});
-  scenes.push_back(
-      {"a coast with no target",
-       "name: scene\nseed: 7\nsea: {state: 2, wind_from_deg: 250}\nown_ships:\n  - {name: Own, "
-       "position: {lat: 60.42, lon: 4.95}, course_deg: 350, speed_kn: 10, radars: [{range_nm: "
-       "6}]}\n",
-       60.0, false, false});
+  scenes.push_back({"a coast with no target", coast(), 60.0, false, false});
+  // Astern in a sound, each behind headlands and skerries for some minutes.
+  const auto in_sound = [](const std::string& name, const std::string& kind, double east_nm,
+                           double north_nm, double course_deg, double speed_kn) {
+    return fmt::format(
+        "  - {{name: {}, ship_class: {}, position: {{lat: {:.6f}, lon: {:.6f}}}, course_deg: "
+        "{:.1f}, "
+        "speed_kn: {:.1f}}}\n",
+        name, kind, kCoastLat + north_nm / 60.0,
+        kCoastLon + east_nm / 60.0 / std::cos(kCoastLat * kPi / 180.0), course_deg, speed_kn);
+  };
+  scenes.push_back({"behind headlands", coast() + "targets:\n" +
+                                            in_sound("A", "coaster", 0.12, -2.4, 352, 13) +
+                                            in_sound("B", "ferry", 0.1, -0.8, 350, 15) +
+                                            in_sound("C", "fishing", 0.05, -0.4, 352, 7) +
+                                            in_sound("D", "bulker", 0.0, -1.1, 172, 12) +
+                                            in_sound("E", "coaster", 0.0, -1.5, 170, 9)});
   return scenes;
 }
 

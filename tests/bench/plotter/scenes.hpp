@@ -10,7 +10,7 @@ struct PlotterScene {
   std::string name;
   std::string yaml;
   double minutes = 10.0;
-  bool all = true;      // also what stays is to be tracked
+  bool all = false;     // also what stays is to be tracked
   bool targets = true;  // false: whatever is tracked is false
 };
 

@@ -6,6 +6,7 @@ What it reads is compared with what the C++ programs write of the same spokes.
 import itertools
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -118,7 +119,10 @@ class PythonPackage(unittest.TestCase):
         octets = bytearray(pathlib.Path(self.plain).read_bytes())
         with skerry.open_recording(self.plain) as recording:
             whole = sum(1 for _ in recording.spokes())
-        octets[len(octets) // 2] ^= 255
+            chunks = recording._reader.chunks
+            chunk = chunks[len(chunks) // 2]
+        length, = struct.unpack_from("<Q", octets, chunk.at + 1)
+        octets[chunk.at + 9 + length // 2] ^= 255
         bad = pathlib.Path(self.path("bad"))
         bad.write_bytes(octets)
         with skerry.open_recording(bad) as recording:

@@ -40,6 +40,23 @@ inline const std::array<StandardScenario, 4> kStandardScenarios{{
     {25, 8, 45, 225, 20, 307.52, 17.830, 0, 24, {15, 1.5, 2.0}, {4.6, .8, .7, 1.0, 2.6, 1.2}},
 }};
 
+// Of the track at the end, in the order of ScenarioErrors::all().
+inline std::vector<double> errors_of(const StandardScenario& scenario, const PlottedTrack& track) {
+  const auto course = [](PlanePoint v) {
+    return std::atan2(v.east_m, v.north_m) * kDegreesPerRadian;
+  };
+  const auto knots = [](PlanePoint v) { return length_of(v) * 3600.0 / 1852.0; };
+  const auto off = [](double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); };
+  const PlottedApproach cpa = closest_approach(track);
+  const PlanePoint relative = track.relative_velocity_mps;
+  return {off(course(relative), scenario.relative_course_deg),
+          std::fabs(knots(relative) - scenario.relative_speed_kn),
+          std::fabs(cpa.range_m / 1852.0 - scenario.cpa_nm),
+          std::fabs(cpa.time_s / 60.0 - scenario.tcpa_min),
+          off(course(track.velocity_mps), scenario.true_course_deg),
+          std::fabs(knots(track.velocity_mps) - scenario.true_speed_kn)};
+}
+
 // One run of a scenario: from `minutes` before its end, with errors of this seed.  The errors are
 // those of the track at the end; true ones with own ship's course and speed by gyro and log.
 class StandardRun {
@@ -57,7 +74,7 @@ class StandardRun {
     run(tracker);
     const auto tracks = tracker.tracks();
     if (tracks.empty()) return {};
-    return errors_of(tracks.front());
+    return errors_of(scenario_, tracks.front());
   }
 
  private:
@@ -143,22 +160,6 @@ class StandardRun {
     }
   }
 
-  std::vector<double> errors_of(const PlottedTrack& track) const {
-    const auto course = [](PlanePoint v) {
-      return std::atan2(v.east_m, v.north_m) * kDegreesPerRadian;
-    };
-    const auto knots = [](PlanePoint v) { return length_of(v) * 3600.0 / 1852.0; };
-    const auto off = [](double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); };
-    const PlottedApproach cpa = closest_approach(track);
-    const PlanePoint relative = track.relative_velocity_mps;
-    return {off(course(relative), scenario_.relative_course_deg),
-            std::fabs(knots(relative) - scenario_.relative_speed_kn),
-            std::fabs(cpa.range_m / 1852.0 - scenario_.cpa_nm),
-            std::fabs(cpa.time_s / 60.0 - scenario_.tcpa_min),
-            off(course(track.velocity_mps), scenario_.true_course_deg),
-            std::fabs(knots(track.velocity_mps) - scenario_.true_speed_kn)};
-  }
-
   StandardScenario scenario_;
   double seconds_;
   std::uint64_t state_;
@@ -167,13 +168,13 @@ class StandardRun {
 };
 
 // The error that 95 of 100 runs are within, of each kind; `lost` counts runs without a track.
-inline std::vector<double> errors_of_95(const StandardScenario& scenario, double minutes, int runs,
-                                        int& lost, const Tracker::Rule& rule) {
+// `run(i)` gives the errors of run i, or nothing.
+template <typename Run>
+std::vector<double> errors_of_95(int runs, int& lost, const Run& run) {
   std::vector<std::vector<double>> kinds(6);
   lost = 0;
   for (int i = 0; i < runs; ++i) {
-    StandardRun run(scenario, minutes, static_cast<std::uint64_t>(i));
-    const auto errors = run.errors(rule);
+    const std::vector<double> errors = run(i);
     if (errors.empty()) ++lost;
     for (std::size_t k = 0; k < errors.size(); ++k) kinds[k].push_back(errors[k]);
   }
@@ -187,6 +188,13 @@ inline std::vector<double> errors_of_95(const StandardScenario& scenario, double
                    1]);
   }
   return most;
+}
+
+inline std::vector<double> errors_of_95(const StandardScenario& scenario, double minutes, int runs,
+                                        int& lost, const Tracker::Rule& rule) {
+  return errors_of_95(runs, lost, [&](int i) {
+    return StandardRun(scenario, minutes, static_cast<std::uint64_t>(i)).errors(rule);
+  });
 }
 
 }  // namespace skerry::server

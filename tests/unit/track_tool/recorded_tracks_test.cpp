@@ -21,7 +21,7 @@ using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-struct Rows : TrackRowWriter {
+struct Rows : TableWriter {
   void row(const TrackRow& row) override { rows.push_back(row); }
   void finish() override {}
   std::vector<std::uint32_t> numbers() const {
