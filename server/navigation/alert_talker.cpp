@@ -108,6 +108,7 @@ std::vector<std::string> AlertTalker::sentences(NavigationSentence sentence,
 }
 
 std::optional<wire::TargetOrder> order_of(const nmea::Acn& command) {
+  if (!command.key.manufacturer.empty()) return std::nullopt;  // of another's alert
   wire::TargetOrder order;
   if (command.command == nmea::AlertCommand::silence) {
     order.set_silence(true);

@@ -29,8 +29,9 @@ class AlertTalker {
   unsigned alf_sequence_ = 0, alc_sequence_ = 0;
 };
 
-// What an ACN or ACK orders.  Nothing: it asks for no more than to be told again, or that another
-// takes over, which is not done here.
+// What an ACN or ACK orders; silence is of all alerts, whichever it names.  Nothing: it is of a
+// maker's own alert, none of which is ours, or it asks for no more than to be told again, or that
+// another takes over, which is not done here.
 std::optional<wire::TargetOrder> order_of(const nmea::Acn& command);
 std::optional<wire::TargetOrder> order_of(const nmea::Ack& command);
 

@@ -69,8 +69,9 @@ nmea::TtdStatus ttd_status_of(const ToldTarget& target) {
 nmea::TtdTarget ttd_of(const ToldTarget& target) {
   return {.number = target.number,
           .bearing_deg = target.bearing_deg,
-          .speed_kn = divided(target.speed_mps, kKnot),
-          .course_deg = target.course_deg,
+          // The sentence says that they are over ground.
+          .speed_kn = target.through_water ? std::nullopt : divided(target.speed_mps, kKnot),
+          .course_deg = target.through_water ? std::nullopt : target.course_deg,
           .heading_deg = target.heading_deg,
           .range_nm = target.range_m / kNm,
           .status = ttd_status_of(target)};

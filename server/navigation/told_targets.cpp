@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint32_t kCollisionAlarm = 3044;  // IEC 62923-2 table A.1
 
+constexpr double kHysteresis = 1.1;  // of range, of who is told already
+
 std::optional<double> scaled(bool is_there, double value, double scale) {
   return is_there ? std::optional(value * scale) : std::nullopt;
 }
@@ -98,12 +100,22 @@ std::vector<ToldTarget> PlottedTargets::update(const wire::TargetList& list, Sce
   for (const wire::Target& target : list.targets()) {
     const bool begins_lost =
         target.state() == wire::TARGET_LOST && kept_of(target.number()) == nullptr;
-    if (target.range_m() <= range_m_ && !begins_lost) near.push_back(&target);
+    const double reach_m = kept_of(target.number()) != nullptr ? kHysteresis * range_m_ : range_m_;
+    if (target.range_m() <= reach_m && !begins_lost) near.push_back(&target);
   }
-  std::sort(near.begin(), near.end(), [](const wire::Target* a, const wire::Target* b) {
-    return std::tuple(!a->is_dangerous(), a->range_m(), a->number()) <
-           std::tuple(!b->is_dangerous(), b->range_m(), b->number());
-  });
+  // Who is told keeps her place against one that is only a little nearer.
+  const auto rank = [&](const wire::Target* target) {
+    const bool is_kept = kept_of(target->number()) != nullptr;
+    return std::tuple(!target->is_dangerous(), target->range_m() / (is_kept ? kHysteresis : 1.0),
+                      target->number());
+  };
+  std::sort(near.begin(), near.end(),
+            [&](const wire::Target* a, const wire::Target* b) { return rank(a) < rank(b); });
+  // Crowded out is not lost.
+  for (std::size_t i = most_; i < near.size(); ++i) {
+    std::erase_if(kept_,
+                  [&](const auto& kept) { return kept.second.plotted == near[i]->number(); });
+  }
   if (near.size() > most_) near.resize(most_);
 
   for (auto& [number, kept] : kept_) kept.seen = false;

@@ -119,7 +119,7 @@ void TargetService::run() {
   while (true) {
     const Steady now = std::chrono::steady_clock::now();
     const Plotters plotters = at_work(now);
-    bool more = take(plotters);
+    const bool more = take(plotters, next_list);
     if (now >= next_list) {
       tell(plotters);
       next_list = std::max(next_list + kListPeriod, now);
@@ -138,7 +138,9 @@ TargetService::Plotters TargetService::at_work(Steady now) {
   for (auto entry = entries_.begin(); entry != entries_.end();) {
     auto& [key, what] = *entry;
     if (!what.wanted.expired()) what.last_wanted = now;
-    if (now - what.last_wanted > kGrace) {
+    const VideoChannelPtr channel = host_.find_channel(key.first, key.second);
+    const bool is_there = channel != nullptr && what.plotter->is_of(*channel);
+    if (!is_there || now - what.last_wanted > kGrace) {
       ended.push_back(std::move(what.plotter));
       entry = entries_.erase(entry);
       continue;
@@ -149,9 +151,12 @@ TargetService::Plotters TargetService::at_work(Steady now) {
   return plotters;
 }
 
-bool TargetService::take(const Plotters& plotters) {
+bool TargetService::take(const Plotters& plotters, Steady until) {
   bool more = false;
-  for (const auto& [key, plotter] : plotters) {
+  for (std::size_t i = 0; i < plotters.size(); ++i) {
+    if (i > 0 && std::chrono::steady_clock::now() >= until) return true;
+    // Those that had no turn the last time come first.
+    const auto& [key, plotter] = plotters[next_++ % plotters.size()];
     more = plotter->take(sensors_of(sensed_(key.first))) || more;
   }
   return more;

@@ -58,7 +58,8 @@ class TargetService final : public TargetPort {
   void run();
   // Those at work now; ends those that nobody has wanted for kGrace.
   Plotters at_work(Steady now);
-  bool take(const Plotters& plotters);
+  // Until lists are due; true if more waits.
+  bool take(const Plotters& plotters, Steady until);
   void tell(const Plotters& plotters);
   std::shared_ptr<ViewPlotter> find(std::uint32_t radar, std::uint32_t view) const;
   double beam_of(std::uint32_t radar) const;
@@ -75,7 +76,8 @@ class TargetService final : public TargetPort {
   std::condition_variable wakes_;
   bool woken_ = false, stopping_ = false;
 
-  std::thread thread_;  // last: ends before what it uses
+  std::size_t next_ = 0;  // of plotters, the thread's own
+  std::thread thread_;    // last: ends before what it uses
 };
 
 }  // namespace skerry::server

@@ -48,6 +48,9 @@ void ViewPlotter::give(std::span<const std::uint8_t> frame) {
   if (!message_.ParseFromArray(body.data(), static_cast<int>(body.size()))) return;
   const auto spoke = from_message(message_.spoke());
   if (!spoke) return;
+  // A playback that stands still sends its last turn again to who has joined.
+  const Duration back = newest_ - spoke->header.scenario_time;
+  if (back >= Duration::zero() && back < kSentAgain) return;
   newest_ = spoke->header.scenario_time;
   plotter_.add(*spoke);
   note_plots();

@@ -21,6 +21,9 @@ namespace skerry::server {
 class ViewPlotter {
  public:
   static constexpr int kSectorsAtOnce = 8;
+  // Spokes that are older than the newest by less than this have been looked at: two turns and
+  // more.
+  static constexpr Duration kSentAgain = std::chrono::seconds(15);
 
   // `wake` is called on the radar's thread.  Requires a channel with the format kNativeFormat.
   // `beam_deg`: of the radar's antenna; 0: not known.

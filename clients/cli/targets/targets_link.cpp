@@ -10,7 +10,7 @@
 namespace skerry::client {
 namespace {
 
-constexpr std::uint32_t kTimesASecond = 2;
+constexpr std::uint32_t kListsASecond = 2;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ ClientResult<TargetsLink> TargetsLink::open(const TargetsPlace& place) {
   auto client = place.server.connect();
   if (!client) return Failure{client.error()};
   auto watched =
-      client->watch_targets(place.choice.radar, place.choice.view, kTimesASecond, place.timeout());
+      client->watch_targets(place.choice.radar, place.choice.view, kListsASecond, place.timeout());
   if (!watched) return Failure{watched.error()};
   TargetsLink link(std::move(*client), place);
   Progress progress;

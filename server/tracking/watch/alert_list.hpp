@@ -51,7 +51,9 @@ struct AlertSubject {
 // Time: go_on() first, with times that do not go back; else clear().
 class AlertList {
  public:
-  static constexpr std::size_t kMost = 200;  // more: the least important, oldest one goes
+  // More: the least important, oldest one goes.  Above all causes that there can be at once: 200
+  // tracked and 240 AIS targets, 50 lost ones, and inputs.
+  static constexpr std::size_t kMost = 600;
   static constexpr Duration kSilence = std::chrono::seconds(30);
   static constexpr Duration kEscalates = std::chrono::seconds(60);
   static constexpr std::uint32_t kLastInstance = 999'999;

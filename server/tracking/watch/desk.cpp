@@ -111,7 +111,7 @@ void TargetWatch::Desk::watch_inputs() {
   const bool has_reference = reference != nullptr && !reference->is_dropped;
   watch_input("motion over ground", own_.over_ground_mps.has_value(), !by_water && !has_reference,
               "Motion over ground is lost: no courses of targets");
-  watch_input(fmt::format("target {}", reference_), has_reference, !by_water && reference_ != 0,
+  watch_input(kReference, has_reference, !by_water && reference_ != 0,
               fmt::format("Reference target {} is lost", reference_));
 }
 

@@ -31,7 +31,8 @@ class TargetWatch::Desk {
  private:
   static constexpr Duration kNoVideo = std::chrono::seconds(5);     // since the antenna went on
   static constexpr Duration kFrozenFor = std::chrono::seconds(60);  // then dropped
-  static constexpr Duration kLongestStep = std::chrono::minutes(1);
+  static constexpr Duration kLongestStep = std::chrono::minutes(3);
+  static constexpr const char* kReference = "reference target";  // a lost input's name
   static constexpr std::size_t kMostLost = 50;
   static constexpr double kReachLeast_m = 150.0, kReachShare = 0.03;  // of the range
 
@@ -71,8 +72,10 @@ class TargetWatch::Desk {
   std::optional<wire::Reply> refusal_of_trial(const wire::TargetOrder& order) const;
   wire::Reply acquire(const wire::TargetOrder::Acquire& where, Plotter& plotter) const;
   void change_rules(const wire::TargetOrder& order, Plotter& plotter);
-  void change_targets(const wire::TargetOrder& order, Plotter& plotter);
+  // All but the one just acquired may be cancelled.
+  void change_targets(const wire::TargetOrder& order, std::uint32_t acquired, Plotter& plotter);
   void cancel(std::uint32_t number, Plotter& plotter);
+  void set_reference(std::uint32_t number);
 
   // desk.cpp
   void end_what_hangs_on_time();

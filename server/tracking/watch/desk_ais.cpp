@@ -19,8 +19,13 @@ void TargetWatch::Desk::watch_ais(std::span<const AisContact> ais) {
 // Only those that were activated, and that the radar does not have.
 void TargetWatch::Desk::tell_lost_ais() {
   for (auto& [mmsi, record] : ais_.records()) {
-    if (!record.is_listed) continue;
     const AlertSubject subject = subject_of(record);
+    if (!record.is_listed) {  // too far, or others are nearer: nothing more is told of it
+      alerts_.remove(subject);
+      record.guard.clear();
+      record.is_lost = record.is_activated = false;
+      continue;
+    }
     if (AisBook::is_fresh(record)) {
       if (record.is_lost) alerts_.end(AlertKind::lost_target, subject);
       record.is_lost = false;

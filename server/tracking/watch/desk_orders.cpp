@@ -1,5 +1,6 @@
 // What a mariner orders: all of it, or nothing.
 #include <fmt/format.h>
+#include <charconv>
 
 #include <algorithm>
 #include <set>
@@ -160,7 +161,9 @@ wire::Reply TargetWatch::Desk::order(const wire::TargetOrder& order, Plotter& pl
     if (reply.code() != wire::Reply::OK) return reply;
   }
   change_rules(order, plotter);
-  change_targets(order, plotter);
+  std::uint32_t acquired = 0;
+  std::from_chars(reply.text().data(), reply.text().data() + reply.text().size(), acquired);
+  change_targets(order, acquired, plotter);
   if (order.end_trial()) trial_.reset();
   if (order.has_trial()) {
     trial_ = TrialRun{order.trial(), now_ + seconds_as_duration(60.0 * order.trial().delay_min())};
@@ -204,14 +207,17 @@ void TargetWatch::Desk::change_rules(const wire::TargetOrder& order, Plotter& pl
   plotter.tracker().set_areas(zones_.areas(own_.heading_deg));
 }
 
-void TargetWatch::Desk::change_targets(const wire::TargetOrder& order, Plotter& plotter) {
-  if (order.has_reference()) reference_ = order.reference();
+void TargetWatch::Desk::change_targets(const wire::TargetOrder& order, std::uint32_t acquired,
+                                       Plotter& plotter) {
+  if (order.has_reference()) set_reference(order.reference());
   for (const std::uint32_t number : order.cancel()) cancel(number, plotter);
   if (order.cancel_all()) {
     std::vector<std::uint32_t> numbers;
     for (const PlottedTrack& track : plotter.tracks()) numbers.push_back(track.number);
     for (const Lost& lost : lost_) numbers.push_back(lost.track.number);
-    for (const std::uint32_t number : numbers) cancel(number, plotter);
+    for (const std::uint32_t number : numbers) {
+      if (number != acquired) cancel(number, plotter);
+    }
   }
   for (const std::uint32_t mmsi : order.activate()) ais_.records().at(mmsi).is_activated = true;
   for (const std::uint32_t mmsi : order.let_sleep()) ais_.records().at(mmsi).is_activated = false;
@@ -226,7 +232,15 @@ void TargetWatch::Desk::cancel(std::uint32_t number, Plotter& plotter) {
   }
   std::erase_if(lost_, [&](const Lost& lost) { return lost.track.number == number; });
   alerts_.remove(subject_of_target(number));
-  if (reference_ == number) reference_ = 0;
+  if (reference_ == number) set_reference(0);
+}
+
+// What was said of the one before is over.
+void TargetWatch::Desk::set_reference(std::uint32_t number) {
+  if (number == reference_) return;
+  reference_ = number;
+  inputs_.erase(kReference);
+  alerts_.remove({0, 0, kReference});
 }
 
 }  // namespace skerry::server

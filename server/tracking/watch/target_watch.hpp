@@ -59,8 +59,8 @@ class TargetWatch {
   static bool can_plot(const OwnSensors& own) { return own.place && own.heading_deg; }
 
   // Goes on to own.utc: takes the plotter's tracks and those lost, and looks after alerts.  Call it
-  // at least twice a second.  A time that goes back, or on by more than a minute, ends what hangs
-  // on time: alerts, past positions, lost targets, AIS targets, a trial.
+  // at least twice a second.  A time that goes back, or on by more than three minutes, ends what
+  // hangs on time: alerts, past positions, lost targets, AIS targets, a trial.
   void update(const OwnSensors& own, std::span<const AisContact> ais, Plotter& plotter);
 
   // As of the last update; orders show in the next one.  The caller fills in spokes_lost, and

@@ -3,6 +3,7 @@
 
 #include "protocol/nmea/alert_sentences.hpp"
 #include "protocol/nmea/radar_sentences.hpp"
+#include "protocol/nmea/tracked_target_data.hpp"
 #include "server/navigation/alert_talker.hpp"
 #include "server/navigation/target_sentences.hpp"
 #include "server/navigation/told_targets.hpp"
@@ -72,6 +73,35 @@ TEST(PlottedTargets, TheDangerousAndTheNearestHaveTheRoom) {
   EXPECT_EQ(targets[0].number, 2u);
   EXPECT_EQ(targets[1].number, 3u);
   EXPECT_EQ(targets[1].status, ToldTarget::Status::alarm);
+}
+
+TEST(PlottedTargets, WhoIsCrowdedOutIsNotLostAndWhoIsToldKeepsHerPlace) {
+  PlottedTargets told(kRange_m, 1, 4s);
+  wire::TargetList list;
+  add(list, 1, 3.0);
+  told.update(list, at_seconds(0));
+  add(list, 2, 2.9);
+  auto targets = told.update(list, at_seconds(2));
+  ASSERT_EQ(targets.size(), 1u);
+  EXPECT_EQ(targets[0].number, 1u) << "the other is hardly nearer";
+  list.mutable_targets(1)->set_range_m(1852.0);
+  targets = told.update(list, at_seconds(4));
+  ASSERT_EQ(targets.size(), 1u);
+  EXPECT_EQ(targets[0].number, 2u);
+  EXPECT_EQ(targets[0].status, ToldTarget::Status::tracking);
+}
+
+TEST(PlottedTargets, MotionThroughTheWaterIsNoTtdsWhichSaysOverGround) {
+  PlottedTargets told(kRange_m, 40, 4s);
+  wire::TargetList list;
+  list.set_stabilisation(wire::STABILISATION_WATER);
+  add(list, 1, 3.0);
+  const auto targets = told.update(list, at_seconds(0));
+  const auto lines = target_sentences(NavigationSentence::ttd, targets, UtcTime{}, 0);
+  const auto ttd = nmea::decode_ttd(nmea::parse_sentence(lines.at(0)).value()).value();
+  ASSERT_EQ(ttd.size(), 1u);
+  EXPECT_FALSE(ttd[0].speed_kn || ttd[0].course_deg);
+  EXPECT_TRUE(ttd[0].range_nm.has_value());
 }
 
 TEST(PlottedTargets, ALostOrCancelledOneIsToldAsLostForAWhile) {
@@ -196,6 +226,9 @@ TEST(AlertTalker, CommandsAcknowledgeAndSilence) {
   EXPECT_EQ(order->acknowledge(0).instance(), 2u);
   command.command = nmea::AlertCommand::silence;
   EXPECT_TRUE(server::order_of(command)->silence());
+  command.key.manufacturer = "ABC";
+  EXPECT_FALSE(server::order_of(command).has_value()) << "another maker's alert";
+  command.key.manufacturer.clear();
   command.command = nmea::AlertCommand::transfer;
   EXPECT_FALSE(server::order_of(command).has_value());
   EXPECT_EQ(server::order_of(nmea::Ack{.number = 44})->acknowledge(0).number(), 3044u);

@@ -39,6 +39,11 @@ class PlottedHost final : public FakeHost {
     return ship;
   }
 
+  // So many turns come again.
+  void go_back(int turns) {
+    next_ -= std::uint64_t{video_.geometry.spokes_per_turn} * static_cast<unsigned>(turns);
+  }
+
   double range_m() const { return kFirst_m - kSpeed_mps * seconds_; }
 
   // A sixteenth of a turn, in all views.

@@ -77,6 +77,16 @@ TEST_F(Service, AViewThatIsClosedAndOpenedAnewBeginsAnew) {
   EXPECT_EQ(service_.targets(0, *view)->targets_size(), 0);
 }
 
+TEST_F(Service, APlotterEndsWithItsView) {
+  const auto view = host_.open_view(0, 0, false, [](VideoChannel& channel) {
+    channel.add_format(kNativeFormat, native_encoder());
+  });
+  const auto wanted = service_.want(0, *view);
+  ASSERT_TRUE(sweep_until([&] { return service_.targets(0, *view) != nullptr; }));
+  host_.close_view(0, *view);
+  ASSERT_TRUE(wait_until([&] { return service_.targets(0, *view) == nullptr; }));
+}
+
 TEST_F(Service, StopsWhileViewsArePlotted) {
   const auto wanted = service_.want(0, 0);
   host_.turn(3);

@@ -72,6 +72,20 @@ TEST_F(Plotting, WithoutAHeadingSpokesAreGivenToNobody) {
   EXPECT_NE(only().state(), wire::TARGET_FROZEN);
 }
 
+// As a playback that stands still does for who joins.
+TEST_F(Plotting, ATurnThatIsSentAgainChangesNothing) {
+  turn(80);
+  ASSERT_EQ(plotter_.list()->targets_size(), 1);
+  const std::uint64_t plots = plotter_.list()->plots();
+  const int alerts = plotter_.list()->alerts_size();
+  host_.go_back(1);
+  turn(1);
+  EXPECT_EQ(plotter_.list()->plots(), plots);
+  ASSERT_EQ(plotter_.list()->targets_size(), 1);
+  EXPECT_EQ(only().number(), 1u);
+  EXPECT_EQ(plotter_.list()->alerts_size(), alerts) << "nothing leapt";
+}
+
 TEST_F(Plotting, OrdersAreAnsweredAtOnce) {
   turn(10);
   wire::TargetOrder order;

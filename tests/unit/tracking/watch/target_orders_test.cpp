@@ -291,5 +291,22 @@ TEST(TargetOrders, AReferenceTargetIsTrackedAndItsMotionKnown) {
   EXPECT_EQ(sea.order(reference).code(), wire::Reply::OK);
 }
 
+TEST(TargetOrders, WhatIsSaidOfALostReferenceEndsWithTheReference) {
+  OneTarget sea;
+  sea.go_on_for(60.0);
+  wire::TargetOrder reference;
+  reference.set_reference(1);
+  ASSERT_EQ(sea.order(reference).code(), wire::Reply::OK);
+  sea.update();
+  sea.sea.targets.clear();
+  sea.go_on_for(120.0);
+  ASSERT_EQ(sea.alerts(3015).size(), 1u);
+  EXPECT_NE(sea.alert(3015).text().find("Reference target 1 is lost"), std::string::npos);
+  reference.set_reference(0);
+  ASSERT_EQ(sea.order(reference).code(), wire::Reply::OK);
+  sea.update();
+  EXPECT_EQ(sea.alerts(3015).size(), 0u);
+}
+
 }  // namespace
 }  // namespace skerry::server

@@ -346,7 +346,7 @@ TEST(TargetWatch, TestTargetsMoveAsTheirTableHasThemAndAlarmNobody) {
 }
 
 TEST(TargetWatch, ALeapOfTimeEndsWhatHangsOnIt) {
-  for (const double leap_s : {-3600.0, 61.0}) {
+  for (const double leap_s : {-3600.0, 181.0}) {
     WatchedSea sea;
     sea.sea.targets = {{straight_way({0.0, 3.0 * kNm}, 180.0, 20.0)}};
     sea.go_on_for(150.0);

@@ -49,6 +49,24 @@ TEST(TargetsAndAis, APairHasOneOutcomeOfATrialByAisWhileTheTrackIsYoung) {
   EXPECT_EQ(sea.list().trial().outcomes(0).target(), 1u);
 }
 
+TEST(TargetsAndAis, AnAlarmEndsWithTheAisTargetThatComesToLieTooFar) {
+  WatchedSea sea;
+  double off_m = 0.0;  // she is put elsewhere
+  const Way way = straight_way({0.0, 4.5 * kNm}, 180.0, 25.0);
+  tell_by_ais(
+      sea, kAlma,
+      [&](double t) {
+        return way(t) + PlanePoint{off_m, 0.0};
+      },
+      180.0, 25.0);
+  sea.go_on_for(5.0);
+  ASSERT_EQ(sea.alert_numbers(), "3044");
+  off_m = 60.0 * kNm;
+  sea.go_on_for(5.0);
+  EXPECT_EQ(sea.ais_target(kAlma), nullptr);
+  EXPECT_EQ(sea.alert_numbers(), "");
+}
+
 TEST(TargetsAndAis, TwoShipsShowTwice) {
   WatchedSea sea;
   sea.sea.targets = {{straight_way({0.0, 4.0 * kNm}, 90.0, 10.0)}};
