@@ -3,31 +3,21 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "tests/bench/plotter/rendered_run.hpp"
+#include "tests/unit/plotter/rendered_run.hpp"
 
 namespace {
 
 using namespace skerry;
 using namespace skerry::server;
-using bench::PlotError;
-using bench::RenderedRadar;
-using bench::RenderedResult;
 
 // MSC.192(79) table 3; a share of the speed where that is more.
 constexpr ScenarioErrors kMsc192After1{11, 1.5, 1.0}, kMsc192After3{3, .8, .3, .5, 5, .5};
 
-// What the plotter is told of the set.
-struct Knowing {
-  bool pulse = false;  // how long the pulse is
-  Plotter::Rule rule(const StandardScenario& scenario, const RenderedRadar& radar) const {
-    Plotter::Rule rule;
-    rule.tracks.acquire = Tracker::Acquire::all;
-    if (pulse)
-      rule.plots.pulse_m =
-          0.5 * echo::kLightSpeed * radar.set.pulse_for(bench::scale_of(scenario)).length_s;
-    return rule;
-  }
-};
+using RuleOf = Plotter::Rule (*)(const StandardScenario&, const RenderedRadar&);
+
+Plotter::Rule rule_as_it_learns(const StandardScenario&, const RenderedRadar&) {
+  return rule_of_all();
+}
 
 struct Row {
   std::vector<double> track, line;  // 95 of 100 are within
@@ -35,12 +25,12 @@ struct Row {
 };
 
 Row row_of(const StandardScenario& scenario, double minutes, int runs, const RenderedRadar& radar,
-           const Knowing& knowing) {
+           RuleOf rule_of) {
   Row row;
   std::vector<RenderedResult> results;
   for (int i = 0; i < runs; ++i) {
-    results.push_back(bench::rendered_run(scenario, minutes, static_cast<std::uint64_t>(i) + 1,
-                                          radar, knowing.rule(scenario, radar)));
+    results.push_back(rendered_run(scenario, minutes, static_cast<std::uint64_t>(i) + 1, radar,
+                                   rule_of(scenario, radar)));
     row.turns += results.back().turns;
     row.passings += static_cast<int>(minutes * radar.set.rpm) + 1;
     row.pieces += results.back().pieces;
@@ -131,7 +121,7 @@ Spread spread_of(const std::vector<RenderedResult>& results, double PlotError::*
 }
 
 // What echo and extraction do to a plot, in the geometry of each scenario.
-void print_plots(int runs, RenderedRadar radar, const Knowing& knowing) {
+void print_plots(int runs, RenderedRadar radar, RuleOf rule_of) {
   std::printf(
       "\nplots against the middle of the hull, 3 min   along the range, m                      "
       "across, deg\n%-26s   mean  drift/min  sigma   told  corr.     mean  drift/min  sigma   told "
@@ -144,8 +134,8 @@ void print_plots(int runs, RenderedRadar radar, const Knowing& knowing) {
       const StandardScenario& scenario = kStandardScenarios[s];
       std::vector<RenderedResult> results;
       for (int i = 0; i < runs; ++i)
-        results.push_back(bench::rendered_run(scenario, 3.0, static_cast<std::uint64_t>(i) + 1,
-                                              radar, knowing.rule(scenario, radar)));
+        results.push_back(rendered_run(scenario, 3.0, static_cast<std::uint64_t>(i) + 1, radar,
+                                       rule_of(scenario, radar)));
       const Spread along =
           spread_of(results, &PlotError::far_m, &PlotError::range_sigma_m, radar.set.rpm);
       const Spread across =
@@ -168,13 +158,14 @@ int main(int argc, char** argv) {
   app.add_option("--runs", runs, "Of each scenario")->check(CLI::Range(1, 100'000));
   app.add_option("--spokes", radar.spokes, "A turn")->check(CLI::Range(512, 8192));
   app.add_option("--cells", radar.cells, "A spoke")->check(CLI::Range(256, 4096));
-  Knowing knowing;
-  app.add_flag("--pulse-known", knowing.pulse, "The plotter does not learn how long the pulse is");
+  bool pulse_known = false;
+  app.add_flag("--pulse-known", pulse_known, "The plotter does not learn how long the pulse is");
   CLI11_PARSE(app, argc, argv);
+  const RuleOf rule_of = pulse_known ? rule_knowing_the_pulse : rule_as_it_learns;
   std::printf("%-33s rel.course  rel.speed         CPA        TCPA      course       speed\n", "");
   std::printf("%-33s        deg          kn          NM         min         deg          kn\n", "");
   for (std::size_t s = 0; s < kStandardScenarios.size(); ++s)
     for (const double minutes : {1.0, 3.0})
-      print(s, minutes, row_of(kStandardScenarios[s], minutes, runs, radar, knowing));
-  print_plots(std::min(runs, 50), radar, knowing);
+      print(s, minutes, row_of(kStandardScenarios[s], minutes, runs, radar, rule_of));
+  print_plots(std::min(runs, 50), radar, rule_of);
 }

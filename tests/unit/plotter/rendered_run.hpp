@@ -9,7 +9,7 @@
 #include "server/plotter/plotter.hpp"
 #include "tests/unit/plotter/standard_scenarios.hpp"
 
-namespace skerry::bench {
+namespace skerry::server {
 
 // Where the errors of the sensors come from:
 //   by the echo: how a hull of 200 m by 30 m glints and fades, the beam, the pulse, noise, the
@@ -28,7 +28,11 @@ struct RenderedRadar {
 };
 
 // The range scale that it is seen on.
-RangeScale scale_of(const server::StandardScenario& scenario);
+RangeScale scale_of(const StandardScenario& scenario);
+
+// Everything is acquired; and the plotter is told how long the pulse is, instead of learning it.
+Plotter::Rule rule_of_all();
+Plotter::Rule rule_knowing_the_pulse(const StandardScenario& scenario, const RenderedRadar& radar);
 
 // A plot of the target against where her middle was.
 struct PlotError {
@@ -46,8 +50,7 @@ struct RenderedResult {
 
 // From `minutes` before the scenario's end, with errors of this seed.  Rendered is a sector of 15
 // deg on either side of the target; other spokes are empty.
-RenderedResult rendered_run(const server::StandardScenario& scenario, double minutes,
-                            std::uint64_t seed, const RenderedRadar& radar,
-                            const server::Plotter::Rule& rule);
+RenderedResult rendered_run(const StandardScenario& scenario, double minutes, std::uint64_t seed,
+                            const RenderedRadar& radar, const Plotter::Rule& rule);
 
-}  // namespace skerry::bench
+}  // namespace skerry::server

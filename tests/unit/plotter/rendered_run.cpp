@@ -1,4 +1,4 @@
-#include "tests/bench/plotter/rendered_run.hpp"
+#include "tests/unit/plotter/rendered_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,35 +8,32 @@
 #include "echo/spoke_renderer.hpp"
 #include "tests/scenes/scenes.hpp"
 
-namespace skerry::bench {
+namespace skerry::server {
 namespace {
 
-using namespace skerry::server;
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoll_s = 12.0, kRoll_deg = 10.0;
 constexpr double kSector_deg = 15.0;  // on either side of the target
 constexpr double kNear_m = 600.0;     // a plot of hers is no farther off
 constexpr double kNearTrack_m = 1000.0;
 constexpr GeoPoint kBegin{56.3, 4.2};
 
-PlanePoint way(double course_deg, double speed_kn) {
+PlanePoint motion_of(double course_deg, double speed_kn) {
   const double a = course_deg / kDegreesPerRadian, v = speed_kn * 1852.0 / 3600.0;
   return {v * std::sin(a), v * std::cos(a)};
 }
 
-PlanePoint polar(double bearing_deg, double range_m) {
-  return way(bearing_deg, range_m * 3600.0 / 1852.0);
+PlanePoint place_at(double bearing_deg, double range_m) {
+  return motion_of(bearing_deg, range_m * 3600.0 / 1852.0);
 }
 
-double bearing_of(PlanePoint off) {
+double degrees_of(PlanePoint off) {
   return std::atan2(off.east_m, off.north_m) * kDegreesPerRadian;
 }
 
 // What gyro, log and antenna tell wrongly.
-class Sensors {
+class FaultySensors {
  public:
-  Sensors(double own_speed_kn, std::uint64_t seed, bool errors)
+  FaultySensors(double own_speed_kn, std::uint64_t seed, bool errors)
       : own_speed_kn_(own_speed_kn), errors_(errors), state_(seed * 977 + 5) {
     if (!errors_) return;
     constant_deg_ = next_share(state_) < 0.5 ? 0.5 : -0.5;
@@ -53,7 +50,7 @@ class Sensors {
   // By how much a bearing told is more than the true one.
   double bearing_error_deg() const { return gyro_deg_ + antenna_deg_; }
   // Own ship's motion as gyro and log have it.
-  PlanePoint velocity() const { return way(gyro_deg_, own_speed_kn_ + log_kn_); }
+  PlanePoint velocity() const { return motion_of(gyro_deg_, own_speed_kn_ + log_kn_); }
 
  private:
   double own_speed_kn_;
@@ -64,7 +61,7 @@ class Sensors {
 };
 
 // Places by time, and the straight line through them.
-class Line {
+class PlotLine {
  public:
   void add(double t, PlanePoint at) {
     ++n_;
@@ -87,13 +84,13 @@ class Line {
 
 // A sea with nothing but the target, around own ship who lies still: the target moves relative to
 // her, which is all that the echo can tell.
-class Sea {
+class RenderedSea {
  public:
-  Sea(const StandardScenario& scenario, std::uint64_t seed, RangeScale scale,
-      const ScanGeometry& geometry, bool roll, double end_s)
+  RenderedSea(const StandardScenario& scenario, std::uint64_t seed, RangeScale scale,
+              const ScanGeometry& geometry, bool roll, double end_s)
       : end_s_(end_s),
-        end_(polar(scenario.bearing_deg, scenario.range_nm * 1852.0)),
-        motion_(way(scenario.relative_course_deg, scenario.relative_speed_kn)) {
+        end_(place_at(scenario.bearing_deg, scenario.range_nm * 1852.0)),
+        motion_(motion_of(scenario.relative_course_deg, scenario.relative_speed_kn)) {
     scene_ = std::make_shared<echo::Scene>(*scenes::scene_at(
         scenes::made_up_chart(kBegin, scale.length() * 1.3, 0, 7), kBegin, scale, geometry));
     scene_->seed = seed;
@@ -123,10 +120,10 @@ class Sea {
 };
 
 // Own ship's heading is north, so bearings are relative ones too.
-class Run {
+class ScenarioOnVideo {
  public:
-  Run(const StandardScenario& scenario, double minutes, std::uint64_t seed,
-      const RenderedRadar& radar, const Plotter::Rule& rule)
+  ScenarioOnVideo(const StandardScenario& scenario, double minutes, std::uint64_t seed,
+                  const RenderedRadar& radar, const Plotter::Rule& rule)
       : scenario_(scenario),
         radar_(radar),
         geometry_{radar.spokes, radar.cells, 8},
@@ -186,7 +183,7 @@ class Run {
     reckoned_ = reckoned_ + sensors_.velocity() * clock_.seconds_per_spoke();
     reckoned_s_ += clock_.seconds_per_spoke();
     spoke_.cells.assign(radar_.cells, 0);
-    const double off_deg = std::remainder(antenna_deg - bearing_of(sea_.target(t)), 360.0);
+    const double off_deg = std::remainder(antenna_deg - degrees_of(sea_.target(t)), 360.0);
     const bool seen = std::fabs(off_deg) <= kSector_deg;
     // Where nothing is seen a place now and then will do.
     if (seen || n % kBlock == 0) header.own_ship = plane_.to_geo(reckoned_);
@@ -198,7 +195,7 @@ class Run {
   void take_plots() {
     for (const Plot& plot : plotter_.new_plots()) {
       const PlanePoint truly = sea_.target(in_seconds(plot.time.time_since_epoch()));
-      const PlanePoint told = polar(plot.bearing.in_degrees(), plot.range_m);
+      const PlanePoint told = place_at(plot.bearing.in_degrees(), plot.range_m);
       if (length_of(told - truly) > kNear_m) continue;
       ++result_.pieces;
       if (!best_ || plot.cells > best_->cells) best_ = plot;
@@ -212,10 +209,10 @@ class Run {
     --result_.pieces;
     const double t = in_seconds(best_->time.time_since_epoch());
     const PlanePoint truly = sea_.target(t);
-    const PlanePoint told = polar(best_->bearing.in_degrees(), best_->range_m);
+    const PlanePoint told = place_at(best_->bearing.in_degrees(), best_->range_m);
     line_.add(t - end_s_, told);
     const double turn =
-        (best_->bearing - TrueBearing::from(degrees(bearing_of(truly)))).in_radians();
+        (best_->bearing - TrueBearing::from(degrees(degrees_of(truly)))).in_radians();
     result_.plots.push_back({best_->range_m - length_of(truly), turn * length_of(truly),
                              best_->range_sigma_m, best_->bearing_sigma_rad * best_->range_m});
     best_.reset();
@@ -226,7 +223,7 @@ class Run {
     std::optional<PlottedTrack> nearest;
     double least_m = kNearTrack_m;
     for (const PlottedTrack& track : plotter_.tracks()) {
-      const double off_m = length_of(polar(track.bearing.in_degrees(), track.range_m) - truly);
+      const double off_m = length_of(place_at(track.bearing.in_degrees(), track.range_m) - truly);
       ++result_.false_tracks;
       if (off_m >= least_m) continue;
       least_m = off_m;
@@ -240,7 +237,7 @@ class Run {
     PlottedTrack told;
     told.relative_velocity_mps = line_.velocity();
     told.range_m = length_of(line_.at(0.0));
-    told.bearing = TrueBearing::from(degrees(bearing_of(line_.at(0.0))));
+    told.bearing = TrueBearing::from(degrees(degrees_of(line_.at(0.0))));
     told.velocity_mps = line_.velocity() + reckoned_ * (1.0 / reckoned_s_);
     result_.line = errors_of(scenario_, told);
   }
@@ -254,16 +251,16 @@ class Run {
   std::uint64_t turns_, last_;
   echo::SpokeClock clock_;
   double end_s_;
-  Sea sea_;
+  RenderedSea sea_;
   echo::SpokeRenderer renderer_;
-  Sensors sensors_;
+  FaultySensors sensors_;
   Plotter plotter_;
   echo::LocalPlane plane_{kBegin};
   PlanePoint reckoned_;  // own ship's place by gyro and log
   double reckoned_s_ = 0.0;
   Spoke spoke_;
   std::optional<Plot> best_;
-  Line line_;
+  PlotLine line_;
   RenderedResult result_;
 };
 
@@ -273,9 +270,21 @@ RangeScale scale_of(const StandardScenario& scenario) {
   return *RangeScale::find(scenario.range_nm > 3.0 ? 12.0 : 3.0);
 }
 
-RenderedResult rendered_run(const StandardScenario& scenario, double minutes, std::uint64_t seed,
-                            const RenderedRadar& radar, const Plotter::Rule& rule) {
-  return Run(scenario, minutes, seed, radar, rule).result();
+Plotter::Rule rule_of_all() {
+  Plotter::Rule rule;
+  rule.tracks.acquire = Tracker::Acquire::all;
+  return rule;
 }
 
-}  // namespace skerry::bench
+Plotter::Rule rule_knowing_the_pulse(const StandardScenario& scenario, const RenderedRadar& radar) {
+  Plotter::Rule rule = rule_of_all();
+  rule.plots.pulse_m = 0.5 * echo::kLightSpeed * radar.set.pulse_for(scale_of(scenario)).length_s;
+  return rule;
+}
+
+RenderedResult rendered_run(const StandardScenario& scenario, double minutes, std::uint64_t seed,
+                            const RenderedRadar& radar, const Plotter::Rule& rule) {
+  return ScenarioOnVideo(scenario, minutes, seed, radar, rule).result();
+}
+
+}  // namespace skerry::server
