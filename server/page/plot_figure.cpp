@@ -88,12 +88,18 @@ class Plot {
           kLeft, y(value), kPlotWidth - kRight, kLeft - 5.0, y(value) + 4.0,
           std::fabs(value) < 1e-9 ? 0.0 : value);
     }
-    const double step = time_tick(frame_.end_s, 10);
+    const bool time = frame_.along.empty();
+    const double step = time ? time_tick(frame_.end_s, 10) : value_tick(frame_.end_s, 10);
     for (double at = 0.0; at <= frame_.end_s + 1e-6; at += step) {
       out += fmt::format(
           "<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>"
           "<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-          x(at), kTop, bottom, x(at), bottom + 14.0, clock_text(at));
+          x(at), kTop, bottom, x(at), bottom + 14.0,
+          time ? clock_text(at) : fmt::format("{:g}", at));
+    }
+    if (!time) {
+      out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+                         kPlotWidth - kRight + 8.0, bottom + 14.0, escaped(frame_.along));
     }
     out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", kLeft, kTop,
                        bottom, kPlotWidth - kRight);

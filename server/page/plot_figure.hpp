@@ -25,7 +25,8 @@ struct PlotMark {
 
 struct PlotFrame {
   std::string title, unit;
-  double end_s = 0.0;  // from 0
+  std::string along;   // what the axis along is; empty: a time
+  double end_s = 0.0;  // of that axis, from 0
   double height_px = 130.0;
   std::optional<double> least, most;  // of the values; without: what the curves have
   double least_span = 1.0;            // of the values' axis
