@@ -1,4 +1,4 @@
-// The four scenarios of A.823(19) on rendered video, in short; rendered_scenarios_bench has 500
+// The four scenarios of A.823(19) on rendered video, in short; rendered_scenarios has 500
 // runs of each.
 #include <gtest/gtest.h>
 
