@@ -228,8 +228,8 @@ std::string outputs(const wire::Status& status) {
     const std::string& at =
         output.interface_address().empty() ? output.address() : output.interface_address();
     out += fmt::format("{:<18} {:<15} {:>5} {:>4} {:>10} {:>9} {:>8.1f} {:>6} {:>8} {:>8} {}\n",
-                       printable(output.name(), 18), printable(at, 15),
-                       output.radar(), output.view(), output.datagrams(), output.reports(),
+                       printable(output.name(), 18), printable(at, 15), output.radar(),
+                       output.view(), output.datagrams(), output.reports(),
                        static_cast<double>(output.bytes()) / (1 << 20),
                        output.spokes_lost() + output.datagrams_unsent(), output.commands(),
                        output.commands_refused() + output.commands_dropped(),
