@@ -150,7 +150,7 @@ TEST_F(KnownTargetsTest, APlotterThatBeginsAnewHasOtherTargets) {
 
 TEST_F(KnownTargetsTest, ListsWithoutEndAreBounded) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (std::uint32_t second = 0; second < 100; ++second) {
+  for (std::uint32_t second = 0; second < 4; ++second) {
     wire::TargetList list;
     for (std::uint32_t k = 0; k < 1000; ++k) {
       wire::Target& target = add_target(list, 1 + 1000 * second + k);
@@ -165,7 +165,7 @@ TEST_F(KnownTargetsTest, ListsWithoutEndAreBounded) {
   const KnownView view = known_.finish();
   EXPECT_EQ(view.targets.size(), KnownTargets::kMostTargets);
   EXPECT_EQ(view.alerts.size(), KnownTargets::kMostAlerts);
-  EXPECT_EQ(view.left_out, 2 * 98'000u);
+  EXPECT_EQ(view.left_out, 2 * 2'000u);
   EXPECT_LE(view.alerts[0].text.size(), kLongestText);
   EXPECT_GE(*view.targets[0].least_cpa_nm, 0.0);
 }
