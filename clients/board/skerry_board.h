@@ -120,8 +120,8 @@ SKB_API int32_t skb_read_register64(skb_board* board, uint32_t address, uint64_t
 SKB_API int32_t skb_read_registers(skb_board* board, const uint32_t* addresses, uint32_t* values,
                                    size_t count);
 
-// Reads a register by name, e.g. "PRF_MILLIHERTZ", letters of either case.  A 64-bit value has its name without
-// _LOW: "CLOCKS", "LATCHED_UTC_NS".  A signed register's value is signed.
+// Reads a register by name, e.g. "PRF_MILLIHERTZ", letters of either case.  A 64-bit value has its
+// name without _LOW: "CLOCKS", "LATCHED_UTC_NS".  A signed register's value is signed.
 SKB_API int32_t skb_read_named(skb_board* board, const char* name, int64_t* value);
 SKB_API int32_t skb_write_named(skb_board* board, const char* name, int64_t value);
 // Needs no board.

@@ -208,8 +208,8 @@ SKERRY_ECHO_API int32_t skerry_echo_coast_refine(skerry_echo_coast* coast, doubl
                                                  double longitude_deg, double range_m,
                                                  double cell_m, double spoke_deg);
 
-// The coast refined last: runs of vertices, LAND ON THE LEFT of each.  A closed shoreline is one run
-// or several; one that is cut by the range ends there.
+// The coast refined last: runs of vertices, LAND ON THE LEFT of each.  A closed shoreline is one
+// run or several; one that is cut by the range ends there.
 typedef struct skerry_echo_picture {
   uint32_t struct_size;   // set by the caller
   int32_t centre_ashore;  // 1: the place it was refined around lies on land
@@ -279,8 +279,9 @@ SKERRY_ECHO_API int32_t skerry_echo_radar_create(skerry_echo_coast* coast,
 SKERRY_ECHO_API int32_t skerry_echo_radar_set_controls(skerry_echo_radar* radar, double range_nm,
                                                        double gain, double sea, double rain);
 
-// The water's state, which moves a sandy coast's edge and texture; both 0 at first.  water_level_m: over the level
-// of the charted coastline (high water), -17 to 15.  wave_height_m: significant, 0 to 15.
+// The water's state, which moves a sandy coast's edge and texture; both 0 at first.  water_level_m:
+// over the level of the charted coastline (high water), -17 to 15.  wave_height_m: significant, 0
+// to 15.
 SKERRY_ECHO_API int32_t skerry_echo_radar_set_sea(skerry_echo_radar* radar, double water_level_m,
                                                   double wave_height_m);
 
@@ -315,8 +316,8 @@ typedef struct skerry_echo_target {
 SKERRY_ECHO_API int32_t skerry_echo_own_ship_defaults(skerry_echo_own_ship* ship, size_t size);
 SKERRY_ECHO_API int32_t skerry_echo_target_defaults(skerry_echo_target* target, size_t size);
 
-// Places of everything at time_ns (-1e18 to 1e18, nanoseconds since the antenna's start).  Motion is
-// carried on from there, so a scene serves the spokes of a second or two around its time (see
+// Places of everything at time_ns (-1e18 to 1e18, nanoseconds since the antenna's start).  Motion
+// is carried on from there, so a scene serves the spokes of a second or two around its time (see
 // render); set one 5 to 20 times a second.  targets: an array, all of one struct_size, which is the
 // distance from one to the next; NULL for count 0; at most 10 000.  Reads the chart and refines the
 // coast where the own ship has left what is at hand (some ms to some 100 ms every few miles), and

@@ -98,8 +98,8 @@ int main(int argc, char** argv) {
     const double sailed = own.speed_mps * (double)time_ns * 1e-9;
     skerry_echo_own_ship now = own;
     now.latitude_deg += sailed * cos(own.course_deg / 57.295779513) / 111120.0;
-    now.longitude_deg += sailed * sin(own.course_deg / 57.295779513) /
-                         (111120.0 * cos(latitude / 57.295779513));
+    now.longitude_deg +=
+        sailed * sin(own.course_deg / 57.295779513) / (111120.0 * cos(latitude / 57.295779513));
     skerry_echo_target there = ship;
     there.longitude_deg -=
         ship.speed_mps * (double)time_ns * 1e-9 / (111120.0 * cos(latitude / 57.295779513));

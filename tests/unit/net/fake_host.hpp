@@ -226,23 +226,28 @@ class FakeHost : public RadarHost {
   }
 
   // The next sector of the radar, the same in all its views but for their number.
-  void publish(std::uint32_t radar = 0) {
+  void publish(std::uint32_t radar = 0) { publish_at_once(1, radar); }
+  // So many of them, made before the first is published: as fast as a ring takes them.
+  void publish_at_once(std::size_t sectors, std::uint32_t radar = 0) {
     std::map<std::uint32_t, VideoChannelPtr> channels;
     {
       const std::lock_guard lock(mutex_);
       channels = radars_[radar]->channels;
     }
     for (const auto& [view, channel] : channels) {
-      Sector sector;
-      for (std::uint32_t i = 0; i < kSectorSpokes; ++i) {
-        Spoke made = spoke(radar, radars_[radar]->published + i);
-        made.header.view = view;
-        made.header.instrumented_range = metres(reach_of(radar, view));
-        sector.spokes.push_back(std::make_shared<const Spoke>(std::move(made)));
+      std::vector<Sector> made(sectors);
+      std::uint64_t sequence = radars_[radar]->published;
+      for (Sector& sector : made) {
+        for (std::uint32_t i = 0; i < kSectorSpokes; ++i) {
+          Spoke next = spoke(radar, sequence++);
+          next.header.view = view;
+          next.header.instrumented_range = metres(reach_of(radar, view));
+          sector.spokes.push_back(std::make_shared<const Spoke>(std::move(next)));
+        }
       }
-      channel->publish(sector);
+      for (const Sector& sector : made) channel->publish(sector);
     }
-    radars_[radar]->published += kSectorSpokes;
+    radars_[radar]->published += sectors * kSectorSpokes;
   }
   // Spokes.  Thread: the publishing one.
   std::uint64_t published(std::uint32_t radar = 0) const { return radars_[radar]->published; }
