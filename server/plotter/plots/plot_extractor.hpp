@@ -63,14 +63,16 @@ class PlotExtractor {
   void take_blobs(std::vector<Plot>& out);
   // Makes a plot of cells of a blob, unless they are too little or below a bar.  `only_below`: does
   // nothing if it would tell one, and says so by false.
+  // `whole` is the shape of all of the blob.
   bool take(const Blob& blob, const std::vector<BlobCell>& cells, const Shape& shape,
-            bool only_below, std::vector<Plot>& out);
-  Plot plot_of(const Blob& blob, const Shape& shape);
+            const Shape& whole, bool only_below, std::vector<Plot>& out);
+  Plot plot_of(const Blob& blob, const Shape& shape, const Shape& whole);
   void add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended);
 
   Rule rule_;
   double beam_rad_;
   PulseLength pulse_;
+  double turns_ = 0.0;  // that the rows so far make
   RowMaker rows_;
   LocalThreshold threshold_;
   BlobBuilder builder_;
