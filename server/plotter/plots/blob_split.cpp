@@ -70,9 +70,13 @@ std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most, Scra
 }  // namespace
 
 std::vector<Cells> split(const Blob& blob, double valley) {
-  std::vector<Cells> parts{blob.cells};
+  std::vector<Cells> parts;
   if (blob.extended) return parts;
   Scratch scratch;
+  if (auto two = cut(blob.cells, valley, scratch)) {
+    parts.push_back(std::move(two->first));
+    parts.push_back(std::move(two->second));
+  }
   for (std::size_t i = 0; i < parts.size() && parts.size() < kMostParts;) {
     auto two = cut(parts[i], valley, scratch);
     if (!two) {

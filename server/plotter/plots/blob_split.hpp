@@ -9,7 +9,8 @@ namespace skerry::server {
 
 // Cuts a blob across rows or across cells, wherever the sum of its levels over the threshold falls
 // below `valley` of the lower one of two peaks beside it; the parts again, at most eight in all.
-// An extended blob is not cut.  Cells keep their order; rows stay those of the blob.
+// An extended blob is not cut.  Cells keep their order; rows stay those of the blob.  Empty:
+// nothing is cut, the blob is its only part.
 std::vector<std::vector<BlobCell>> split(const Blob& blob, double valley = 0.6);
 
 }  // namespace skerry::server

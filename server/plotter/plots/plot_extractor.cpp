@@ -149,7 +149,9 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
     }
     // What is below a bar as a whole is not told apart.
     if (take(blob, blob.cells, shape, shape, true, out)) continue;
-    for (const std::vector<BlobCell>& cells : split(blob, rule_.valley))
+    const auto parts = split(blob, rule_.valley);
+    if (parts.empty()) take(blob, blob.cells, shape, shape, false, out);
+    for (const std::vector<BlobCell>& cells : parts)
       take(blob, cells, Shape(cells), shape, false, out);
   }
   builder_.give_back(blobs_);
@@ -187,8 +189,9 @@ bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, c
 // is less sure.
 Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape, const Shape& whole) {
   const Coordinate across = shape.across(), along = shape.along();
-  const double off_rows = across.mean - whole.across().mean;
-  const double off_cells = along.mean - whole.along().mean;
+  const bool part = &shape != &whole;
+  const double off_rows = part ? across.mean - whole.across().mean : 0.0;
+  const double off_cells = part ? along.mean - whole.along().mean : 0.0;
   const auto middle = static_cast<std::size_t>(across.mean + 0.5);
   const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
   Plot plot;
