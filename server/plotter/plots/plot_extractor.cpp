@@ -5,8 +5,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "server/plotter/plots/blob_split.hpp"
-
 namespace skerry::server {
 namespace {
 
@@ -149,7 +147,7 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
     }
     // What is below a bar as a whole is not told apart.
     if (take(blob, blob.cells, shape, shape, true, out)) continue;
-    const auto parts = split(blob, rule_.valley);
+    const auto parts = split(blob, rule_.valley, scratch_);
     if (parts.empty()) take(blob, blob.cells, shape, shape, false, out);
     for (const std::vector<BlobCell>& cells : parts)
       take(blob, cells, Shape(cells), shape, false, out);

@@ -6,6 +6,7 @@
 
 #include "protocol/video/spoke.hpp"
 #include "server/plotter/plots/blob_builder.hpp"
+#include "server/plotter/plots/blob_split.hpp"
 #include "server/plotter/plots/land_map.hpp"
 #include "server/plotter/plots/local_threshold.hpp"
 #include "server/plotter/plots/plot.hpp"
@@ -79,6 +80,7 @@ class PlotExtractor {
   LandMap land_;
   std::vector<Run> runs_;
   std::vector<Blob> blobs_;
+  SplitScratch scratch_;
   Counts counts_;
 };
 
