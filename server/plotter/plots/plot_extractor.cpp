@@ -183,13 +183,12 @@ bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, c
   return true;
 }
 
-// A part of a blob may be a half of one hull, whose middle is then the whole blob's: by so much it
-// is less sure.
+// A part of a blob may be a half of one hull, whose middle is then the whole blob's: by so much its
+// range is less sure.  Not its bearing: of two ships that lie abreast, and of side lobes, a part
+// that is so unsure agrees with too much.
 Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape, const Shape& whole) {
   const Coordinate across = shape.across(), along = shape.along();
-  const bool part = &shape != &whole;
-  const double off_rows = part ? across.mean - whole.across().mean : 0.0;
-  const double off_cells = part ? along.mean - whole.along().mean : 0.0;
+  const double off_cells = &shape != &whole ? along.mean - whole.along().mean : 0.0;
   const auto middle = static_cast<std::size_t>(across.mean + 0.5);
   const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
   Plot plot;
@@ -203,8 +202,7 @@ Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape, const Shape& w
   // The pulse lies behind what it shows.
   const double pulse_m = std::min(pulse_.of(blob.cell_m), long_m);
   plot.range_m = std::max((along.mean + 0.5) * blob.cell_m - 0.5 * pulse_m, 0.5 * blob.cell_m);
-  plot.bearing_sigma_rad =
-      std::sqrt(across.sigma * across.sigma + off_rows * off_rows) * blob.row_width_rad;
+  plot.bearing_sigma_rad = across.sigma * blob.row_width_rad;
   plot.range_sigma_m = std::sqrt(along.sigma * along.sigma + off_cells * off_cells) * blob.cell_m;
   plot.length_m = long_m - pulse_m;
   const double point =
