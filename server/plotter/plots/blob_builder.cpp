@@ -87,7 +87,7 @@ std::size_t BlobBuilder::take_free() {
   Open& open = open_[taken];
   open.cells.clear();
   open.first = open.last = next_;
-  open.extended = open.cut = false;
+  open.extended = open.cut = open.joined = false;
   open.used = true;
   return taken;
 }
@@ -110,6 +110,7 @@ void BlobBuilder::join(std::size_t into, std::size_t from, std::vector<Blob>& ou
       shift(cell, gone.first);
       to.cells.push_back(cell);
     }
+    to.joined = true;
     to.first = first;
     to.last = std::max(to.last, gone.last);
   }
@@ -131,10 +132,12 @@ void BlobBuilder::put(Open& open, const VideoRow& row, const Run& run,
   if (open.cells.empty()) open.first = next_;
   open.last = next_;
   const auto place = static_cast<std::uint16_t>(next_ - open.first);
+  const std::size_t before = open.cells.size();
+  open.cells.resize(before + (run.end - run.first));
+  BlobCell* to = open.cells.data() + before;
   for (std::uint32_t i = run.first; i < run.end; ++i) {
     const int over = row.levels[i] - thresholds[i / LocalThreshold::kBlock];
-    open.cells.push_back(
-        {place, static_cast<std::uint16_t>(i), row.levels[i], static_cast<std::uint8_t>(over)});
+    *to++ = {place, static_cast<std::uint16_t>(i), row.levels[i], static_cast<std::uint8_t>(over)};
   }
 }
 
@@ -144,7 +147,8 @@ void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
     open.cells.clear();
     return;
   }
-  put_in_order(open.cells);
+  if (open.joined) put_in_order(open.cells);
+  open.joined = false;
   Blob blob;
   if (!spare_.empty()) {
     blob = std::move(spare_.back());
@@ -161,8 +165,7 @@ void BlobBuilder::cut_off(Open& open, std::vector<Blob>& out) {
   out.push_back(std::move(blob));
 }
 
-// By row, then by cell.  They are, but where blobs were joined: then by counting, since large ones
-// are joined of many.
+// By counting, since large ones are joined of many.
 void BlobBuilder::put_in_order(std::vector<BlobCell>& cells) {
   const auto before = [](const BlobCell& a, const BlobCell& b) {
     return a.row != b.row ? a.row < b.row : a.cell < b.cell;

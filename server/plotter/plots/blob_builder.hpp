@@ -72,6 +72,7 @@ class BlobBuilder {
     std::uint64_t first = 0;      // rows are numbered as they come
     std::uint64_t last = 0;       // that added to it
     bool extended = false, cut = false, used = false;
+    bool joined = false;  // of several: its cells are perhaps in no order
   };
   struct OwnedRun {
     Run run;
@@ -85,6 +86,7 @@ class BlobBuilder {
            std::span<const std::uint8_t> thresholds, std::vector<Blob>& out);
   // Appends what it has, unless that is nothing or too little.
   void cut_off(Open& open, std::vector<Blob>& out);
+  // By row, then by cell.
   void put_in_order(std::vector<BlobCell>& cells);
   void end(std::size_t open, std::vector<Blob>& out);
 

@@ -38,11 +38,7 @@ std::optional<Valley> deepest(const std::vector<std::uint32_t>& profile, std::ui
   return best;
 }
 
-struct Scratch {
-  std::vector<std::uint32_t> rows, cells, after;
-};
-
-std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most, Scratch& scratch) {
+std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most, SplitScratch& scratch) {
   const std::uint16_t first_row = cells.front().row;  // they come by row
   std::uint16_t nearest = 0xffff, farthest = 0;
   for (const BlobCell& cell : cells) {
@@ -69,10 +65,13 @@ std::optional<std::pair<Cells, Cells>> cut(const Cells& cells, double most, Scra
 
 }  // namespace
 
-std::vector<Cells> split(const Blob& blob, double valley) {
-  std::vector<Cells> parts{blob.cells};
+std::vector<Cells> split(const Blob& blob, double valley, SplitScratch& scratch) {
+  std::vector<Cells> parts;
   if (blob.extended) return parts;
-  Scratch scratch;
+  if (auto two = cut(blob.cells, valley, scratch)) {
+    parts.push_back(std::move(two->first));
+    parts.push_back(std::move(two->second));
+  }
   for (std::size_t i = 0; i < parts.size() && parts.size() < kMostParts;) {
     auto two = cut(parts[i], valley, scratch);
     if (!two) {

@@ -36,6 +36,12 @@ int bits_of(std::uint32_t history) {
 
 int spans_of(std::uint32_t stood) { return bits_of(stood & 0xffffu) + bits_of(stood >> 16); }
 
+// Rounded down.  std::floor() calls a function where the processor need not have it.
+std::int32_t floor_of(double value) {
+  const auto whole = static_cast<std::int32_t>(value);
+  return whole - (value < whole ? 1 : 0);
+}
+
 // Of the eight directions, the one in which that cell lies.
 unsigned direction_of(int east, int north) {
   const unsigned quarter = north >= 0 ? (east > 0 ? 0u : 1u) : (east < 0 ? 2u : 3u);
@@ -87,8 +93,7 @@ PlanePoint LandMap::ground(const GeoPoint& own_ship) const {
 
 LandMap::Place LandMap::place_of(PlanePoint ground) const {
   // Within kFarthest, half the Earth's girth and a reach of the origin: far inside of 32 bits.
-  return {static_cast<std::int32_t>(std::floor(ground.east_m / cell_m_)),
-          static_cast<std::int32_t>(std::floor(ground.north_m / cell_m_))};
+  return {floor_of(ground.east_m / cell_m_), floor_of(ground.north_m / cell_m_)};
 }
 
 std::size_t LandMap::index_of(Place place) {
@@ -152,12 +157,18 @@ LandMap::Square LandMap::square_now(Place place) const {
 }
 
 int LandMap::new_plots_near(Place place) const {
-  int count = 0;
-  for (int north = -kSquare; north <= kSquare; north += kSquare)
-    for (int east = -kSquare; east <= kSquare; east += kSquare)
-      for (const std::uint8_t each : square_now({place.east + east, place.north + north}).new_plots)
-        count += each;
-  return count;
+  unsigned count = 0;
+  for (int north = -kSquare; north <= kSquare; north += kSquare) {
+    for (int east = -kSquare; east <= kSquare; east += kSquare) {
+      const Place at{place.east + east, place.north + north};
+      const Square& square = squares_[square_of(at)];
+      const std::uint32_t turns = turn_ - square.turn;
+      if (square.where != where_of(at)) continue;
+      for (std::size_t i = turns; i < square.new_plots.size(); ++i)
+        count += square.new_plots[i - turns];
+    }
+  }
+  return static_cast<int>(count);
 }
 
 void LandMap::raise(Place place) {

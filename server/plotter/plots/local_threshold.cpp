@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
@@ -35,6 +36,17 @@ void measure_rest(std::span<const std::uint8_t> cells, std::int16_t& mean, std::
     off += std::max(cell * count, sum) - std::min(cell * count, sum);
   mean = static_cast<std::int16_t>(sum * kFine / count);
   deviation = static_cast<std::int16_t>(off * kFine / (count * count));
+}
+
+// Bit i is set where cells[i] > threshold; of up to a block's.
+std::uint32_t cells_above(const std::uint8_t* cells, std::size_t count, std::uint8_t threshold) {
+  std::uint32_t above = 0;
+  if (count == kBlockCells) {
+    for (std::size_t i = 0; i < kBlockCells; ++i) above |= (cells[i] > threshold ? 1u : 0u) << i;
+  } else {
+    for (std::size_t i = 0; i < count; ++i) above |= (cells[i] > threshold ? 1u : 0u) << i;
+  }
+  return above;
 }
 
 }  // namespace
@@ -126,16 +138,11 @@ void LocalThreshold::average_all(Padded& of, std::vector<std::int16_t>& into) {
 void LocalThreshold::add_spread() {
   upper_mean_.resize(blocks_);
   rank_all(means_, kUpperRank, upper_mean_);
+  // At most 20 / .01 * 256; a spread is at most twice a deviation, 2 * 2048: below 2^31.
   const auto share =
       static_cast<std::int32_t>(rule_.spreads / std::max(rule_.roughnesses, 0.01) * 256.0 + 0.5);
-  for (std::size_t b = 0; b < blocks_; ++b) {
-    const std::int32_t deviation = deviation_around_[b];
-    // Less what means of noise differ by; and of land on one side no more than clutter has.
-    const std::int32_t spread =
-        std::clamp(upper_mean_[b] - mean_around_[b] - deviation * 5 / 8, 0, 2 * deviation);
-    deviation_around_[b] =
-        static_cast<std::int16_t>(std::min(deviation + (spread * share >> 8), 0x7fff));
-  }
+  // Less what means of noise differ by; and of land on one side no more than clutter has.
+  add_spreads(upper_mean_.data(), mean_around_.data(), share, blocks_, deviation_around_.data());
 }
 
 void LocalThreshold::set_thresholds() {
@@ -177,13 +184,15 @@ void LocalThreshold::find(std::span<const std::uint8_t> levels, std::vector<Run>
     if (over_[b] == 0) continue;
     open = open && b == before;
     before = b + 1;
-    const std::uint8_t threshold = thresholds_[b];
     const std::size_t first = b * kBlock;
     const std::size_t count = std::min<std::size_t>(kBlock, levels.size() - first);
-    const std::uint8_t* cells = levels.data() + first;
-    for (std::size_t i = 0; i < count; ++i) {
-      if ((cells[i] > threshold) == open) continue;  // mostly: as the cell before
-      const auto at = static_cast<std::uint32_t>(first + i);
+    // Cells above it, as bits: where these change, a run begins or ends.
+    const std::uint32_t above = cells_above(levels.data() + first, count, thresholds_[b]);
+    std::uint32_t changes = above ^ (above << 1 | (open ? 1u : 0u));
+    changes &= (1u << count) - 1;
+    for (; changes != 0; changes &= changes - 1) {
+      const auto at =
+          static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(changes));
       if (open) {
         out.back().end = at;
       } else {

@@ -5,8 +5,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "server/plotter/plots/blob_split.hpp"
-
 namespace skerry::server {
 namespace {
 
@@ -58,6 +56,9 @@ struct PlotExtractor::Shape {
       greatest = std::max(greatest, cell.level);
     }
   }
+
+  Coordinate across() const { return coordinate(weight, rows, row_squares, first_row, last_row); }
+  Coordinate along() const { return coordinate(weight, cells, cell_squares, nearest, farthest); }
 
   // Two peaks and a valley are three lines, of rows or of cells.
   bool may_be_several() const { return last_row - first_row >= 2 || farthest - nearest >= 2; }
@@ -129,6 +130,7 @@ void PlotExtractor::take_row(std::vector<Plot>& out) {
   }
   land_.go_on(row.own_ship, static_cast<std::uint64_t>(row.width_rad * kUnitsPerRadian + 0.5),
               row.cell_m * static_cast<double>(row.levels.size()));
+  turns_ += row.width_rad / kRadiansPerTurn;
   counts_.runs += runs_.size();
   builder_.add(row, runs_, threshold_.thresholds(), blobs_);
   if (!blobs_.empty()) take_blobs(out);
@@ -140,25 +142,27 @@ void PlotExtractor::take_blobs(std::vector<Plot>& out) {
   for (const Blob& blob : blobs_) {
     const Shape shape(blob.cells);
     if (blob.extended || !shape.may_be_several()) {
-      take(blob, blob.cells, shape, false, out);
+      take(blob, blob.cells, shape, shape, false, out);
       continue;
     }
     // What is below a bar as a whole is not told apart.
-    if (take(blob, blob.cells, shape, true, out)) continue;
-    for (const std::vector<BlobCell>& cells : split(blob, rule_.valley))
-      take(blob, cells, Shape(cells), false, out);
+    if (take(blob, blob.cells, shape, shape, true, out)) continue;
+    const auto parts = split(blob, rule_.valley, scratch_);
+    if (parts.empty()) take(blob, blob.cells, shape, shape, false, out);
+    for (const std::vector<BlobCell>& cells : parts)
+      take(blob, cells, Shape(cells), shape, false, out);
   }
   builder_.give_back(blobs_);
   counts_.plots += out.size() - before;
 }
 
 bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, const Shape& shape,
-                         bool only_below, std::vector<Plot>& out) {
+                         const Shape& whole, bool only_below, std::vector<Plot>& out) {
   if (cells.size() < rule_.least_cells) return true;
   const int width = shape.last_row - shape.first_row + 1;
   if (width < kLeastRows || width * blob.row_width_rad < rule_.least_width * beam_rad_) return true;
   if (only_below && (!rule_.bars || shape.over > LandMap::kMostBar)) return false;
-  Plot plot = plot_of(blob, shape);
+  Plot plot = plot_of(blob, shape, whole);
   plot.cells = static_cast<std::uint32_t>(cells.size());
   const LandMap::Spot spot = land_.spot(plot.own_ship, plot.bearing, plot.range_m);
   const bool told =
@@ -179,11 +183,12 @@ bool PlotExtractor::take(const Blob& blob, const std::vector<BlobCell>& cells, c
   return true;
 }
 
-Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) {
-  const Coordinate across =
-      coordinate(shape.weight, shape.rows, shape.row_squares, shape.first_row, shape.last_row);
-  const Coordinate along =
-      coordinate(shape.weight, shape.cells, shape.cell_squares, shape.nearest, shape.farthest);
+// A part of a blob may be a half of one hull, whose middle is then the whole blob's: by so much its
+// range is less sure.  Not its bearing: of two ships that lie abreast, and of side lobes, a part
+// that is so unsure agrees with too much.
+Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape, const Shape& whole) {
+  const Coordinate across = shape.across(), along = shape.along();
+  const double off_cells = &shape != &whole ? along.mean - whole.along().mean : 0.0;
   const auto middle = static_cast<std::size_t>(across.mean + 0.5);
   const BlobRow& at = blob.rows[std::min(middle, blob.rows.size() - 1)];
   Plot plot;
@@ -193,12 +198,12 @@ Plot PlotExtractor::plot_of(const Blob& blob, const Shape& shape) {
   plot.bearing =
       at.bearing + radians((across.mean - static_cast<double>(middle)) * blob.row_width_rad);
   const double long_m = along.lines * blob.cell_m;
-  if (shape.over >= kStrongOver && !blob.extended) pulse_.learn(long_m, blob.cell_m);
+  if (shape.over >= kStrongOver && !blob.extended) pulse_.learn(long_m, blob.cell_m, turns_);
   // The pulse lies behind what it shows.
   const double pulse_m = std::min(pulse_.of(blob.cell_m), long_m);
   plot.range_m = std::max((along.mean + 0.5) * blob.cell_m - 0.5 * pulse_m, 0.5 * blob.cell_m);
   plot.bearing_sigma_rad = across.sigma * blob.row_width_rad;
-  plot.range_sigma_m = along.sigma * blob.cell_m;
+  plot.range_sigma_m = std::sqrt(along.sigma * along.sigma + off_cells * off_cells) * blob.cell_m;
   plot.length_m = long_m - pulse_m;
   const double point =
       point_width(beam_rad_, shape.over / rule_.levels_per_db) + blob.row_width_rad;

@@ -6,6 +6,7 @@
 
 #include "protocol/video/spoke.hpp"
 #include "server/plotter/plots/blob_builder.hpp"
+#include "server/plotter/plots/blob_split.hpp"
 #include "server/plotter/plots/land_map.hpp"
 #include "server/plotter/plots/local_threshold.hpp"
 #include "server/plotter/plots/plot.hpp"
@@ -63,20 +64,23 @@ class PlotExtractor {
   void take_blobs(std::vector<Plot>& out);
   // Makes a plot of cells of a blob, unless they are too little or below a bar.  `only_below`: does
   // nothing if it would tell one, and says so by false.
+  // `whole` is the shape of all of the blob.
   bool take(const Blob& blob, const std::vector<BlobCell>& cells, const Shape& shape,
-            bool only_below, std::vector<Plot>& out);
-  Plot plot_of(const Blob& blob, const Shape& shape);
+            const Shape& whole, bool only_below, std::vector<Plot>& out);
+  Plot plot_of(const Blob& blob, const Shape& shape, const Shape& whole);
   void add_echo(const Blob& blob, const std::vector<BlobCell>& cells, bool extended);
 
   Rule rule_;
   double beam_rad_;
   PulseLength pulse_;
+  double turns_ = 0.0;  // that the rows so far make
   RowMaker rows_;
   LocalThreshold threshold_;
   BlobBuilder builder_;
   LandMap land_;
   std::vector<Run> runs_;
   std::vector<Blob> blobs_;
+  SplitScratch scratch_;
   Counts counts_;
 };
 

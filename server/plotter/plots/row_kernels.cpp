@@ -18,6 +18,41 @@ SKERRY_KERNEL_BODY add_cells_body(const std::uint8_t* __restrict cells,
   for (std::size_t i = 0; i < count; ++i) sums[i] = static_cast<std::uint16_t>(sums[i] + cells[i]);
 }
 
+template <std::uint32_t kJoined>
+inline __attribute__((always_inline)) void add_means_of(const std::uint8_t* __restrict cells,
+                                                        std::uint16_t* __restrict sums,
+                                                        std::size_t count) noexcept {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint16_t part = 0;
+    for (std::size_t k = 0; k < kJoined; ++k)
+      part = static_cast<std::uint16_t>(part + cells[i * kJoined + k]);
+    sums[i] = static_cast<std::uint16_t>(sums[i] + part / kJoined);
+  }
+}
+
+SKERRY_KERNEL_BODY add_joined_cells_body(const std::uint8_t* __restrict cells, std::uint32_t joined,
+                                         std::uint16_t* __restrict sums,
+                                         std::size_t count) noexcept {
+  switch (joined) {
+    case 1:
+      return add_means_of<1>(cells, sums, count);
+    case 2:
+      return add_means_of<2>(cells, sums, count);
+    case 3:
+      return add_means_of<3>(cells, sums, count);
+    case 4:
+      return add_means_of<4>(cells, sums, count);
+    case 5:
+      return add_means_of<5>(cells, sums, count);
+    case 6:
+      return add_means_of<6>(cells, sums, count);
+    case 7:
+      return add_means_of<7>(cells, sums, count);
+    default:
+      return add_means_of<kMostJoined>(cells, sums, count);
+  }
+}
+
 SKERRY_KERNEL_BODY scale_sums_body(const std::uint16_t* __restrict sums, std::uint32_t scale,
                                    std::uint8_t* __restrict levels, std::size_t count) noexcept {
   for (std::size_t i = 0; i < count; ++i)
@@ -133,6 +168,19 @@ SKERRY_KERNEL_BODY rank_blocks_body(const std::int16_t* __restrict values, std::
   }
 }
 
+SKERRY_KERNEL_BODY add_spreads_body(const std::int16_t* __restrict uppers,
+                                    const std::int16_t* __restrict means, std::int32_t share,
+                                    std::size_t blocks,
+                                    std::int16_t* __restrict deviations) noexcept {
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::int32_t deviation = deviations[b];
+    const std::int32_t over = uppers[b] - means[b] - ((deviation * 5) >> 3);
+    const std::int32_t spread = std::min(std::max(over, 0), 2 * deviation);
+    deviations[b] =
+        static_cast<std::int16_t>(std::min(deviation + ((spread * share) >> 8), 0x7fff));
+  }
+}
+
 SKERRY_KERNEL_BODY set_block_thresholds_body(
     const std::int16_t* __restrict means, const std::int16_t* __restrict deviations,
     const std::uint8_t* __restrict greatest, std::size_t blocks, std::int32_t most,
@@ -153,6 +201,11 @@ SKERRY_KERNEL_BODY set_block_thresholds_body(
 SKERRY_KERNEL(add_cells, (const std::uint8_t* cells, std::uint16_t* sums, std::size_t count),
               (cells, sums, count))
 
+SKERRY_KERNEL(add_joined_cells,
+              (const std::uint8_t* cells, std::uint32_t joined, std::uint16_t* sums,
+               std::size_t count),
+              (cells, joined, sums, count))
+
 SKERRY_KERNEL(scale_sums,
               (const std::uint16_t* sums, std::uint32_t scale, std::uint8_t* levels,
                std::size_t count),
@@ -167,6 +220,11 @@ SKERRY_KERNEL(rank_blocks,
               (const std::int16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
                std::size_t rank, std::int16_t* ranked),
               (values, blocks, near, far, rank, ranked))
+
+SKERRY_KERNEL(add_spreads,
+              (const std::int16_t* uppers, const std::int16_t* means, std::int32_t share,
+               std::size_t blocks, std::int16_t* deviations),
+              (uppers, means, share, blocks, deviations))
 
 SKERRY_KERNEL(set_block_thresholds,
               (const std::int16_t* means, const std::int16_t* deviations,

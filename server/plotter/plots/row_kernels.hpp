@@ -15,6 +15,12 @@ inline constexpr std::size_t kMostRanked = 16;
 // sums[i] += cells[i].  The caller sees to it that no sum passes 65535.
 void add_cells(const std::uint8_t* cells, std::uint16_t* sums, std::size_t count) noexcept;
 
+// sums[i] += the mean, rounded down, of cells[i * joined .. (i + 1) * joined - 1].  Requires 1 <=
+// joined <= kMostJoined; as for add_cells().
+inline constexpr std::uint32_t kMostJoined = 8;
+void add_joined_cells(const std::uint8_t* cells, std::uint32_t joined, std::uint16_t* sums,
+                      std::size_t count) noexcept;
+
 // levels[i] = sums[i] * scale / 65536, at most 255.  Requires sums[i] * scale < 2^32.
 void scale_sums(const std::uint16_t* sums, std::uint32_t scale, std::uint8_t* levels,
                 std::size_t count) noexcept;
@@ -30,6 +36,12 @@ void measure_blocks(const std::uint8_t* levels, std::size_t blocks, std::int16_t
 // SSE2 has the lesser of such alone.
 void rank_blocks(const std::int16_t* values, std::size_t blocks, std::size_t near, std::size_t far,
                  std::size_t rank, std::int16_t* ranked) noexcept;
+
+// deviations[b] += spread * share / 256, at most 0x7fff, where spread = uppers[b] - means[b] -
+// deviations[b] * 5 / 8, from 0 to 2 * deviations[b].  Requires no negative values, and spread *
+// share < 2^31.
+void add_spreads(const std::int16_t* uppers, const std::int16_t* means, std::int32_t share,
+                 std::size_t blocks, std::int16_t* deviations) noexcept;
 
 // thresholds[b] = (min(means[b], most) + max(deviations[b] * times / 256, least)) / 16, at most
 // 255; backgrounds[b] = min(means[b], most) / 16; over[b] = 1 where greatest[b] is above the

@@ -13,7 +13,6 @@ constexpr double kLeastReach = 1.0, kMostReach = 1e6;
 
 // Sums of 16 bits hold so many spokes of 255, whose cells are summed in pairs and more before.
 constexpr std::uint32_t kMostSpokesARow = 32;
-constexpr std::uint32_t kMostCellsACell = 8;
 
 std::uint64_t place_of(const SpokeHeader& header) {
   return std::uint64_t{header.scan} * header.geometry.spokes_per_turn + header.index;
@@ -41,7 +40,7 @@ void RowMaker::begin(const SpokeHeader& header) {
   spokes_a_row_ = divisor_of(geometry_.spokes_per_turn, std::min(spokes, kMostSpokesARow));
   rows_a_turn_ = geometry_.spokes_per_turn / spokes_a_row_;
   const double cell_m = reach_m_ / geometry_.cells;
-  const double most = static_cast<double>(kMostCellsACell);
+  const double most = static_cast<double>(kMostJoined);
   cells_a_cell_ = static_cast<std::uint32_t>(std::clamp(grain_.cell_m / cell_m, 1.0, most));
   sums_.assign(geometry_.cells / cells_a_cell_, 0);
   spokes_ = 0;
@@ -89,15 +88,10 @@ void RowMaker::sum(const Spoke& spoke) {
   const std::uint8_t* cells = spoke.cells.data();
   std::uint16_t* sums = sums_.data();
   const std::size_t count = sums_.size();
-  if (cells_a_cell_ == 1) {
+  if (cells_a_cell_ == 1)
     add_cells(cells, sums, count);
-  } else {
-    for (std::size_t i = 0; i < count; ++i) {
-      std::uint32_t part = 0;
-      for (std::uint32_t k = 0; k < cells_a_cell_; ++k) part += cells[i * cells_a_cell_ + k];
-      sums[i] = static_cast<std::uint16_t>(sums[i] + part / cells_a_cell_);
-    }
-  }
+  else
+    add_joined_cells(cells, cells_a_cell_, sums, count);
   ++spokes_;
 }
 

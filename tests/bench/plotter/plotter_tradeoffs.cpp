@@ -49,6 +49,8 @@ std::vector<PlotterChoice> all_choices() {
       [](Plotter::Rule& rule) { rule.plots.threshold.roughnesses = 4.75; });
   add("threshold", "OS, no spreads",
       [](Plotter::Rule& rule) { rule.plots.threshold.spreads = 0.0; });
+  add("threshold", "OS, 2 spreads",
+      [](Plotter::Rule& rule) { rule.plots.threshold.spreads = 2.0; });
   for (const auto& [name, width] :
        {std::pair{"rows of a spoke", 0.01}, {"of half a beam", 0.72}, {"of a beam", 1.44}})
     add("grain", name, [width](Plotter::Rule& rule) { rule.plots.grain.width_deg = width; });

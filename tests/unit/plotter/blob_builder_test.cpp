@@ -134,6 +134,7 @@ TEST(BlobBuilder, GoesOnInExtendedPiecesWhereItIsTooLarge) {
   EXPECT_EQ(cells, 698u * 2);
   EXPECT_EQ(blobs.size(), 3u);
   // Too many cells.
+  SplitScratch scratch;
   lines.assign(40, std::string(4000, '#'));
   blobs = blobs_of(lines);
   cells = 0;
@@ -141,7 +142,7 @@ TEST(BlobBuilder, GoesOnInExtendedPiecesWhereItIsTooLarge) {
     EXPECT_TRUE(blob.extended);
     EXPECT_LE(blob.cells.size(), BlobBuilder::kMostCells);
     cells += blob.cells.size();
-    EXPECT_EQ(split(blob).size(), 1u);
+    EXPECT_TRUE(split(blob, 0.6, scratch).empty());
   }
   EXPECT_EQ(cells, 40u * 4000);
 }
@@ -159,16 +160,17 @@ TEST(BlobBuilder, LeavesOutRunsBeyondItsBounds) {
 }
 
 TEST(BlobSplit, CutsAtValleysAndNowhereElse) {
+  SplitScratch scratch;
   const auto one = blobs_of({"......", ".####.", ".####.", ".####.", "......"});
   ASSERT_EQ(one.size(), 1u);
-  EXPECT_EQ(split(one[0]).size(), 1u);
+  EXPECT_TRUE(split(one[0], 0.6, scratch).empty());
   const auto two =
       blobs_of({"...........", ".####.####.", ".#########.", ".####.####.", "..........."});
   ASSERT_EQ(two.size(), 1u);
-  const auto parts = split(two[0]);
+  const auto parts = split(two[0], 0.6, scratch);
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].size() + parts[1].size(), two[0].cells.size());
-  EXPECT_EQ(split(two[0], 0.1).size(), 1u) << "the valley is a third of the peaks";
+  EXPECT_TRUE(split(two[0], 0.1, scratch).empty()) << "the valley is a third of the peaks";
 }
 
 }  // namespace

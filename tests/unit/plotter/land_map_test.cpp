@@ -297,13 +297,12 @@ TEST(LandMap, RaisesTheBarInClutterAndNotOverShips) {
   struct Seen {
     int spikes = 0, ship = 0, buoy = 0;
   };
-  const auto run = [](bool bars) {
+  const auto run = [](bool bars, std::uint64_t draw, Seen& seen) {
     MadeRadar radar;
     PlotExtractor::Rule rule;
     rule.bars = bars;
     PlotExtractor extractor(rule);
-    std::uint64_t state = 5;
-    Seen seen;
+    std::uint64_t state = draw;
     const std::uint64_t spokes = radar.geometry.spokes_per_turn;
     for (std::uint64_t turn = 0; turn < 35; ++turn) {
       radar.echoes = {{45.0, 2000.0, 120.0}, {56.0, 2060.0, 48.0}};
@@ -322,13 +321,16 @@ TEST(LandMap, RaisesTheBarInClutterAndNotOverShips) {
         EXPECT_TRUE(!ship || plot.on_land < 0.5);
       }
     }
-    return seen;
   };
-  const Seen with = run(true), without = run(false);
-  EXPECT_GT(without.spikes, 300);
+  Seen with, without;
+  for (const std::uint64_t draw : {5u, 6u, 7u}) {
+    run(true, draw, with);
+    run(false, draw, without);
+  }
+  EXPECT_GT(without.spikes, 900);
   EXPECT_LT(with.spikes, without.spikes / 10);
-  EXPECT_EQ(with.ship, 15) << "once a turn";
-  EXPECT_GE(with.buoy, 10);
+  EXPECT_EQ(with.ship, 45) << "once a turn";
+  EXPECT_GE(with.buoy, 30);
 }
 
 // A weak boat under way in the open: nothing raises a bar over it.

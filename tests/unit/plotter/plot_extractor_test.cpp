@@ -98,6 +98,24 @@ TEST(PlotExtractor, TellsShipsApartThatAreABeamOrAPulseApart) {
   EXPECT_EQ(plots_of(radar, 0, turn).size(), 2u);
 }
 
+// They may as well be halves of one hull, whose middle is half way between them.
+TEST(PlotExtractor, TheRangeOfAPartIsAsUnsureAsItsMiddleIsOffTheWhole) {
+  MadeRadar radar;
+  const std::uint64_t turn = radar.geometry.spokes_per_turn;
+  // With a weaker bridge.
+  radar.echoes = {{90.0, 3000.0, 150.0}, {90.0, 3080.0, 150.0}, {90.0, 3050.0, 90.0, 60.0}};
+  const auto parts = plots_of(radar, 0, turn);
+  ASSERT_EQ(parts.size(), 2u);
+  radar.echoes = {{90.0, 3000.0, 150.0}, {110.0, 3080.0, 150.0}};
+  const auto apart = plots_of(radar, 0, turn);
+  ASSERT_EQ(apart.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_GT(parts[i].range_sigma_m, 15.0);
+    EXPECT_LT(apart[i].range_sigma_m, 10.0) << "of two that do not touch";
+    EXPECT_NEAR(parts[i].bearing_sigma_rad, apart[i].bearing_sigma_rad, 0.002);
+  }
+}
+
 TEST(PlotExtractor, ALongCoastIsExtendedAndAShipIsNot) {
   MadeRadar radar;
   radar.echoes = {{90.0, 3000.0, 220.0, 600.0, 2500.0}, {200.0, 2000.0, 220.0, 300.0, 40.0}};

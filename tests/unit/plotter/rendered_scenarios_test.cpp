@@ -26,6 +26,37 @@ TEST(RenderedScenarios, ErrorsOfASetWhosePulseIsKnownAreWithinTheStandards) {
   }
 }
 
+// Learnt from her alone, the pulse would come out longer from turn to turn and her range drift by
+// 10 to 20 m a minute: half a knot.
+TEST(RenderedScenarios, AShipThatIsAloneDoesNotDriftWhileThePulseIsLearnt) {
+  RenderedRadar radar;
+  radar.errors = false;
+  for (const std::size_t s : {0u, 1u}) {
+    const RenderedResult result = rendered_run(kStandardScenarios[s], 3.0, 1, radar, rule_of_all());
+    ASSERT_EQ(result.plots.size(), 73u);
+    double early_m = 0.0, late_m = 0.0;  // a minute and a half lies between them
+    for (std::size_t i = 0; i < 36; ++i) {
+      early_m += result.plots[i].far_m / 36.0;
+      late_m += result.plots[72 - i].far_m / 36.0;
+    }
+    EXPECT_LT(std::fabs(late_m - early_m), 6.0) << "scenario " << s + 1;
+  }
+}
+
+// Of MSC.192 all but the true speed, which asks for as much as the log is wrong.
+TEST(RenderedScenarios, ErrorsAreWithinBothStandardsWhileThePulseIsLearnt) {
+  const RenderedRadar radar;
+  for (const StandardScenario& scenario : kStandardScenarios) {
+    const RenderedResult result = rendered_run(scenario, 3.0, 3, radar, rule_of_all());
+    ASSERT_EQ(result.track.size(), 6u);
+    const auto imo = scenario.after_3_min.all(), msc = msc192_after_3_min(scenario).all();
+    for (std::size_t k = 0; k < imo.size(); ++k) {
+      const double most = k == 5 ? imo[k] : imo[k] > 0.0 ? std::min(imo[k], msc[k]) : msc[k];
+      EXPECT_LE(result.track[k], most) << scenario.own_speed_kn << " kn, " << k;
+    }
+  }
+}
+
 TEST(RenderedScenarios, APlotIsOffByLessThanTheStandardsGlintAndPulse) {
   RenderedRadar radar;
   radar.errors = false;

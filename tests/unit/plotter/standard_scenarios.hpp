@@ -40,6 +40,15 @@ inline const std::array<StandardScenario, 4> kStandardScenarios{{
     {25, 8, 45, 225, 20, 307.52, 17.830, 0, 24, {15, 1.5, 2.0}, {4.6, .8, .7, 1.0, 2.6, 1.2}},
 }};
 
+// MSC.192(79), table 3: the same for all targets, but a share of the speed where that is more.
+inline ScenarioErrors msc192_after_1_min(const StandardScenario& scenario) {
+  return {11, std::max(1.5, 0.1 * scenario.relative_speed_kn), 1.0};
+}
+inline ScenarioErrors msc192_after_3_min(const StandardScenario& scenario) {
+  return {3, std::max(.8, .01 * scenario.relative_speed_kn), .3, .5,
+          5, std::max(.5, .01 * scenario.true_speed_kn)};
+}
+
 // Of the track at the end, in the order of ScenarioErrors::all().
 inline std::vector<double> errors_of(const StandardScenario& scenario, const PlottedTrack& track) {
   const auto course = [](PlanePoint v) {

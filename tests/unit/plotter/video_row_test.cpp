@@ -148,6 +148,16 @@ TEST(RowKernels, AreThePlainLoopsOnEveryInstructionSet) {
         ASSERT_EQ(sums[i], before[i] + cells[i]);
         ASSERT_EQ(levels[i], std::min(255u, sums[i] * kScale / 65536));
       }
+      for (std::uint32_t joined = 1; joined <= kMostJoined; ++joined) {
+        auto means_added = before;
+        add_joined_cells(cells.data(), joined, means_added.data(), count / joined);
+        for (std::size_t i = 0; i < count; ++i) {
+          std::uint32_t sum = 0;
+          for (std::size_t k = i * joined; k < (i + 1) * joined && i < count / joined; ++k)
+            sum += cells[k];
+          ASSERT_EQ(means_added[i], before[i] + sum / joined) << joined;
+        }
+      }
       const std::size_t blocks = count / kBlockCells;
       std::vector<std::int16_t> means(blocks), deviations(blocks);
       std::vector<std::uint8_t> greatest(blocks);
@@ -166,6 +176,19 @@ TEST(RowKernels, AreThePlainLoopsOnEveryInstructionSet) {
         ASSERT_EQ(means[b], sum);
         ASSERT_EQ(deviations[b], off / 16);
         ASSERT_EQ(greatest[b], most);
+      }
+      std::vector<std::int16_t> uppers(count), lowers(count), widened(count);
+      for (std::size_t b = 0; b < count; ++b) {
+        lowers[b] = static_cast<std::int16_t>(cells[b] * 8);
+        uppers[b] = static_cast<std::int16_t>(lowers[b] + 20 * (levels[b] % 32) - 40);
+        widened[b] = static_cast<std::int16_t>(before[b] / 16);
+      }
+      const auto share = static_cast<std::int32_t>(count * 300);
+      const auto narrow = widened;
+      add_spreads(uppers.data(), lowers.data(), share, count, widened.data());
+      for (std::size_t b = 0; b < count; ++b) {
+        const int spread = std::clamp(uppers[b] - lowers[b] - narrow[b] * 5 / 8, 0, 2 * narrow[b]);
+        ASSERT_EQ(widened[b], std::min(narrow[b] + spread * share / 256, 0x7fff));
       }
     }
   }
