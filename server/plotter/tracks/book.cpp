@@ -112,7 +112,10 @@ void Tracker::Book::pass(const AntennaPass& antenna) {
 
 // What lies on land, or may be another echo's doing, begins no track by itself.
 void Tracker::Book::look_into(PlacedPlot& placed) const {
-  placed.suspect = placed.plot.on_land > kOnLand || suspects_.is_suspect(placed.plot);
+  placed.causes = suspects_.causes_of(placed.plot);
+  const bool echoed = suspects_.is_echo_of_a_cause(placed.plot);
+  placed.lobe = echoed || placed.causes.count > 0;
+  placed.suspect = echoed || placed.plot.on_land > kOnLand;
 }
 
 // --- a step
@@ -257,12 +260,16 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
   }
   for (const std::size_t p : plots) placed.push_back(&open_[p].placed);
   const auto pairs = pair_up(targets, placed, {.false_per_m2 = density});
+  // Before any is taken.
+  std::vector<std::size_t> choices;
+  for (const std::size_t k : who) choices.push_back(plots_near(sights_[k]).size());
   for (std::size_t i = 0; i < who.size(); ++i) {
     Followed& followed = followed_[who[i]];
     if (pairs[i] != kUnpaired) {
       Open& open = open_[plots[pairs[i]]];
       open.taken = true;
       look_into(open.placed);
+      open.placed.choice = static_cast<double>(choices[i]);
       ++counts_.paired;
       const Plot& plot = open.placed.plot;
       // Whether it is a target is not known yet: it counts as there by chance, so that what comes

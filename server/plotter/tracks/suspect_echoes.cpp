@@ -26,23 +26,47 @@ void SuspectEchoes::add(const Plot& plot) {
   const double half_m = std::min(0.5 * plot.length_m, 1000.0) + 0.5 * kBin_m;
   const std::size_t last = std::min(bin_of(plot.range_m + half_m), kBins - 1);
   for (std::size_t i = bin_of(plot.range_m - half_m); i <= last; ++i) {
-    Bin& bin = bins_[i];
-    if (plot.greatest < bin.level && !is_old(bin.time, plot.time)) continue;
-    bin = {plot.greatest, plot.time};
+    put(bins_[i], {plot.bearing, plot.greatest, plot.time});
   }
 }
 
-bool SuspectEchoes::is_suspect(const Plot& plot) const {
-  return is_lobe(plot) || shares_its_bearing_with_a_cause(plot);
+// In place of itself, of one that is old, or of the weakest if that is weaker.
+void SuspectEchoes::put(Bin& bin, const Strong& strong) {
+  Strong* place = &bin.front();
+  for (Strong& other : bin) {
+    if (other.level > 0 &&
+        std::fabs((other.bearing - strong.bearing).in_degrees()) < kSameCause_deg) {
+      if (is_old(other.time, strong.time) || other.level <= strong.level) other = strong;
+      return;
+    }
+    if (is_old(other.time, strong.time)) other.level = 0;
+    if (other.level < place->level) place = &other;
+  }
+  if (place->level <= strong.level) *place = strong;
 }
 
-bool SuspectEchoes::is_lobe(const Plot& plot) const {
+SuspectEchoes::Causes SuspectEchoes::causes_of(const Plot& plot) const {
+  Causes causes;
   const std::size_t at = bin_of(plot.range_m);
-  return at < kBins && bins_[at].level >= plot.greatest + kLobeBelow &&
-         !is_old(bins_[at].time, plot.time);
+  if (at >= kBins) return causes;
+  for (const Strong& strong : bins_[at]) {
+    if (strong.level < plot.greatest + kLobeBelow || is_old(strong.time, plot.time)) continue;
+    causes.off_deg[causes.count++] = (strong.bearing - plot.bearing).in_degrees();
+  }
+  return causes;
 }
 
-bool SuspectEchoes::shares_its_bearing_with_a_cause(const Plot& plot) const {
+bool SuspectEchoes::Causes::shares_one_with(const Causes& others) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < others.count; ++k) {
+      const double off = std::fabs(off_deg[i] - others.off_deg[k]);
+      if (std::min(off, 360.0 - off) < kSameCause_deg) return true;
+    }
+  }
+  return false;
+}
+
+bool SuspectEchoes::is_echo_of_a_cause(const Plot& plot) const {
   constexpr int kMostSteps = 11;
   std::array<bool, 2 * kMostSteps + 1> dots{};  // so many steps off, from the farthest before it
   for (const Late& late : lately_) {

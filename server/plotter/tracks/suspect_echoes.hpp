@@ -25,27 +25,41 @@ class SuspectEchoes {
   static constexpr double kRemembered_s = 8.0;
   static constexpr std::size_t kLately = 512;  // plots that are compared
   static constexpr double kSameBearing_deg = 1.5;
+  static constexpr double kSameCause_deg = 3.0;
   static constexpr double kSartStep_m = 0.64 * 1852.0;
   static constexpr double kSartOff_m = 60.0;  // of a step
   static constexpr int kSartDots = 4;         // with this one
 
   void add(const Plot& plot);
+  // Strong echoes whose side lobes a plot may be: how far each is from it, degrees clockwise.  A
+  // lobe keeps that, while a boat at a ship's range is at another ship's a minute later.
+  struct Causes {
+    static constexpr std::size_t kMost = 6;
+    std::array<double, kMost> off_deg{};
+    std::size_t count = 0;
+    bool shares_one_with(const Causes& others) const;
+  };
   // Of one that was added, once the antenna is some degrees past it.
-  bool is_suspect(const Plot& plot) const;
+  Causes causes_of(const Plot& plot) const;
+  bool is_echo_of_a_cause(const Plot& plot) const;  // to and fro, or a SART's dot
+  bool is_suspect(const Plot& plot) const {
+    return causes_of(plot).count > 0 || is_echo_of_a_cause(plot);
+  }
 
  private:
-  struct Bin {
-    std::uint8_t level = 0;
+  struct Strong {
+    TrueBearing bearing;
+    std::uint8_t level = 0;  // 0: none
     ScenarioTime time{};
   };
+  using Bin = std::array<Strong, Causes::kMost>;
+  static void put(Bin& bin, const Strong& strong);
   struct Late {
     double range_m = 0.0;
     TrueBearing bearing;
     std::uint8_t level = 0;
     ScenarioTime time{};
   };
-  bool is_lobe(const Plot& plot) const;
-  bool shares_its_bearing_with_a_cause(const Plot& plot) const;
 
   std::vector<Bin> bins_ = std::vector<Bin>(kBins);
   std::vector<Late> lately_;  // a ring

@@ -29,6 +29,26 @@ TEST(SuspectEchoes, LobesLieAtAStrongEchosRange) {
   EXPECT_FALSE(weak.is_suspect(plot_at(200, 6010, 60)));
 }
 
+TEST(SuspectEchoes, ALobeKeepsItsCauseAndABoatDoesNot) {
+  SuspectEchoes suspects;
+  suspects.add(plot_at(350, 6000, 255));
+  suspects.add(plot_at(120, 6000, 250));
+  suspects.add(plot_at(200, 6500, 255));
+  const auto before = suspects.causes_of(plot_at(20, 6010, 120));
+  EXPECT_EQ(before.count, 2u);
+  suspects.add(plot_at(352, 6000, 255, 12.5));
+  EXPECT_TRUE(suspects.causes_of(plot_at(22, 6010, 120, 12.5)).shares_one_with(before));
+  EXPECT_FALSE(suspects.causes_of(plot_at(40, 6510, 120, 12.5)).shares_one_with(before));
+  EXPECT_FALSE(suspects.causes_of(plot_at(20, 7000, 120, 12.5)).shares_one_with(before));
+}
+
+TEST(SuspectEchoes, HoldTheStrongestCausesOfMany) {
+  SuspectEchoes suspects;
+  for (int i = 0; i < 40; ++i) suspects.add(plot_at(9.0 * i, 6000, 205 + i));
+  EXPECT_EQ(suspects.causes_of(plot_at(4, 6000, 214)).count, SuspectEchoes::Causes::kMost);
+  EXPECT_EQ(suspects.causes_of(plot_at(4, 6000, 221)).count, 0u);
+}
+
 TEST(SuspectEchoes, AnEchosEchoLiesAtTwiceAndThreeTimesItsRange) {
   SuspectEchoes suspects;
   suspects.add(plot_at(359.5, 3000, 255));

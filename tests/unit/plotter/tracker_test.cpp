@@ -163,6 +163,35 @@ TEST(Tracker, LosesOneThatIsGoneAndSaysSoOnce) {
 }
 
 // Two ships whose ways cross, at several angles: each keeps her number.
+// Its numbers, of a target that is out of sight for two minutes.
+std::vector<std::uint32_t> numbers_of_one_that_hides(double course_then_deg, double off_m,
+                                                     double hidden_s = 120.0) {
+  MadeSea sea;
+  const double mps = 12.0 * 1852.0 / 3600.0, back_s = 120.0 + hidden_s;
+  const Way before = straight_way({1500, -3000}, 0.0, 12.0);
+  const Way after = straight_way({1500 + off_m, -3000 + mps * back_s}, course_then_deg, 12.0);
+  sea.targets = {{.way = [=](double t) {
+    if (t < 120.0) return before(t);
+    // Far beyond what is used.
+    return t < back_s ? PlanePoint{90'000, 0} : after(t - back_s);
+  }}};
+  Tracker tracker;
+  std::set<std::uint32_t> numbers;
+  sail(sea, tracker, 0.0, back_s + 60.0, [&](double) {
+    for (const PlottedTrack& track : tracker.tracks()) numbers.insert(track.number);
+  });
+  return {numbers.begin(), numbers.end()};
+}
+
+TEST(Tracker, KnowsOneAgainThatComesOutWhereItsCourseHasIt) {
+  using Numbers = std::vector<std::uint32_t>;
+  EXPECT_EQ(numbers_of_one_that_hides(0.0, 0.0), Numbers{1});
+  EXPECT_EQ(numbers_of_one_that_hides(5.0, 100.0), Numbers{1}) << "a little off";
+  EXPECT_EQ(numbers_of_one_that_hides(0.0, 800.0), (Numbers{1, 2})) << "elsewhere";
+  EXPECT_EQ(numbers_of_one_that_hides(120.0, 0.0), (Numbers{1, 2})) << "another way";
+  EXPECT_EQ(numbers_of_one_that_hides(0.0, 0.0, 330.0), (Numbers{1, 2})) << "after long";
+}
+
 TEST(Tracker, KeepsTwoApartThatCross) {
   int swaps = 0, runs = 0;
   for (const double angle : {30.0, 60.0, 90.0, 180.0}) {
