@@ -115,7 +115,7 @@ void Tracker::Book::look_into(PlacedPlot& placed) const {
   placed.causes = suspects_.causes_of(placed.plot);
   const bool echoed = suspects_.is_echo_of_a_cause(placed.plot);
   placed.lobe = echoed || placed.causes.count > 0;
-  placed.suspect = echoed || placed.plot.on_land > kOnLand;
+  placed.suspect = echoed || suspects_.is_of_a_ring(placed.plot) || placed.plot.on_land > kOnLand;
 }
 
 // --- a step
@@ -284,6 +284,7 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
     }
     followed.look.done();
     judge(followed);
+    join_duplicates_of(who[i]);
   }
 }
 

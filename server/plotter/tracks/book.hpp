@@ -51,6 +51,7 @@ class Tracker::Book {
     std::uint32_t number = 0;  // 0: not shown
     bool by_hand = false, refused = false, gone = false;
     double false_per_m2 = 1e-7;  // where it is
+    unsigned as_one = 0;         // looks running at which it was where another is
   };
   struct Extended {
     PlanePoint place;
@@ -88,6 +89,8 @@ class Tracker::Book {
   bool waits_for_a_rival(std::size_t who, const Rivals& rivals) const;
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
   void judge(Followed& followed);
+  bool are_one(const Target& a, const Target& b) const;
+  void join_duplicates_of(std::size_t who);
   bool deserves_a_track(const Followed& followed) const;
   bool is_under_way(const Target& target) const;
   bool meets_demands(const Target& target, bool among_echoes) const;

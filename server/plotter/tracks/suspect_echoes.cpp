@@ -1,6 +1,7 @@
 #include "server/plotter/tracks/suspect_echoes.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace skerry::server {
@@ -22,12 +23,37 @@ void SuspectEchoes::add(const Plot& plot) {
   if (lately_.size() < kLately) lately_.emplace_back();
   lately_[next_] = {plot.range_m, plot.bearing, plot.greatest, plot.time};
   next_ = (next_ + 1) % kLately;
-  if (plot.greatest < kStrong) return;
   const double half_m = std::min(0.5 * plot.length_m, 1000.0) + 0.5 * kBin_m;
   const std::size_t last = std::min(bin_of(plot.range_m + half_m), kBins - 1);
   for (std::size_t i = bin_of(plot.range_m - half_m); i <= last; ++i) {
-    put(bins_[i], {plot.bearing, plot.greatest, plot.time});
+    put(rings_[i], plot);
+    if (plot.greatest >= kStrong) {
+      put(bins_[i], {plot.bearing, plot.greatest, plot.cells, plot.time});
+    }
   }
+}
+
+void SuspectEchoes::put(Ring& ring, const Plot& plot) const {
+  const double age_s = std::fabs(in_seconds(plot.time - ring.began));
+  if (!(age_s <= kRing_s)) {
+    const bool is_next = age_s <= 2.0 * kRing_s;
+    ring.before = is_next ? ring.now : 0;
+    ring.most_before = is_next ? ring.most_cells : 0;
+    ring.now = ring.most_cells = 0;
+    ring.began = plot.time;
+  }
+  const auto sector =
+      static_cast<std::uint32_t>(plot.bearing.in_degrees() / 360.0 * kRingSectors) % kRingSectors;
+  ring.now |= 1u << sector;
+  if (plot.greatest >= kStrong) ring.most_cells = std::max(ring.most_cells, plot.cells);
+}
+
+bool SuspectEchoes::is_of_a_ring(const Plot& plot) const {
+  const std::size_t at = bin_of(plot.range_m);
+  if (at >= kBins || is_old(rings_[at].began, plot.time)) return false;
+  const Ring& ring = rings_[at];
+  return std::popcount(ring.now | ring.before) >= kLeastOfRing &&
+         kLargerByFar * plot.cells < std::max(ring.most_cells, ring.most_before);
 }
 
 // In place of itself, of one that is old, or of the weakest if that is weaker.
@@ -50,8 +76,13 @@ SuspectEchoes::Causes SuspectEchoes::causes_of(const Plot& plot) const {
   const std::size_t at = bin_of(plot.range_m);
   if (at >= kBins) return causes;
   for (const Strong& strong : bins_[at]) {
-    if (strong.level < plot.greatest + kLobeBelow || is_old(strong.time, plot.time)) continue;
-    causes.off_deg[causes.count++] = (strong.bearing - plot.bearing).in_degrees();
+    if (strong.level == 0 || is_old(strong.time, plot.time)) continue;
+    const double off_deg = (strong.bearing - plot.bearing).in_degrees();
+    const bool is_near = std::fabs(off_deg) < kNearLobe_deg;
+    if (strong.level >= plot.greatest + kLobeBelow ||
+        (is_near && strong.cells > kLargerByFar * plot.cells)) {
+      causes.off_deg[causes.count++] = off_deg;
+    }
   }
   return causes;
 }

@@ -49,6 +49,32 @@ TEST(SuspectEchoes, HoldTheStrongestCausesOfMany) {
   EXPECT_EQ(suspects.causes_of(plot_at(4, 6000, 221)).count, 0u);
 }
 
+Plot plot_of(double bearing_deg, double range_m, int level, std::uint32_t cells) {
+  Plot plot = plot_at(bearing_deg, range_m, level);
+  plot.cells = cells;
+  return plot;
+}
+
+TEST(SuspectEchoes, OfARingAllAreLobesButTheLargest) {
+  SuspectEchoes suspects;
+  suspects.add(plot_of(250, 3530, 255, 200));
+  for (int i = 0; i < 4; ++i) suspects.add(plot_of(20.0 + 40.0 * i, 3530, 245, 9));
+  EXPECT_FALSE(suspects.is_suspect(plot_of(20, 3530, 245, 9))) << "five ships by chance";
+  for (int i = 4; i < 8; ++i) suspects.add(plot_of(20.0 + 40.0 * i, 3530, 245, 9));
+  EXPECT_TRUE(suspects.is_suspect(plot_of(20, 3530, 245, 9))) << "cut off, so as strong";
+  EXPECT_FALSE(suspects.is_suspect(plot_of(250, 3530, 255, 200))) << "its cause";
+  EXPECT_FALSE(suspects.is_suspect(plot_of(90, 3535, 255, 120))) << "another ship";
+  EXPECT_FALSE(suspects.is_suspect(plot_of(20, 3700, 245, 9))) << "another range";
+}
+
+TEST(SuspectEchoes, BesideAStrongEchoASmallOneIsItsFirstLobe) {
+  SuspectEchoes suspects;
+  suspects.add(plot_of(250, 3530, 255, 200));
+  EXPECT_TRUE(suspects.is_suspect(plot_of(248, 3530, 250, 9)));
+  EXPECT_FALSE(suspects.is_suspect(plot_of(248, 3530, 250, 90)));
+  EXPECT_FALSE(suspects.is_suspect(plot_of(240, 3530, 250, 9))) << "farther off";
+}
+
 TEST(SuspectEchoes, AnEchosEchoLiesAtTwiceAndThreeTimesItsRange) {
   SuspectEchoes suspects;
   suspects.add(plot_at(359.5, 3000, 255));

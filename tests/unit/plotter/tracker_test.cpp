@@ -409,6 +409,30 @@ TEST(Tracker, HoldsAFleetInCloseFormation) {
   EXPECT_LE(lost, 4u);
 }
 
+TEST(Tracker, TwoPiecesOfOneHullBecomeOne) {
+  MadeSea sea;
+  sea.range_sigma_m = 5.0;
+  for (const double ahead_m : {-45.0, 45.0}) {
+    sea.targets.push_back({.way = straight_way({2500, ahead_m}, 0.0, 10.0)});
+    sea.targets.back().also = [](Plot& plot) { plot.length_m = 70.0; };
+  }
+  Tracker tracker(kAll);
+  std::size_t most = 0, lost = 0;
+  sail(sea, tracker, 0.0, 120.0, [&](double) {
+    most = std::max(most, tracker.tracks().size());
+    lost += tracker.take_lost().size();
+  });
+  EXPECT_EQ(most, 2u);
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].number, 1u) << "the older one stays";
+  EXPECT_EQ(lost, 0u) << "nobody is lost";
+  // Two small ones as far apart stay two.
+  for (MadeTarget& target : sea.targets) target.also = [](Plot&) {};
+  Tracker another(kAll);
+  sail(sea, another, 0.0, 120.0);
+  EXPECT_EQ(another.tracks().size(), 2u);
+}
+
 TEST(Tracker, RefusesPlacesThatAreNone) {
   MadeSea sea;
   sea.targets = {{straight_way({2000, 2000}, 270, 12)}};
