@@ -1,7 +1,6 @@
 #include "server/plotter/tracks/suspect_echoes.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace skerry::server {
@@ -33,7 +32,7 @@ void SuspectEchoes::add(const Plot& plot) {
   }
 }
 
-void SuspectEchoes::put(Ring& ring, const Plot& plot) const {
+void SuspectEchoes::put(Ring& ring, const Plot& plot) {
   const double age_s = std::fabs(in_seconds(plot.time - ring.began));
   if (!(age_s <= kRing_s)) {
     const bool is_next = age_s <= 2.0 * kRing_s;
@@ -52,7 +51,7 @@ bool SuspectEchoes::is_of_a_ring(const Plot& plot) const {
   const std::size_t at = bin_of(plot.range_m);
   if (at >= kBins || is_old(rings_[at].began, plot.time)) return false;
   const Ring& ring = rings_[at];
-  return std::popcount(ring.now | ring.before) >= kLeastOfRing &&
+  return sectors_of(ring) >= kLeastOfRing &&
          kLargerByFar * plot.cells < std::max(ring.most_cells, ring.most_before);
 }
 
@@ -75,11 +74,13 @@ SuspectEchoes::Causes SuspectEchoes::causes_of(const Plot& plot) const {
   Causes causes;
   const std::size_t at = bin_of(plot.range_m);
   if (at >= kBins) return causes;
+  // An antenna that shows one lobe far off its beam shows more.
+  const bool is_ring = sectors_of(rings_[at]) >= kLeastLobes;
   for (const Strong& strong : bins_[at]) {
     if (strong.level == 0 || is_old(strong.time, plot.time)) continue;
     const double off_deg = (strong.bearing - plot.bearing).in_degrees();
     const bool is_near = std::fabs(off_deg) < kNearLobe_deg;
-    if (strong.level >= plot.greatest + kLobeBelow ||
+    if ((strong.level >= plot.greatest + kLobeBelow && (is_near || is_ring)) ||
         (is_near && strong.cells > kLargerByFar * plot.cells)) {
       causes.off_deg[causes.count++] = off_deg;
     }

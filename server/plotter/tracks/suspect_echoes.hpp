@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,7 @@ class SuspectEchoes {
   static constexpr double kSameCause_deg = 3.0;
   static constexpr double kNearLobe_deg = 6.0;  // a main beam's first side lobes; they are strong
   static constexpr std::uint32_t kRingSectors = 32;
+  static constexpr int kLeastLobes = 5;  // sectors with a plot where a far lobe is, its cause's too
   static constexpr int kLeastOfRing = 7;            // sectors with a plot at the range
   static constexpr std::uint32_t kLargerByFar = 4;  // times the cells
   static constexpr double kRing_s = 4.0;            // then the next one is begun
@@ -67,7 +69,8 @@ class SuspectEchoes {
     std::uint32_t most_cells = 0, most_before = 0;  // of strong ones
     ScenarioTime began{};
   };
-  void put(Ring& ring, const Plot& plot) const;
+  static void put(Ring& ring, const Plot& plot);
+  static int sectors_of(const Ring& ring) { return std::popcount(ring.now | ring.before); }
   using Bin = std::array<Strong, Causes::kMost>;
   static void put(Bin& bin, const Strong& strong);
   struct Late {

@@ -16,9 +16,18 @@ Plot plot_at(double bearing_deg, double range_m, int level, double second = 10.0
   return plot;
 }
 
+// Weak plots at that range all round, as those of an antenna with side lobes.
+void add_lobes(SuspectEchoes& suspects, double range_m, int count, double second = 10.0) {
+  for (int i = 0; i < count; ++i) suspects.add(plot_at(80.0 + 30.0 * i, range_m, 110, second));
+}
+
 TEST(SuspectEchoes, LobesLieAtAStrongEchosRange) {
   SuspectEchoes suspects;
   suspects.add(plot_at(50, 6000, 255));
+  add_lobes(suspects, 6000, 3);
+  EXPECT_FALSE(suspects.is_suspect(plot_at(200, 6010, 120))) << "boats by chance";
+  EXPECT_TRUE(suspects.is_suspect(plot_at(52, 6010, 120))) << "close to the beam one is enough";
+  add_lobes(suspects, 6000, 4);
   EXPECT_TRUE(suspects.is_suspect(plot_at(200, 6010, 120)));
   EXPECT_FALSE(suspects.is_suspect(plot_at(200, 6010, 240))) << "as strong";
   EXPECT_FALSE(suspects.is_suspect(plot_at(200, 6150, 120))) << "elsewhere";
@@ -26,6 +35,7 @@ TEST(SuspectEchoes, LobesLieAtAStrongEchosRange) {
   EXPECT_FALSE(suspects.is_suspect(plot_at(50, 6000, 255))) << "itself";
   SuspectEchoes weak;
   weak.add(plot_at(50, 6000, 150));
+  add_lobes(weak, 6000, 6);
   EXPECT_FALSE(weak.is_suspect(plot_at(200, 6010, 60)));
 }
 
@@ -34,9 +44,12 @@ TEST(SuspectEchoes, ALobeKeepsItsCauseAndABoatDoesNot) {
   suspects.add(plot_at(350, 6000, 255));
   suspects.add(plot_at(120, 6000, 250));
   suspects.add(plot_at(200, 6500, 255));
+  add_lobes(suspects, 6000, 4);
+  add_lobes(suspects, 6500, 4);
   const auto before = suspects.causes_of(plot_at(20, 6010, 120));
   EXPECT_EQ(before.count, 2u);
   suspects.add(plot_at(352, 6000, 255, 12.5));
+  suspects.add(plot_at(200, 6500, 255, 12.5));
   EXPECT_TRUE(suspects.causes_of(plot_at(22, 6010, 120, 12.5)).shares_one_with(before));
   EXPECT_FALSE(suspects.causes_of(plot_at(40, 6510, 120, 12.5)).shares_one_with(before));
   EXPECT_FALSE(suspects.causes_of(plot_at(20, 7000, 120, 12.5)).shares_one_with(before));
