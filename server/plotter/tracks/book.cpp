@@ -263,22 +263,17 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
   // Before any is taken.
   std::vector<std::size_t> choices;
   for (const std::size_t k : who) choices.push_back(plots_near(sights_[k]).size());
+  const std::vector<std::size_t> shared = shared_plots(who, plots, pairs);
   for (std::size_t i = 0; i < who.size(); ++i) {
     Followed& followed = followed_[who[i]];
-    if (pairs[i] != kUnpaired) {
+    if (shared[i] != kUnpaired) {
+      Open& open = open_[plots[shared[i]]];
+      open.taken = true;
+      followed.target.share(open.placed);
+    } else if (pairs[i] != kUnpaired) {
       Open& open = open_[plots[pairs[i]]];
       open.taken = true;
-      look_into(open.placed);
-      open.placed.choice = static_cast<double>(choices[i]);
-      ++counts_.paired;
-      const Plot& plot = open.placed.plot;
-      // Whether it is a target is not known yet: it counts as there by chance, so that what comes
-      // again and again out of the sea does not speak for itself.
-      if (followed.number == 0) {
-        false_plots_.add(plot.range_m, plot.bearing.in_degrees());
-      }
-      open.placed.on_old_ground = followed.target.is_on_old_ground(open.placed, turn_s_);
-      followed.target.see(open.placed, density);
+      take(followed, open.placed, density, choices[i]);
     } else if (followed.look.could_see()) {
       followed.target.miss();
     }
@@ -286,6 +281,18 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
     judge(followed);
     join_duplicates_of(who[i]);
   }
+}
+
+void Tracker::Book::take(Followed& followed, PlacedPlot& placed, double density,
+                         std::size_t choice) {
+  look_into(placed);
+  placed.choice = static_cast<double>(choice);
+  ++counts_.paired;
+  // Whether it is a target is not known yet: it counts as there by chance, so that what comes again
+  // and again out of the sea does not speak for itself.
+  if (followed.number == 0) false_plots_.add(placed.plot.range_m, placed.plot.bearing.in_degrees());
+  placed.on_old_ground = followed.target.is_on_old_ground(placed, turn_s_);
+  followed.target.see(placed, density);
 }
 
 // Plots that are no target's, and that no target can claim any more.

@@ -88,6 +88,11 @@ class Tracker::Book {
   std::vector<std::size_t> plots_near(const Sight& sight) const;
   bool waits_for_a_rival(std::size_t who, const Rivals& rivals) const;
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
+  void take(Followed& followed, PlacedPlot& placed, double density, std::size_t choice);
+  std::vector<std::size_t> shared_plots(const std::vector<std::size_t>& who,
+                                        const std::vector<std::size_t>& plots,
+                                        const std::vector<std::size_t>& pairs) const;
+  bool may_be_merged_into(const Followed& followed, const PlacedPlot& plot) const;
   void judge(Followed& followed);
   bool are_one(const Target& a, const Target& b) const;
   void join_duplicates_of(std::size_t who);

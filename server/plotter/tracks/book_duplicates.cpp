@@ -1,6 +1,7 @@
-// Two targets of one ship: she shows as several echoes, and each was taken for a ship.
+// Two targets of one ship, who shows as several echoes; and two ships with one echo.
 #include <algorithm>
 
+#include "server/plotter/assignment/assignment.hpp"
 #include "server/plotter/tracks/book.hpp"
 
 namespace skerry::server {
@@ -12,7 +13,45 @@ constexpr double kSigmas = 2.0;       // of the velocity, beside that
 constexpr unsigned kHitsToJoin = 8;   // before a motion is known
 constexpr unsigned kLooksAsOne = 12;  // running, then they are one
 
+// What a beam and a pulse join.
+constexpr double kPulse_m = 60.0, kBeam_rad = 0.02;
+
 }  // namespace
+
+// Ships that come so near that they have one echo: if the one that is left without a plot may be in
+// another's, both share it.  For each target the index of the plot that it shares, or kUnpaired.
+std::vector<std::size_t> Tracker::Book::shared_plots(const std::vector<std::size_t>& who,
+                                                     const std::vector<std::size_t>& plots,
+                                                     const std::vector<std::size_t>& pairs) const {
+  std::vector<std::size_t> shared(who.size(), kUnpaired);
+  for (std::size_t i = 0; i < who.size(); ++i) {
+    if (pairs[i] != kUnpaired) continue;
+    double least = Target::kGate;
+    std::size_t with = kUnpaired;
+    for (std::size_t k = 0; k < who.size(); ++k) {
+      if (pairs[k] == kUnpaired) continue;
+      const PlacedPlot& plot = open_[plots[pairs[k]]].placed;
+      if (!may_be_merged_into(followed_[who[i]], plot) ||
+          !may_be_merged_into(followed_[who[k]], plot)) {
+        continue;
+      }
+      const double distance2 = followed_[who[i]].target.off(plot).distance2;
+      if (!(distance2 < least)) continue;
+      least = distance2;
+      with = k;
+    }
+    if (with != kUnpaired) shared[i] = shared[with] = pairs[with];
+  }
+  return shared;
+}
+
+bool Tracker::Book::may_be_merged_into(const Followed& followed, const PlacedPlot& plot) const {
+  if (followed.number == 0 || !followed.target.may_share(plot.plot.time)) return false;
+  const PlanePoint off = followed.target.place_at(plot.plot.time) -
+                         PlanePoint{plot.measured.place(0), plot.measured.place(1)};
+  return length_of(off) < kPulse_m + 0.5 * std::max(plot.plot.length_m, plot.plot.width_m) +
+                              kBeam_rad * plot.plot.range_m;
+}
 
 bool Tracker::Book::are_one(const Target& a, const Target& b) const {
   const auto size = [](const Target& t) { return std::max(t.length_m(), t.width_m()); };

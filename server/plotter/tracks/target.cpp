@@ -143,11 +143,29 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
   suspicion_ += ((suspect ? 1.0 : 0.0) - suspicion_) * std::max(0.1, 1.0 / (hits_ever_ + 1.0));
   length_m_ += (plot.plot.length_m - length_m_) / 5.0;
   width_m_ += (plot.plot.width_m - width_m_) / 5.0;
+  shares_ = false;
   last_seen_ = plot.plot.time;
   looks_ = std::min(looks_ + 1, kLooks);
   seen_ = static_cast<std::uint16_t>((seen_ << 1 | 1) & kLooksMask);
   misses_ = 0;
   ++hits_ever_;
+}
+
+bool Target::may_share(ScenarioTime time) const {
+  constexpr double kKnown_s = 60.0, kLongest_s = 300.0, kLeast_mps = 1.0;
+  return length_of(straight_.state().velocity()) > kLeast_mps && straight_.seconds() > kKnown_s &&
+         (!shares_ || seconds_between(shares_since_, time) < kLongest_s);
+}
+
+void Target::share(const PlacedPlot& plot) {
+  if (!shares_) shares_since_ = plot.plot.time;
+  shares_ = true;
+  // What the models know beside the line would spread over minutes without a plot.
+  imm_.start(straight_.state());
+  last_seen_ = plot.plot.time;
+  looks_ = std::min(looks_ + 1, kLooks);
+  seen_ = static_cast<std::uint16_t>((seen_ << 1 | 1) & kLooksMask);
+  misses_ = 0;
 }
 
 void Target::miss() {

@@ -41,6 +41,12 @@ class Target {
   // target, against one of `false_per_m2` that are there by chance (Sittler's score).
   void see(const PlacedPlot& plot, double false_per_m2);
   void miss();
+  // The plot is its echo and another target's, which are one: it was seen, and nobody knows where.
+  // It goes on as it did.
+  void share(const PlacedPlot& plot);
+  // It may: it is under way, and that is known well enough to tell it from the other when they
+  // part, and it has not for too long.
+  bool may_share(ScenarioTime time) const;
 
   // The best of what is known: a straight line, unless it manoeuvres.
   const MotionState& state() const;
@@ -87,6 +93,8 @@ class Target {
   SuspectEchoes::Causes causes_;  // of its last plot that had any
   double score_bits_ = 0.0, suspicion_ = 0.0;
   Signs signs_;
+  ScenarioTime shares_since_{};
+  bool shares_ = false;  // its last plot
   unsigned looks_ = 1, misses_ = 0, hits_ever_ = 1;
   std::uint16_t seen_ = 1;  // a bit for each of the last ten looks, the lowest is the last
   double length_m_ = 0.0, width_m_ = 0.0;

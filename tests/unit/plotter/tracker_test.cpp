@@ -433,6 +433,32 @@ TEST(Tracker, TwoPiecesOfOneHullBecomeOne) {
   EXPECT_EQ(another.tracks().size(), 2u);
 }
 
+// Two ships cross at 10 degrees; while they are within 120 m they have one plot,
+// between them.
+TEST(Tracker, TwoThatMergeForMinutesPartWithTheirOwnNumbers) {
+  const Way a = straight_way({-1500, 5000}, 85.0, 10.0),
+            b = straight_way({-1500, 5260}, 95.0, 10.0);
+  const auto is_merged = [=](double t) { return length_of(a(t) - b(t)) < 120.0; };
+  const Way nowhere = [](double) { return PlanePoint{90'000, 0}; };
+  MadeSea sea;
+  sea.bearing_sigma_deg = 0.1;
+  sea.targets = {{.way = [=](double t) { return is_merged(t) ? (a(t) + b(t)) * 0.5 : a(t); }},
+                 {.way = [=](double t) { return is_merged(t) ? nowhere(t) : b(t); }}};
+  Tracker tracker(kAll);
+  std::uint32_t first = 0;
+  int merged = 0;
+  sail(sea, tracker, 0.0, 600.0, [&](double t) {
+    const auto tracks = tracker.tracks();
+    if (t < 60.0) return;
+    ASSERT_EQ(tracks.size(), 2u) << t;
+    merged += is_merged(t);
+    if (first == 0) first = off_m(sea, tracks[0], a(t)) < off_m(sea, tracks[1], a(t)) ? 1 : 2;
+    EXPECT_LT(off_m(sea, tracks[first - 1], a(t)), 100.0) << t;
+    EXPECT_LT(off_m(sea, tracks[2 - first], b(t)), 100.0) << t;
+  });
+  EXPECT_GT(merged, 40) << "turns";
+}
+
 TEST(Tracker, RefusesPlacesThatAreNone) {
   MadeSea sea;
   sea.targets = {{straight_way({2000, 2000}, 270, 12)}};
