@@ -44,7 +44,9 @@ void SuspectEchoes::put(Ring& ring, const Plot& plot) {
   const auto sector =
       static_cast<std::uint32_t>(plot.bearing.in_degrees() / 360.0 * kRingSectors) % kRingSectors;
   ring.now |= 1u << sector;
-  if (plot.greatest >= kStrong) ring.most_cells = std::max(ring.most_cells, plot.cells);
+  // Land is large everywhere, and boats before it are not its lobes.
+  if (plot.greatest >= kStrong && !plot.extended)
+    ring.most_cells = std::max(ring.most_cells, plot.cells);
 }
 
 bool SuspectEchoes::is_of_a_ring(const Plot& plot) const {

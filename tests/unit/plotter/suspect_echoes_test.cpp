@@ -80,6 +80,16 @@ TEST(SuspectEchoes, OfARingAllAreLobesButTheLargest) {
   EXPECT_FALSE(suspects.is_suspect(plot_of(20, 3700, 245, 9))) << "another range";
 }
 
+TEST(SuspectEchoes, BoatsBeforeLandAreNoRing) {
+  SuspectEchoes suspects;
+  Plot land = plot_of(250, 3530, 255, 2000);
+  land.extended = true;
+  suspects.add(land);
+  for (int i = 0; i < 8; ++i) suspects.add(plot_of(20.0 + 25.0 * i, 3530, 245, 9));
+  EXPECT_FALSE(suspects.is_suspect(plot_of(20, 3530, 245, 9)));
+  EXPECT_TRUE(suspects.is_suspect(plot_of(20, 3530, 200, 9))) << "weaker: it may be a lobe of it";
+}
+
 TEST(SuspectEchoes, BesideAStrongEchoASmallOneIsItsFirstLobe) {
   SuspectEchoes suspects;
   suspects.add(plot_of(250, 3530, 255, 200));
