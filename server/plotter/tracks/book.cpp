@@ -112,7 +112,10 @@ void Tracker::Book::pass(const AntennaPass& antenna) {
 
 // What lies on land, or may be another echo's doing, begins no track by itself.
 void Tracker::Book::look_into(PlacedPlot& placed) const {
-  placed.suspect = placed.plot.on_land > kOnLand || suspects_.is_suspect(placed.plot);
+  placed.causes = suspects_.causes_of(placed.plot);
+  const bool echoed = suspects_.is_echo_of_a_cause(placed.plot);
+  placed.lobe = echoed || placed.causes.count > 0;
+  placed.suspect = echoed || suspects_.is_of_a_ring(placed.plot) || placed.plot.on_land > kOnLand;
 }
 
 // --- a step
@@ -257,27 +260,39 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
   }
   for (const std::size_t p : plots) placed.push_back(&open_[p].placed);
   const auto pairs = pair_up(targets, placed, {.false_per_m2 = density});
+  // Before any is taken.
+  std::vector<std::size_t> choices;
+  for (const std::size_t k : who) choices.push_back(plots_near(sights_[k]).size());
+  const std::vector<std::size_t> shared = shared_plots(who, plots, pairs);
   for (std::size_t i = 0; i < who.size(); ++i) {
     Followed& followed = followed_[who[i]];
-    if (pairs[i] != kUnpaired) {
+    if (shared[i] != kUnpaired) {
+      Open& open = open_[plots[shared[i]]];
+      open.taken = true;
+      followed.target.share(open.placed);
+    } else if (pairs[i] != kUnpaired) {
       Open& open = open_[plots[pairs[i]]];
       open.taken = true;
-      look_into(open.placed);
-      ++counts_.paired;
-      const Plot& plot = open.placed.plot;
-      // Whether it is a target is not known yet: it counts as there by chance, so that what comes
-      // again and again out of the sea does not speak for itself.
-      if (followed.number == 0) {
-        false_plots_.add(plot.range_m, plot.bearing.in_degrees());
-      }
-      open.placed.on_old_ground = followed.target.is_on_old_ground(open.placed, turn_s_);
-      followed.target.see(open.placed, density);
+      take(followed, open.placed, density, choices[i]);
     } else if (followed.look.could_see()) {
       followed.target.miss();
     }
     followed.look.done();
     judge(followed);
+    join_duplicates_of(who[i]);
   }
+}
+
+void Tracker::Book::take(Followed& followed, PlacedPlot& placed, double density,
+                         std::size_t choice) {
+  look_into(placed);
+  placed.choice = static_cast<double>(choice);
+  ++counts_.paired;
+  // Whether it is a target is not known yet: it counts as there by chance, so that what comes again
+  // and again out of the sea does not speak for itself.
+  if (followed.number == 0) false_plots_.add(placed.plot.range_m, placed.plot.bearing.in_degrees());
+  placed.on_old_ground = followed.target.is_on_old_ground(placed, turn_s_);
+  followed.target.see(placed, density);
 }
 
 // Plots that are no target's, and that no target can claim any more.

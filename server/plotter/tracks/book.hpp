@@ -11,6 +11,7 @@
 #include "server/plotter/tracks/false_plots.hpp"
 #include "server/plotter/tracks/ground_plane.hpp"
 #include "server/plotter/tracks/look.hpp"
+#include "server/plotter/tracks/lost_targets.hpp"
 #include "server/plotter/tracks/own_motion.hpp"
 #include "server/plotter/tracks/suspect_echoes.hpp"
 #include "server/plotter/tracks/target.hpp"
@@ -42,6 +43,7 @@ class Tracker::Book {
  private:
   static constexpr std::size_t kMostFollowed = 2000, kMostPlots = 4000, kMostLost = 1000;
   static constexpr std::size_t kMostExtended = 500;
+  static constexpr double kMostSuspicion = 0.3;
 
   struct Followed {
     Target target;
@@ -49,6 +51,7 @@ class Tracker::Book {
     std::uint32_t number = 0;  // 0: not shown
     bool by_hand = false, refused = false, gone = false;
     double false_per_m2 = 1e-7;  // where it is
+    unsigned as_one = 0;         // looks running at which it was where another is
   };
   struct Extended {
     PlanePoint place;
@@ -85,12 +88,22 @@ class Tracker::Book {
   std::vector<std::size_t> plots_near(const Sight& sight) const;
   bool waits_for_a_rival(std::size_t who, const Rivals& rivals) const;
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
+  void take(Followed& followed, PlacedPlot& placed, double density, std::size_t choice);
+  std::vector<std::size_t> shared_plots(const std::vector<std::size_t>& who,
+                                        const std::vector<std::size_t>& plots,
+                                        const std::vector<std::size_t>& pairs) const;
+  bool may_be_merged_into(const Followed& followed, const PlacedPlot& plot) const;
   void judge(Followed& followed);
+  bool are_one(const Target& a, const Target& b) const;
+  void join_duplicates_of(std::size_t who);
   bool deserves_a_track(const Followed& followed) const;
   bool is_under_way(const Target& target) const;
+  bool meets_demands(const Target& target, bool among_echoes) const;
+  bool outweighs_land(const Target& target) const;
   bool is_among_echoes(const Target& target) const;
   bool is_inshore(const Target& target) const;
   Acquire acquired_at(PlanePoint place) const;
+  bool may_be_a_lost_one(const Followed& followed) const;
   void show(Followed& followed);
   void begin_new_ones();
   bool belongs_to_a_known_one(const PlacedPlot& plot) const;
@@ -118,7 +131,8 @@ class Tracker::Book {
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
   SuspectEchoes suspects_;
-  std::vector<PlottedTrack> lost_;
+  LostTargets lost_targets_;
+  std::vector<PlottedTrack> lost_;  // to be told
   std::uint32_t numbers_ = 0, shown_ = 0;
   Counts counts_;
 };

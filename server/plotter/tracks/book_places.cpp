@@ -19,6 +19,7 @@ void Tracker::Book::begin(const AntennaPass& antenna) {
   extended_.clear();
   false_plots_ = {};
   suspects_ = {};
+  lost_targets_.forget();
   shown_ = 0;
   plane_.emplace(antenna.own_ship);
   own_motion_.start(plane_->to_plane(antenna.own_ship), antenna.time);
@@ -51,6 +52,7 @@ void Tracker::Book::lay_plane_anew(GeoPoint anchor) {
     followed.target.change(change);
     followed.target.move_first_place(moved(followed.target.first_place()));
   }
+  lost_targets_.change(change);
   own_motion_.change(change);
   for (Extended& each : extended_) each.place = moved(each.place);
   for (Open& open : open_) open.placed = place(open.placed.plot);
@@ -61,7 +63,8 @@ PlacedPlot Tracker::Book::place(const Plot& plot) const {
   const double plane_deg =
       plot.bearing.in_degrees() - plane_->true_less_plane_degrees(plot.own_ship);
   const echo::SinCos along = echo::sin_cos_degrees(plane_deg);
-  PlacedPlot placed{plot, {}};
+  PlacedPlot placed;
+  placed.plot = plot;
   placed.measured.place = {own.east_m + plot.range_m * along.sin,
                            own.north_m + plot.range_m * along.cos};
   const double floor_rad = rule_.bearing_sigma_deg / kDegreesPerRadian;

@@ -7,8 +7,16 @@
 
 #include "echo/kernel/exact_math.hpp"
 #include "protocol/quantity/angle.hpp"
+#include "protocol/quantity/speed.hpp"
 
 namespace skerry::server {
+
+namespace {
+
+constexpr unsigned kHitsOfALostOne = 8;
+constexpr double kMostMisfitOfALostOne = 2.5;
+
+}  // namespace
 
 void Tracker::Book::judge(Followed& followed) {
   const Target& target = followed.target;
@@ -22,18 +30,35 @@ void Tracker::Book::judge(Followed& followed) {
     followed.gone = true;
     return;
   }
-  if (followed.number == 0 && !followed.refused && deserves_a_track(followed)) show(followed);
+  if (followed.number != 0 || followed.refused) return;
+  if (deserves_a_track(followed)) {
+    show(followed);
+  } else if (may_be_a_lost_one(followed) && shown_ < rule_.most_tracks) {
+    if (const auto lost = lost_targets_.take(target)) {
+      ++shown_;
+      followed.number = lost->number;
+      followed.by_hand = lost->by_hand;
+    }
+  }
 }
 
 bool Tracker::Book::deserves_a_track(const Followed& followed) const {
   const Target& target = followed.target;
   const Acquire acquire = acquired_at(target.place_at(antenna_.time));
   if (acquire == Acquire::none || target.hits_ever() < rule_.least_hits ||
-      2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits ||
-      target.suspicion() > 0.3) {
+      2 * target.hits() < target.looks() || target.score_bits() < rule_.sure_bits) {
     return false;
   }
-  return acquire == Acquire::all || is_under_way(target);
+  return acquire == Acquire::all ? target.suspicion() <= kMostSuspicion : is_under_way(target);
+}
+
+// Less is asked of it than of a new one: that it is seen steadily, and goes on straight.
+bool Tracker::Book::may_be_a_lost_one(const Followed& followed) const {
+  const Target& target = followed.target;
+  return target.hits_ever() >= kHitsOfALostOne && 2 * target.hits() >= target.looks() &&
+         target.signs().misfit() <= kMostMisfitOfALostOne &&
+         length_of(target.state().velocity()) > rule_.least_speed_kn * kKnot &&
+         acquired_at(target.place_at(antenna_.time)) != Acquire::none;
 }
 
 Tracker::Acquire Tracker::Book::acquired_at(PlanePoint place) const {
@@ -58,13 +83,16 @@ void Tracker::Book::show(Followed& followed) {
     return;
   }
   ++shown_;
-  followed.number = ++numbers_;
+  const auto lost = lost_targets_.take(followed.target);
+  followed.number = lost ? lost->number : ++numbers_;
+  if (lost) followed.by_hand = lost->by_hand;
 }
 
 void Tracker::Book::drop_gone_ones() {
   for (const Followed& followed : followed_) {
     if (!followed.gone || followed.number == 0) continue;
     tell_lost(followed);
+    lost_targets_.keep(followed.target, followed.number, followed.by_hand);
     --shown_;
   }
   std::erase_if(followed_, [](const Followed& followed) { return followed.gone; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -25,29 +26,62 @@ class SuspectEchoes {
   static constexpr double kRemembered_s = 8.0;
   static constexpr std::size_t kLately = 512;  // plots that are compared
   static constexpr double kSameBearing_deg = 1.5;
+  static constexpr double kSameCause_deg = 3.0;
+  static constexpr double kNearLobe_deg = 6.0;  // a main beam's first side lobes; they are strong
+  static constexpr std::uint32_t kRingSectors = 32;
+  static constexpr int kLeastLobes = 5;  // sectors with a plot where a far lobe is, its cause's too
+  static constexpr int kLeastOfRing = 7;            // sectors with a plot at the range
+  static constexpr std::uint32_t kLargerByFar = 4;  // times the cells
+  static constexpr double kRing_s = 4.0;            // then the next one is begun
   static constexpr double kSartStep_m = 0.64 * 1852.0;
   static constexpr double kSartOff_m = 60.0;  // of a step
   static constexpr int kSartDots = 4;         // with this one
 
   void add(const Plot& plot);
+  // Strong echoes whose side lobes a plot may be: how far each is from it, degrees clockwise.  A
+  // lobe keeps that, while a boat at a ship's range is at another ship's a minute later.
+  struct Causes {
+    static constexpr std::size_t kMost = 6;
+    std::array<double, kMost> off_deg{};
+    std::size_t count = 0;
+    bool shares_one_with(const Causes& others) const;
+  };
   // Of one that was added, once the antenna is some degrees past it.
-  bool is_suspect(const Plot& plot) const;
+  Causes causes_of(const Plot& plot) const;
+  bool is_echo_of_a_cause(const Plot& plot) const;  // to and fro, or a SART's dot
+  // Of a ring of side lobes: plots lie at its range all round, and one is much larger.  Video that
+  // is cut off shows a lobe as strong as its ship, but never as large.
+  bool is_of_a_ring(const Plot& plot) const;
+  bool is_suspect(const Plot& plot) const {
+    return causes_of(plot).count > 0 || is_echo_of_a_cause(plot) || is_of_a_ring(plot);
+  }
 
  private:
-  struct Bin {
-    std::uint8_t level = 0;
+  struct Strong {
+    TrueBearing bearing;
+    std::uint8_t level = 0;  // 0: none
+    std::uint32_t cells = 0;
     ScenarioTime time{};
   };
+  // Sectors in which there were plots, in this span of time and in the one before.
+  struct Ring {
+    std::uint32_t now = 0, before = 0;
+    std::uint32_t most_cells = 0, most_before = 0;  // of strong ones
+    ScenarioTime began{};
+  };
+  static void put(Ring& ring, const Plot& plot);
+  static int sectors_of(const Ring& ring) { return std::popcount(ring.now | ring.before); }
+  using Bin = std::array<Strong, Causes::kMost>;
+  static void put(Bin& bin, const Strong& strong);
   struct Late {
     double range_m = 0.0;
     TrueBearing bearing;
     std::uint8_t level = 0;
     ScenarioTime time{};
   };
-  bool is_lobe(const Plot& plot) const;
-  bool shares_its_bearing_with_a_cause(const Plot& plot) const;
 
   std::vector<Bin> bins_ = std::vector<Bin>(kBins);
+  std::vector<Ring> rings_ = std::vector<Ring>(kBins);
   std::vector<Late> lately_;  // a ring
   std::size_t next_ = 0;
 };

@@ -31,7 +31,8 @@ Target::Target(const PlacedPlot& plot, double fastest_mps)
       last_seen_(plot.plot.time),
       first_place_{plot.measured.place(0), plot.measured.place(1)},
       plot_sigma_m_(larger_sigma(plot.measured.covariance)),
-      suspicion_(plot.suspect ? 1.0 : 0.0),
+      causes_(plot.causes),
+      suspicion_(plot.suspect || plot.causes.count > 0 ? 1.0 : 0.0),
       length_m_(plot.plot.length_m),
       width_m_(plot.plot.width_m) {
   MotionState state;
@@ -50,6 +51,13 @@ const MotionState& Target::state() const {
 }
 
 bool Target::keeps_course() const { return straight_.seconds() > 12.0; }
+
+double Target::age_s() const { return seconds_between(first_seen_, last_seen_); }
+
+double Target::speed_sigma_mps() const {
+  const MotionMatrix& p = state().covariance;
+  return std::sqrt(std::max(p(2, 2), p(3, 3)));
+}
 
 PlanePoint Target::place_at(ScenarioTime time) const {
   const MotionState& now = state();
@@ -113,7 +121,11 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
   signs_.take({.misfit = innovation(straight_.state(), plot.measured).distance2,
                .unlike_m = plot.plot.length_m - length_m_,
                .on_old_ground = plot.on_old_ground,
-               .by_standing = plot.plot.by_standing});
+               .by_standing = plot.plot.by_standing,
+               .lobe = plot.lobe,
+               .on_land = plot.plot.on_land,
+               .choice = plot.choice,
+               .level = plot.plot.greatest});
   const double log2_density = imm_.correct(measured);
   if (straight_.correct(measured, log2_density)) straight_.start(imm_.state());
   score_bits_ = std::min(
@@ -126,14 +138,34 @@ void Target::see(const PlacedPlot& plot, double false_per_m2) {
     noise_scale_ = std::clamp(noise_scale_ * (1.0 + (shown - 1.0) * share), 1.0, 9.0);
   }
   plot_sigma_m_ = larger_sigma(plot.measured.covariance);
-  suspicion_ += ((plot.suspect ? 1.0 : 0.0) - suspicion_) * std::max(0.1, 1.0 / (hits_ever_ + 1.0));
+  const bool suspect = plot.suspect || plot.causes.shares_one_with(causes_);
+  if (plot.causes.count > 0) causes_ = plot.causes;
+  suspicion_ += ((suspect ? 1.0 : 0.0) - suspicion_) * std::max(0.1, 1.0 / (hits_ever_ + 1.0));
   length_m_ += (plot.plot.length_m - length_m_) / 5.0;
   width_m_ += (plot.plot.width_m - width_m_) / 5.0;
+  shares_ = false;
   last_seen_ = plot.plot.time;
   looks_ = std::min(looks_ + 1, kLooks);
   seen_ = static_cast<std::uint16_t>((seen_ << 1 | 1) & kLooksMask);
   misses_ = 0;
   ++hits_ever_;
+}
+
+bool Target::may_share(ScenarioTime time) const {
+  constexpr double kKnown_s = 60.0, kLongest_s = 300.0, kLeast_mps = 1.0;
+  return length_of(straight_.state().velocity()) > kLeast_mps && straight_.seconds() > kKnown_s &&
+         (!shares_ || seconds_between(shares_since_, time) < kLongest_s);
+}
+
+void Target::share(const PlacedPlot& plot) {
+  if (!shares_) shares_since_ = plot.plot.time;
+  shares_ = true;
+  // What the models know beside the line would spread over minutes without a plot.
+  imm_.start(straight_.state());
+  last_seen_ = plot.plot.time;
+  looks_ = std::min(looks_ + 1, kLooks);
+  seen_ = static_cast<std::uint16_t>((seen_ << 1 | 1) & kLooksMask);
+  misses_ = 0;
 }
 
 void Target::miss() {

@@ -16,7 +16,7 @@ enum class TrackStatus : std::uint8_t {
 };
 
 struct PlottedTrack {
-  std::uint32_t number = 0;  // from 1 up; never used again
+  std::uint32_t number = 0;  // from 1 up; another target never has it
   TrackStatus status = TrackStatus::tentative;
   // Of the state below.
   ScenarioTime time{};

@@ -141,6 +141,11 @@ void TargetWatch::Desk::take_tracks(Plotter& plotter) {
 
   const bool is_over = frozen_since_ && now_ - *frozen_since_ >= kFrozenFor;
   for (const PlottedTrack& track : tracks) {
+    // It has come out of hiding with the number it had.
+    if (!targets_.contains(track.number) &&
+        std::erase_if(lost_, [&](const Lost& one) { return one.track.number == track.number; })) {
+      alerts_.remove(subject_of_target(track.number));
+    }
     Watched& watched = targets_[track.number];
     watched.track = track;
     if (is_over && !watched.is_dropped) {

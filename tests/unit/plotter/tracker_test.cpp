@@ -163,6 +163,35 @@ TEST(Tracker, LosesOneThatIsGoneAndSaysSoOnce) {
 }
 
 // Two ships whose ways cross, at several angles: each keeps her number.
+// Its numbers, of a target that is out of sight for two minutes.
+std::vector<std::uint32_t> numbers_of_one_that_hides(double course_then_deg, double off_m,
+                                                     double hidden_s = 120.0) {
+  MadeSea sea;
+  const double mps = 12.0 * 1852.0 / 3600.0, back_s = 120.0 + hidden_s;
+  const Way before = straight_way({1500, -3000}, 0.0, 12.0);
+  const Way after = straight_way({1500 + off_m, -3000 + mps * back_s}, course_then_deg, 12.0);
+  sea.targets = {{.way = [=](double t) {
+    if (t < 120.0) return before(t);
+    // Far beyond what is used.
+    return t < back_s ? PlanePoint{90'000, 0} : after(t - back_s);
+  }}};
+  Tracker tracker;
+  std::set<std::uint32_t> numbers;
+  sail(sea, tracker, 0.0, back_s + 60.0, [&](double) {
+    for (const PlottedTrack& track : tracker.tracks()) numbers.insert(track.number);
+  });
+  return {numbers.begin(), numbers.end()};
+}
+
+TEST(Tracker, KnowsOneAgainThatComesOutWhereItsCourseHasIt) {
+  using Numbers = std::vector<std::uint32_t>;
+  EXPECT_EQ(numbers_of_one_that_hides(0.0, 0.0), Numbers{1});
+  EXPECT_EQ(numbers_of_one_that_hides(5.0, 100.0), Numbers{1}) << "a little off";
+  EXPECT_EQ(numbers_of_one_that_hides(0.0, 800.0), (Numbers{1, 2})) << "elsewhere";
+  EXPECT_EQ(numbers_of_one_that_hides(120.0, 0.0), (Numbers{1, 2})) << "another way";
+  EXPECT_EQ(numbers_of_one_that_hides(0.0, 0.0, 330.0), (Numbers{1, 2})) << "after long";
+}
+
 TEST(Tracker, KeepsTwoApartThatCross) {
   int swaps = 0, runs = 0;
   for (const double angle : {30.0, 60.0, 90.0, 180.0}) {
@@ -378,6 +407,56 @@ TEST(Tracker, HoldsAFleetInCloseFormation) {
   EXPECT_GE(tracker.tracks().size(), 60u);
   EXPECT_LE(tracker.tracks().size(), 70u);
   EXPECT_LE(lost, 4u);
+}
+
+TEST(Tracker, TwoPiecesOfOneHullBecomeOne) {
+  MadeSea sea;
+  sea.range_sigma_m = 5.0;
+  for (const double ahead_m : {-45.0, 45.0}) {
+    sea.targets.push_back({.way = straight_way({2500, ahead_m}, 0.0, 10.0)});
+    sea.targets.back().also = [](Plot& plot) { plot.length_m = 70.0; };
+  }
+  Tracker tracker(kAll);
+  std::size_t most = 0, lost = 0;
+  sail(sea, tracker, 0.0, 120.0, [&](double) {
+    most = std::max(most, tracker.tracks().size());
+    lost += tracker.take_lost().size();
+  });
+  EXPECT_EQ(most, 2u);
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].number, 1u) << "the older one stays";
+  EXPECT_EQ(lost, 0u) << "nobody is lost";
+  // Two small ones as far apart stay two.
+  for (MadeTarget& target : sea.targets) target.also = [](Plot&) {};
+  Tracker another(kAll);
+  sail(sea, another, 0.0, 120.0);
+  EXPECT_EQ(another.tracks().size(), 2u);
+}
+
+// Two ships cross at 10 degrees; while they are within 120 m they have one plot,
+// between them.
+TEST(Tracker, TwoThatMergeForMinutesPartWithTheirOwnNumbers) {
+  const Way a = straight_way({-1500, 5000}, 85.0, 10.0),
+            b = straight_way({-1500, 5260}, 95.0, 10.0);
+  const auto is_merged = [=](double t) { return length_of(a(t) - b(t)) < 120.0; };
+  const Way nowhere = [](double) { return PlanePoint{90'000, 0}; };
+  MadeSea sea;
+  sea.bearing_sigma_deg = 0.1;
+  sea.targets = {{.way = [=](double t) { return is_merged(t) ? (a(t) + b(t)) * 0.5 : a(t); }},
+                 {.way = [=](double t) { return is_merged(t) ? nowhere(t) : b(t); }}};
+  Tracker tracker(kAll);
+  std::uint32_t first = 0;
+  int merged = 0;
+  sail(sea, tracker, 0.0, 600.0, [&](double t) {
+    const auto tracks = tracker.tracks();
+    if (t < 60.0) return;
+    ASSERT_EQ(tracks.size(), 2u) << t;
+    merged += is_merged(t);
+    if (first == 0) first = off_m(sea, tracks[0], a(t)) < off_m(sea, tracks[1], a(t)) ? 1 : 2;
+    EXPECT_LT(off_m(sea, tracks[first - 1], a(t)), 100.0) << t;
+    EXPECT_LT(off_m(sea, tracks[2 - first], b(t)), 100.0) << t;
+  });
+  EXPECT_GT(merged, 40) << "turns";
 }
 
 TEST(Tracker, RefusesPlacesThatAreNone) {

@@ -55,6 +55,17 @@ TEST(LostTargets, OneThatWasAcquiredByHandIsAlsoWhenYoung) {
   EXPECT_EQ(sea.alert_numbers(), "3052");
 }
 
+TEST(LostTargets, AreLostNoMoreWhenTheyComeOutAgain) {
+  OneLost sea(120.0);
+  ASSERT_EQ(sea.alert_numbers(), "3052");
+  sea.sea.targets[0].seen = 1.0;
+  sea.go_on_for(60.0);
+  ASSERT_EQ(sea.list().targets_size(), 1) << "once";
+  EXPECT_EQ(sea.list().targets(0).number(), 1u);
+  EXPECT_EQ(sea.list().targets(0).state(), wire::TARGET_ACQUIRING);
+  EXPECT_EQ(sea.alert_numbers(), "");
+}
+
 TEST(LostTargets, MayBeCancelled) {
   OneLost sea(120.0);
   wire::TargetOrder cancel;
