@@ -160,16 +160,39 @@ void Tracker::Book::sort_by_east() {
   plots_by_east_.clear();
   widest_gate_m_ = 0.0;
   for (std::size_t k = 0; k < sights_.size(); ++k) {
+    const Sight& sight = sights_[k];
     // One that the antenna will only come to has its own plots ahead.
-    if (!followed_[k].look.is_over() && std::fabs(sights_[k].off_deg) > kWait_deg) continue;
-    targets_by_east_.emplace_back(sights_[k].place.east_m, k);
-    widest_gate_m_ = std::max(widest_gate_m_, sights_[k].gate_m);
+    if (!followed_[k].look.is_over() && std::fabs(sight.off_deg) > kWait_deg) continue;
+    targets_by_east_.push_back({sight.place.east_m, sight.place.north_m, sight.gate_m, k});
+    widest_gate_m_ = std::max(widest_gate_m_, sight.gate_m);
   }
   for (std::size_t p = 0; p < open_.size(); ++p) {
-    plots_by_east_.emplace_back(open_[p].placed.measured.place(0), p);
+    const PlaceVector& place = open_[p].placed.measured.place;
+    plots_by_east_.push_back({place(0), place(1), 0.0, p});
   }
-  std::sort(targets_by_east_.begin(), targets_by_east_.end());
-  std::sort(plots_by_east_.begin(), plots_by_east_.end());
+  const auto by_east = [](const Placed& a, const Placed& b) {
+    return a.east_m < b.east_m || (a.east_m == b.east_m && a.index < b.index);
+  };
+  std::sort(targets_by_east_.begin(), targets_by_east_.end(), by_east);
+  std::sort(plots_by_east_.begin(), plots_by_east_.end(), by_east);
+}
+
+Tracker::Book::ByEast::const_iterator Tracker::Book::first_from(const ByEast& list, double east_m) {
+  return std::lower_bound(list.begin(), list.end(), east_m,
+                          [](const Placed& one, double east) { return one.east_m < east; });
+}
+
+void Tracker::Book::Marks::clear(std::size_t size) {
+  if (marks_.size() < size) marks_.resize(size);
+  if (++now_ != 0) return;
+  std::fill(marks_.begin(), marks_.end(), 0);
+  now_ = 1;
+}
+
+bool Tracker::Book::Marks::put(std::size_t one) {
+  if (marks_[one] == now_) return false;
+  marks_[one] = now_;
+  return true;
 }
 
 // Those whose look is over, with all that compete with them for plots; a rival that the antenna has
@@ -177,76 +200,67 @@ void Tracker::Book::sort_by_east() {
 void Tracker::Book::resolve() {
   for (std::size_t k = 0; k < followed_.size(); ++k) {
     if (!followed_[k].look.is_over()) continue;
-    Rivals rivals = rivals_of(k);
-    if (waits_for_a_rival(k, rivals)) continue;
-    std::erase_if(rivals.targets, [&](std::size_t i) { return !followed_[i].look.is_over(); });
-    decide(rivals.targets, rivals.plots);
+    const bool may_wait = sights_[k].off_deg < kWait_deg - 2.0 * kStep_deg;
+    if (!find_rivals_of(k, may_wait)) continue;
+    std::erase_if(rivals_.targets, [&](std::size_t i) { return !followed_[i].look.is_over(); });
+    decide(rivals_.targets, rivals_.plots);
   }
-}
-
-bool Tracker::Book::waits_for_a_rival(std::size_t who, const Rivals& rivals) const {
-  if (sights_[who].off_deg >= kWait_deg - 2.0 * kStep_deg) return false;
-  return std::any_of(rivals.targets.begin(), rivals.targets.end(),
-                     [&](std::size_t i) { return !followed_[i].look.is_over(); });
 }
 
 // Plots within the gate, the nearest of them if there are many; rising.
-std::vector<std::size_t> Tracker::Book::plots_near(const Sight& sight) const {
-  ByEast near;  // by distance, squared
-  const auto first =
-      std::lower_bound(plots_by_east_.begin(), plots_by_east_.end(),
-                       std::pair<double, std::size_t>(sight.place.east_m - sight.gate_m, 0));
-  for (auto at = first; at != plots_by_east_.end() && at->first < sight.place.east_m + sight.gate_m;
-       ++at) {
-    const Open& open = open_[at->second];
-    const PlanePoint off =
-        PlanePoint{open.placed.measured.place(0), open.placed.measured.place(1)} - sight.place;
-    if (open.taken || std::fabs(off.north_m) >= sight.gate_m) continue;
-    near.emplace_back(dot(off, off), at->second);
+void Tracker::Book::find_plots_near(const Sight& sight) {
+  by_distance_.clear();
+  const double end_m = sight.place.east_m + sight.gate_m;
+  for (auto at = first_from(plots_by_east_, sight.place.east_m - sight.gate_m);
+       at != plots_by_east_.end() && at->east_m < end_m; ++at) {
+    const PlanePoint off = PlanePoint{at->east_m, at->north_m} - sight.place;
+    if (std::fabs(off.north_m) >= sight.gate_m || open_[at->index].taken) continue;
+    by_distance_.emplace_back(dot(off, off), at->index);
   }
-  if (near.size() > kMostPlotsOfOne) {
-    std::nth_element(near.begin(), near.begin() + kMostPlotsOfOne, near.end());
-    near.resize(kMostPlotsOfOne);
+  if (by_distance_.size() > kMostPlotsOfOne) {
+    std::nth_element(by_distance_.begin(), by_distance_.begin() + kMostPlotsOfOne,
+                     by_distance_.end());
+    by_distance_.resize(kMostPlotsOfOne);
   }
-  std::vector<std::size_t> plots;
-  for (const auto& [distance2, plot] : near) plots.push_back(plot);
-  std::sort(plots.begin(), plots.end());
-  return plots;
+  near_.clear();
+  for (const auto& [distance2, plot] : by_distance_) near_.push_back(plot);
+  std::sort(near_.begin(), near_.end());
 }
 
 // The targets that share plots with `first`, it included, and those plots.  With more than
 // kMostRivals plots it stops: those that are left decide among themselves, over what is left.
-Tracker::Book::Rivals Tracker::Book::rivals_of(std::size_t first) const {
-  Rivals rivals;
-  std::vector<std::size_t> waiting{first};
-  const auto is_new = [](const std::vector<std::size_t>& list, std::size_t one) {
-    return std::find(list.begin(), list.end(), one) == list.end();
-  };
-  for (std::size_t next = 0; next < waiting.size() && rivals.plots.size() < kMostRivals; ++next) {
-    const std::vector<std::size_t> plots = plots_near(sights_[waiting[next]]);
-    rivals.targets.push_back(waiting[next]);
-    for (const std::size_t p : plots) {
-      if (!is_new(rivals.plots, p)) continue;
-      rivals.plots.push_back(p);
-      const double east = open_[p].placed.measured.place(0);
-      const double north = open_[p].placed.measured.place(1);
-      auto other = std::lower_bound(targets_by_east_.begin(), targets_by_east_.end(),
-                                    std::pair<double, std::size_t>(east - widest_gate_m_, 0));
-      for (; other != targets_by_east_.end() && other->first < east + widest_gate_m_ &&
-             waiting.size() < kMostRivals;
+// False if it may wait, and one of them is to be waited for.
+bool Tracker::Book::find_rivals_of(std::size_t first, bool may_wait) {
+  rivals_.targets.clear();
+  rivals_.plots.clear();
+  known_targets_.clear(followed_.size());
+  known_plots_.clear(open_.size());
+  waiting_.assign(1, first);
+  known_targets_.put(first);
+  for (std::size_t next = 0; next < waiting_.size() && rivals_.plots.size() < kMostRivals; ++next) {
+    const std::size_t who = waiting_[next];
+    if (may_wait && !followed_[who].look.is_over()) return false;
+    find_plots_near(sights_[who]);
+    rivals_.targets.push_back(who);
+    for (const std::size_t p : near_) {
+      if (!known_plots_.put(p)) continue;
+      rivals_.plots.push_back(p);
+      const PlaceVector& place = open_[p].placed.measured.place;
+      for (auto other = first_from(targets_by_east_, place(0) - widest_gate_m_);
+           other != targets_by_east_.end() && other->east_m < place(0) + widest_gate_m_ &&
+           waiting_.size() < kMostRivals;
            ++other) {
-        const Sight& sight = sights_[other->second];
-        if (std::fabs(sight.place.east_m - east) < sight.gate_m &&
-            std::fabs(sight.place.north_m - north) < sight.gate_m &&
-            is_new(waiting, other->second)) {
-          waiting.push_back(other->second);
+        if (std::fabs(other->east_m - place(0)) < other->gate_m &&
+            std::fabs(other->north_m - place(1)) < other->gate_m &&
+            known_targets_.put(other->index)) {
+          waiting_.push_back(other->index);
         }
       }
     }
   }
-  std::sort(rivals.targets.begin(), rivals.targets.end());
-  std::sort(rivals.plots.begin(), rivals.plots.end());
-  return rivals;
+  std::sort(rivals_.targets.begin(), rivals_.targets.end());
+  std::sort(rivals_.plots.begin(), rivals_.plots.end());
+  return true;
 }
 
 void Tracker::Book::decide(const std::vector<std::size_t>& who,
@@ -262,7 +276,10 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
   const auto pairs = pair_up(targets, placed, {.false_per_m2 = density});
   // Before any is taken.
   std::vector<std::size_t> choices;
-  for (const std::size_t k : who) choices.push_back(plots_near(sights_[k]).size());
+  for (const std::size_t k : who) {
+    find_plots_near(sights_[k]);
+    choices.push_back(near_.size());
+  }
   const std::vector<std::size_t> shared = shared_plots(who, plots, pairs);
   for (std::size_t i = 0; i < who.size(); ++i) {
     Followed& followed = followed_[who[i]];

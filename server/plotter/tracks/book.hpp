@@ -67,7 +67,23 @@ class Tracker::Book {
     double gate_m = 0.0;
     double off_deg = 0.0;
   };
-  using ByEast = std::vector<std::pair<double, std::size_t>>;  // rising
+  // A target or a plot of a step, to be found by place.
+  struct Placed {
+    double east_m, north_m, gate_m;
+    std::size_t index;
+  };
+  using ByEast = std::vector<Placed>;  // rising by east, then by index
+  static ByEast::const_iterator first_from(const ByEast& list, double east_m);
+  // Who is in a set; to clear it costs nothing.
+  class Marks {
+   public:
+    void clear(std::size_t size);
+    bool put(std::size_t one);  // false if it was in it
+
+   private:
+    std::vector<std::uint32_t> marks_;
+    std::uint32_t now_ = 0;
+  };
 
   void begin(const AntennaPass& antenna);
   void lay_plane_anew(GeoPoint anchor);
@@ -84,9 +100,8 @@ class Tracker::Book {
   struct Rivals {
     std::vector<std::size_t> targets, plots;  // rising; of each target all plots are there
   };
-  Rivals rivals_of(std::size_t first) const;
-  std::vector<std::size_t> plots_near(const Sight& sight) const;
-  bool waits_for_a_rival(std::size_t who, const Rivals& rivals) const;
+  bool find_rivals_of(std::size_t first, bool may_wait);
+  void find_plots_near(const Sight& sight);
   void decide(const std::vector<std::size_t>& who, const std::vector<std::size_t>& plots);
   void take(Followed& followed, PlacedPlot& placed, double density, std::size_t choice);
   std::vector<std::size_t> shared_plots(const std::vector<std::size_t>& who,
@@ -128,6 +143,10 @@ class Tracker::Book {
   std::vector<Open> open_;
   std::deque<Extended> extended_;  // of the last turns
   ByEast targets_by_east_, plots_by_east_;
+  Rivals rivals_;
+  Marks known_targets_, known_plots_;
+  std::vector<std::pair<double, std::size_t>> by_distance_;
+  std::vector<std::size_t> waiting_, near_;  // near_: what find_plots_near() found
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
   SuspectEchoes suspects_;

@@ -73,11 +73,10 @@ void Tracker::Book::join_duplicates_of(std::size_t who) {
   };
   const Followed* first = nullptr;  // whose duplicate it is
   constexpr double kFurthest_m = 400.0;
-  auto at = std::lower_bound(targets_by_east_.begin(), targets_by_east_.end(),
-                             std::pair<double, std::size_t>(east - kFurthest_m, 0));
-  for (; at != targets_by_east_.end() && at->first < east + kFurthest_m; ++at) {
-    const Followed& other = followed_[at->second];
-    if (at->second == who || other.gone || other.target.hits_ever() < kHitsToJoin) continue;
+  for (auto at = first_from(targets_by_east_, east - kFurthest_m);
+       at != targets_by_east_.end() && at->east_m < east + kFurthest_m; ++at) {
+    const Followed& other = followed_[at->index];
+    if (at->index == who || other.gone || other.target.hits_ever() < kHitsToJoin) continue;
     if (!is_before(other, followed) || !are_one(followed.target, other.target)) continue;
     if (first == nullptr || is_before(other, *first)) first = &other;
   }

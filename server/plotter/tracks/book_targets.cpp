@@ -89,13 +89,15 @@ void Tracker::Book::show(Followed& followed) {
 }
 
 void Tracker::Book::drop_gone_ones() {
-  for (const Followed& followed : followed_) {
-    if (!followed.gone || followed.number == 0) continue;
-    tell_lost(followed);
-    lost_targets_.keep(followed.target, followed.number, followed.by_hand);
+  const auto is_gone = [](const Followed& followed) { return followed.gone; };
+  const auto first = std::find_if(followed_.begin(), followed_.end(), is_gone);
+  for (auto at = first; at != followed_.end(); ++at) {
+    if (!at->gone || at->number == 0) continue;
+    tell_lost(*at);
+    lost_targets_.keep(at->target, at->number, at->by_hand);
     --shown_;
   }
-  std::erase_if(followed_, [](const Followed& followed) { return followed.gone; });
+  followed_.erase(std::remove_if(first, followed_.end(), is_gone), followed_.end());
 }
 
 // As many as anybody asks for.
