@@ -15,7 +15,7 @@
 namespace skerry::server {
 namespace {
 
-constexpr std::uint64_t kHash = 0x01AD6D5A0E5BDDB2ull;
+constexpr std::uint64_t kHash = 0x3F61809B63767538ull;
 constexpr std::uint32_t kTurns = 48, kSector = 16;
 constexpr ScanGeometry kGeometry{1024, 512, 8};
 constexpr GeoPoint kPlace{56.3, 4.2};

@@ -297,6 +297,7 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
     followed.look.done();
     judge(followed);
     join_duplicates_of(who[i]);
+    leave_out_if_echoed(who[i]);
   }
 }
 

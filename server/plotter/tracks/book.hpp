@@ -52,6 +52,7 @@ class Tracker::Book {
     bool by_hand = false, refused = false, gone = false;
     double false_per_m2 = 1e-7;  // where it is
     unsigned as_one = 0;         // looks running at which it was where another is
+    unsigned as_echo = 0;        // and at which it was where another's echo is
   };
   struct Extended {
     PlanePoint place;
@@ -111,6 +112,9 @@ class Tracker::Book {
   void judge(Followed& followed);
   bool are_one(const Target& a, const Target& b) const;
   void join_duplicates_of(std::size_t who);
+  bool is_echo_of(const Target& echo, const Target& cause, double times) const;
+  void leave_out_if_echoed(std::size_t who);
+  void leave_out(Followed& followed);
   bool deserves_a_track(const Followed& followed) const;
   bool is_under_way(const Target& target) const;
   bool meets_demands(const Target& target, bool among_echoes) const;

@@ -56,7 +56,7 @@ bool Tracker::Book::deserves_a_track(const Followed& followed) const {
 bool Tracker::Book::may_be_a_lost_one(const Followed& followed) const {
   const Target& target = followed.target;
   return target.hits_ever() >= kHitsOfALostOne && 2 * target.hits() >= target.looks() &&
-         target.signs().misfit() <= kMostMisfitOfALostOne &&
+         target.signs().misfit() <= kMostMisfitOfALostOne && target.suspicion() <= kMostSuspicion &&
          length_of(target.state().velocity()) > rule_.least_speed_kn * kKnot &&
          acquired_at(target.place_at(antenna_.time)) != Acquire::none;
 }

@@ -20,7 +20,8 @@ std::size_t bin_of(double range_m) {
 
 void SuspectEchoes::add(const Plot& plot) {
   if (lately_.size() < kLately) lately_.emplace_back();
-  lately_[next_] = {plot.range_m, plot.bearing, plot.greatest, plot.time};
+  lately_[next_] = {plot.range_m, std::min(plot.length_m, kLongestCause_m), plot.bearing,
+                    plot.greatest, plot.time};
   next_ = (next_ + 1) % kLately;
   const double half_m = std::min(0.5 * plot.length_m, 1000.0) + 0.5 * kBin_m;
   const std::size_t last = std::min(bin_of(plot.range_m + half_m), kBins - 1);
@@ -108,7 +109,9 @@ bool SuspectEchoes::is_echo_of_a_cause(const Plot& plot) const {
     if (off_deg > kSameBearing_deg || is_old(late.time, plot.time)) continue;
     for (const double times : {2.0, 3.0}) {
       const double off_m = plot.range_m - times * late.range_m;
-      const double reach_m = 40.0 + 0.5 * plot.length_m + 0.003 * plot.range_m;
+      // The cause may be several ships in one echo, of which any is seen again.
+      const double reach_m =
+          40.0 + 0.5 * (plot.length_m + times * late.length_m) + 0.003 * plot.range_m;
       if (late.level >= kStrong && late.level >= plot.greatest && std::fabs(off_m) < reach_m) {
         return true;
       }

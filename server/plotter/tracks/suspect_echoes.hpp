@@ -33,6 +33,7 @@ class SuspectEchoes {
   static constexpr int kLeastOfRing = 7;            // sectors with a plot at the range
   static constexpr std::uint32_t kLargerByFar = 4;  // times the cells
   static constexpr double kRing_s = 4.0;            // then the next one is begun
+  static constexpr double kLongestCause_m = 150.0;  // what is longer is land
   static constexpr double kSartStep_m = 0.64 * 1852.0;
   static constexpr double kSartOff_m = 60.0;  // of a step
   static constexpr int kSartDots = 4;         // with this one
@@ -74,7 +75,7 @@ class SuspectEchoes {
   using Bin = std::array<Strong, Causes::kMost>;
   static void put(Bin& bin, const Strong& strong);
   struct Late {
-    double range_m = 0.0;
+    double range_m = 0.0, length_m = 0.0;
     TrueBearing bearing;
     std::uint8_t level = 0;
     ScenarioTime time{};

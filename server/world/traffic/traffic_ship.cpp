@@ -16,7 +16,7 @@ namespace {
 
 constexpr Duration kLookEvery = std::chrono::seconds(5);
 constexpr Duration kStagger = std::chrono::milliseconds(100);
-constexpr double kMostSpeed_kn = 60.0;  // as scenario.proto has it
+constexpr double kMostSpeed_kn = 100.0;  // as scenario.proto has it
 constexpr double kTrawls_kn = 3.0;
 constexpr double kSettledTurn = 1e-9;  // deg, deg/s, m/s, as an own ship
 constexpr double kDrifts_mps = 0.5;    // with less way she evades nobody

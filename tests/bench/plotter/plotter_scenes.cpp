@@ -1,4 +1,6 @@
 // Scenes on the rendered video of a radar, and what the plotter makes of them.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -28,7 +30,41 @@ struct Score {
   std::set<std::uint32_t> false_numbers, numbers;
 };
 
+// Of a track that is nobody's.
+struct Life {
+  PlottedTrack first, last;
+  double beside_first_m = 0.0, beside_last_m = 0.0;  // the nearest ship
+  int from = 0, turns = 0;
+  void take(const PlottedTrack& track, double beside_m, int turn) {
+    if (turns++ == 0) {
+      first = track;
+      beside_first_m = beside_m;
+      from = turn;
+    }
+    last = track;
+    beside_last_m = beside_m;
+  }
+  void print(std::uint32_t number) const {
+    const auto at = [](const PlottedTrack& track, double beside_m) {
+      return fmt::format("{:.1f} deg {:.0f} m (the nearest ship {:.0f} m off)",
+                         track.bearing.in_degrees(), track.range_m, beside_m);
+    };
+    fmt::print("  false {}: {} turns from turn {}; {}, then {}; {:.1f} kn\n", number, turns, from,
+               at(first, beside_first_m), at(last, beside_last_m),
+               length_of(last.velocity_mps) / kKnot);
+  }
+};
+
 constexpr double kCut_m = 200.0;
+// Of targets nearer to each other than this nobody can tell which is which: they are one echo, or
+// were one when they were measured.  Whose track is whose counts again when they have parted.
+constexpr double kApart_m = 150.0;
+
+bool stands_alone(const std::vector<PlanePoint>& truth, std::size_t which) {
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    if (i != which && length_of(truth[i] - truth[which]) < kApart_m) return false;
+  return true;
+}
 
 void take(Score& score, const GroundPlane& plane, const World& world, const Plotter& plotter,
           double reach_m, std::map<std::uint32_t, std::size_t>& whose,
@@ -65,6 +101,7 @@ void take(Score& score, const GroundPlane& plane, const World& world, const Plot
     const PlanePoint along = (truth[pairs[i]] - own) * (1.0 / length_of(truth[pairs[i]] - own));
     score.far_m += dot(told[i] - truth[pairs[i]], along);
     score.right_m -= cross(along, told[i] - truth[pairs[i]]);
+    if (!stands_alone(truth, pairs[i])) continue;
     const auto known = whose.find(tracks[i].number);
     if (known != whose.end() && known->second != of[pairs[i]]) ++score.swaps;
     whose[tracks[i].number] = of[pairs[i]];
@@ -82,6 +119,7 @@ Score run(const bench::PlotterScene& scene, const echo::ChartSource& chart, bool
   Score score;
   std::map<std::uint32_t, std::size_t> whose;
   std::set<std::uint32_t> ever_right;
+  std::map<std::uint32_t, Life> seen;
   const GroundPlane plane(world.state().own_ships.front().position);
   const double reach_m = turns.config().controls.range_scale.length().in_metres();
   while (in_seconds(turns.world().state().exercise) < 60.0 * scene.minutes) {
@@ -90,25 +128,25 @@ Score run(const bench::PlotterScene& scene, const echo::ChartSource& chart, bool
     for (const auto& spoke : scan.spokes) {
       if (!spoke) continue;
       plotter.add(*spoke);
-      for (const Plot& plot : plotter.new_plots()) {
-        ++(plot.extended ? score.extended : score.plots);
-        if (verbose && score.turns == 40)
-          std::printf("plot %.2f %.0f len %.0f wid %.0f lvl %d cells %u ext %d\n",
-                      plot.bearing.in_degrees(), plot.range_m, plot.length_m, plot.width_m,
-                      plot.greatest, plot.cells, plot.extended);
-      }
+      for (const Plot& plot : plotter.new_plots()) ++(plot.extended ? score.extended : score.plots);
     }
     score.seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     score.followed += static_cast<double>(plotter.tracker().counts().followed);
     if (in_seconds(turns.world().state().exercise) < 60.0) continue;
     take(score, plane, turns.world(), plotter, reach_m, whose, ever_right);
-    if (verbose && score.turns % 40 == 0) {
-      for (const PlottedTrack& track : plotter.tracks())
-        std::printf("  %d track %u %.1f %.0f m %.1f kn %d/%d len %.0f\n", score.turns, track.number,
-                    track.bearing.in_degrees(), track.range_m,
-                    length_of(track.velocity_mps) / kKnot, track.hits, track.looks, track.length_m);
+    if (!verbose) continue;
+    for (const PlottedTrack& track : plotter.tracks()) {
+      if (ever_right.contains(track.number)) continue;
+      double beside_m = 1e9;
+      for (const auto& ship : turns.world().state().targets)
+        beside_m = std::min(beside_m,
+                            length_of(plane.to_plane(ship.position) - plane.to_plane(track.place)));
+      seen[track.number].take(track, beside_m, score.turns);
     }
+  }
+  for (const auto& [number, life] : seen) {
+    if (!ever_right.contains(number)) life.print(number);
   }
   for (const std::uint32_t number : score.numbers) {
     if (!ever_right.contains(number)) score.false_numbers.insert(number);
@@ -123,7 +161,7 @@ int main(int argc, char** argv) {
   std::string only;
   bool verbose = false;
   app.add_option("--scene", only, "only those whose name holds this");
-  app.add_flag("--verbose", verbose);
+  app.add_flag("--verbose", verbose, "also tells each false track");
   CLI11_PARSE(app, argc, argv);
   const auto chart = open_charts({}, "");
   std::printf(

@@ -100,9 +100,9 @@ std::vector<PlotterScene> plotter_scenes() {
            own(0, 10, 12) + crowd(20, 1, 8, 5, 20)});
   scenes.push_back({"sea state 5", sea_of(5) + own(0, 10, 6) + crowd(20, 1, 5.5, 5, 20)});
   scenes.push_back({"anchorage of 60", calm + own(0, 0, 6) + anchorage(60), 10.0, true});
-  scenes.push_back({"fast craft, 60 kn",
+  scenes.push_back({"fast craft, 70 kn",
                     calm + own(0, 10, 6) + "targets:\n" +
-                        fmt::format("  - {{name: F, {}, course_deg: 250, speed_kn: 60, length_m: "
+                        fmt::format("  - {{name: F, {}, course_deg: 250, speed_kn: 70, length_m: "
                                     "35, beam_m: 9, height_m: 8}}\n",
                                     at(60, 5)) +
                         ship("G", "fast_craft", 300, 5.5, 130, 34) +

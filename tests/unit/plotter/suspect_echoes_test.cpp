@@ -108,6 +108,20 @@ TEST(SuspectEchoes, AnEchosEchoLiesAtTwiceAndThreeTimesItsRange) {
   EXPECT_FALSE(suspects.is_suspect(plot_at(0.3, 1500, 180))) << "half of it";
 }
 
+TEST(SuspectEchoes, OfShipsThatAreOneEchoAnyIsSeenAgain) {
+  SuspectEchoes suspects;
+  Plot two = plot_at(5, 5590, 255);
+  two.length_m = 80.0;
+  suspects.add(two);
+  EXPECT_TRUE(suspects.is_suspect(plot_at(5.2, 2.0 * 5545, 120)));
+  EXPECT_FALSE(suspects.is_suspect(plot_at(5.2, 2.0 * 5590 + 200.0, 120)));
+  Plot land = two;
+  land.range_m = 3000.0;
+  land.length_m = 5000.0;
+  suspects.add(land);
+  EXPECT_FALSE(suspects.is_suspect(plot_at(5.2, 2.0 * 3000 + 400.0, 120)));
+}
+
 TEST(SuspectEchoes, DotsOfASartLieInSteps) {
   SuspectEchoes suspects;
   const auto dot = [](int i) { return plot_at(300.0 + 0.1 * (i % 3), 3000.0 + 1185.28 * i, 150); };

@@ -433,6 +433,31 @@ TEST(Tracker, TwoPiecesOfOneHullBecomeOne) {
   EXPECT_EQ(another.tracks().size(), 2u);
 }
 
+// The cause of an echo to and fro has no plot for a minute.
+TEST(Tracker, LeavesOutAnEchosEchoOnceItsCauseIsSeen) {
+  const Way cause = straight_way({2500, 800}, 20.0, 10.0);
+  MadeSea sea;
+  sea.range_sigma_m = 5.0;
+  sea.bearing_sigma_deg = 0.1;
+  const Way nowhere = [](double) { return PlanePoint{90'000, 0}; };
+  sea.targets = {{.way = [&](double t) { return sea.own(t) + (cause(t) - sea.own(t)) * 2.0; }},
+                 {.way = [&](double t) { return t < 60.0 ? nowhere(t) : cause(t); }},
+                 // Astern of the cause, at twice her range for a moment: another ship.
+                 {.way = straight_way({5600, 1700}, 290.0, 12.0)}};
+  Tracker tracker(kAll);
+  std::size_t lost = 0, before = 0;
+  sail(sea, tracker, 0.0, 180.0, [&](double t) {
+    lost += tracker.take_lost().size();
+    if (t < 60.0) before = tracker.tracks().size();
+  });
+  EXPECT_EQ(before, 2u) << "until then it may be a ship";
+  const auto tracks = tracker.tracks();
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_LT(off_m(sea, tracks[0], sea.targets[2].way(180.0)), 60.0);
+  EXPECT_LT(off_m(sea, tracks[1], cause(180.0)), 60.0);
+  EXPECT_EQ(lost, 0u);
+}
+
 // Two ships cross at 10 degrees; while they are within 120 m they have one plot,
 // between them.
 TEST(Tracker, TwoThatMergeForMinutesPartWithTheirOwnNumbers) {

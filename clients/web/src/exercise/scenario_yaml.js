@@ -82,7 +82,7 @@ function target(ship, name, nowMin) {
     `  - name: ${quoted(name)}`,
     `    position: ${place(ship.latitudeDeg, ship.longitudeDeg)}`,
     ...(sails ? [] : [`    course_deg: ${course(ship.headingDeg)}`]), // a route sets the course
-    `    speed_kn: ${number(within(speedKn, sails ? 0.1 : 0, 60), 1)}`,
+    `    speed_kn: ${number(within(speedKn, sails ? 0.1 : 0, 100), 1)}`,
   ];
   if (ship.shipClass) lines.push(`    ship_class: ${ship.shipClass}`);
   else if (ship.lengthM >= 1)
