@@ -11,10 +11,11 @@ namespace {
 constexpr double kPiecesApart_m = 30.0;  // pieces of a hull
 constexpr double kFurthest_m = 400.0;    // of the middles of hulls
 constexpr double kSameMotion_mps = 0.5;
-constexpr double kSigmas = 2.0;        // of the velocity, beside that
-constexpr unsigned kHitsToJoin = 8;    // before a motion is known
-constexpr unsigned kLooksAsOne = 12;   // running, then they are one
-constexpr unsigned kLooksEchoed = 12;  // running, then it is no target
+constexpr double kLeastMotion_mps = 1.5;  // of an echo's cause
+constexpr double kSigmas = 2.0;           // of the velocity, beside that
+constexpr unsigned kHitsToJoin = 8;       // before a motion is known
+constexpr unsigned kLooksAsOne = 12;      // running, then they are one
+constexpr unsigned kLooksEchoed = 12;     // running, then it is no target
 
 // What a beam and a pulse join.
 constexpr double kPulse_m = 60.0, kBeam_rad = 0.02;
@@ -96,6 +97,8 @@ bool Tracker::Book::is_echo_of(const Target& echo, const Target& cause, double t
   const auto relative = [&](const Target& t) {
     return t.state().velocity() - own_motion_.velocity_mps();
   };
+  // Of what does not move, a ship at twice another's range stays there, too.
+  if (length_of(relative(cause)) < kLeastMotion_mps) return false;
   return length_of(relative(echo) * (1.0 / times) - relative(cause)) <
          kSameMotion_mps +
              kSigmas * std::max(echo.speed_sigma_mps() / times, cause.speed_sigma_mps());

@@ -68,9 +68,10 @@ constexpr double kByOwnShip_m = 250.0, kAlong_mps = 2.0;
 constexpr double kFast_kn = 30.0;
 constexpr unsigned kHitsOfFast = 8;
 
-constexpr double kCompany_m = 400.0;     // of other echoes that are followed
-constexpr double kFromLand_m = 12e3;     // of the middle of an extended echo
-constexpr double kTurnsOfLand = 4.0;     // since when it was seen
+// Of other echoes that are followed; near own ship boats are small, and so is the way between them.
+constexpr double kCompany_m = 400.0, kCompanyShare = 0.25;  // of the range, where that is less
+constexpr double kFromLand_m = 12e3;                        // of the middle of an extended echo
+constexpr double kTurnsOfLand = 4.0;                        // since when it was seen
 constexpr long kLeastOfLand = 8;         // so many then: near ships run together, too
 constexpr unsigned kSeenOften = 4;       // looks of the last ten
 constexpr double kMostByStanding = 0.3;  // share of its plots
@@ -132,9 +133,10 @@ bool Tracker::Book::outweighs_land(const Target& target) const {
 bool Tracker::Book::is_among_echoes(const Target& target) const {
   if (target.signs().by_standing() > kMostByStanding) return true;
   const PlanePoint place = target.place_at(antenna_.time);
+  const double company_m = std::min(kCompany_m, kCompanyShare * length_of(place - own_place_));
   return std::any_of(followed_.begin(), followed_.end(), [&](const Followed& other) {
     return &other.target != &target && other.number == 0 && other.target.hits() >= kSeenOften &&
-           length_of(other.target.place_at(antenna_.time) - place) < kCompany_m;
+           length_of(other.target.place_at(antenna_.time) - place) < company_m;
   });
 }
 
