@@ -161,7 +161,7 @@ TEST(Scenario, OneMistakeIsReportedOnce) {
   EXPECT_EQ(refusal(kTarget + "    waypoints: [{lat: 99, lon: 5}, {lat: 61, lon: 5}]\n"
                               "    speed_kn: fast\n"),
             "9:23: targets[0].waypoints[0].lat: 99 is out of range; allowed: -90 to 90 deg\n"
-            "test.yaml:10:15: targets[0].speed_kn: expected a number, given fast; allowed: 0 to 60 "
+            "test.yaml:10:15: targets[0].speed_kn: expected a number, given fast; allowed: 0 to 100 "
             "kn\ntest.yaml: 2 errors");
   const std::string set = refusal(
       "name: s\nown_ships:\n  - name: F\n    position: {lat: 60, lon: 5}\n"
