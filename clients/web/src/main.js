@@ -64,6 +64,7 @@ const radarChoice = choices.get('radar');
 
 let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection;
+let isTold = false;  // of the radar's settings, by the server of now
 // A console that watches: the picture alone, and no order leaves it. The instructor's page has one beside the chart.
 const isWatching = choices.has('watch');
 document.body.toggleAttribute('data-watch', isWatching);
@@ -100,6 +101,7 @@ const radar = new RadarConsole(renderer.maxRows, {
     showAvailability();
   },
   settings: (settings) => {
+    isTold = true;
     subscription.takeSettings(settings);
     receiver.takeSettings(settings);
     locks.take(settings);
@@ -145,14 +147,14 @@ const url = new URL('ws', location.href);
 url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
 url.search = url.hash = '';
 connection = new Connection(url, {
-  state: () => showAvailability(),
+  state: (state) => { if (state !== 'live') isTold = false; showAvailability(); },
   messages: (messages) => radar.takeAll(messages, seconds()),
   garbage: (error) => notify(`The server sent what is no radar message (${error.kind ?? 'text'})`),
 });
 
 // Called by the connection's maker already.
 function showAvailability() {
-  availability.show({ live: connection?.state === 'live', known: radar.settings !== null, playback: playback.on, nowMs: performance.now() });
+  availability.show({ live: connection?.state === 'live', known: isTold && radar.settings !== null, playback: playback.on, nowMs: performance.now() });
 }
 
 // The picture.
