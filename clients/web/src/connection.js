@@ -2,10 +2,10 @@
 //
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
+import { answers, retryMs } from './connection_retry.js';
 import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe } from './messages.js';
 
 const SILENCE_MS = 6000;
-const FIRST_RETRY_MS = 400, LAST_RETRY_MS = 8000;
 // Not sent, but dropped, when so much lies unsent: settings are small, so the server has stopped reading.
 const MAX_UNSENT = 65536;
 
@@ -17,9 +17,15 @@ export class Connection {
     this.state = 'waiting';
     this.attempts = 0;
     this.retryAt = 0;
+    this.retry = null;     // timer of the next attempt
     this.nextRequest = 1;
     this.bytes = 0;
     this.garbage = 0;
+    // What answers as long as there is a server, and weighs nothing.
+    this.probe = new URL('icon.svg', location.href);
+    // A page that nobody sees is given no time to retry; whoever looks at it again, or has a network again, does not wait.
+    document.addEventListener('visibilitychange', () => { if (!document.hidden) this.#retryNow(); });
+    addEventListener('online', () => this.#retryNow());
     this.#open();
   }
 
@@ -49,12 +55,27 @@ export class Connection {
     if (this.socket !== socket) return;
     this.socket = null;
     clearTimeout(this.silence);
-    // Spread, so that a room full of consoles does not call all at once.
-    const wait = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** this.attempts) * (0.75 + 0.5 * Math.random());
+    this.#become('waiting');
+    this.#retryLater();
+  }
+
+  #retryLater() {
+    const wait = retryMs(this.attempts);
     this.attempts += 1;
     this.retryAt = performance.now() + wait;
-    setTimeout(() => this.#open(), wait);
-    this.#become('waiting');
+    this.retry = setTimeout(() => this.#retry(), wait);
+  }
+
+  async #retry() {
+    this.retry = null;
+    if (await answers(this.probe)) this.#open();
+    else this.#retryLater();
+  }
+
+  #retryNow() {
+    if (!this.retry) return;
+    clearTimeout(this.retry);
+    this.#retry();
   }
 
   #take(data) {

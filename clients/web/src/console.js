@@ -7,7 +7,7 @@ import { NAUTICAL_MILE_M } from './view_geometry.js';
 const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
-  // events: hello(hello), settings(settings), ownShip(ownShip), world(world), recorder(state),
+  // events: hello(hello, the radar that was looked at before it), settings(settings), ownShip(ownShip), world(world), recorder(state),
   // playback(state), reply(reply, text, refused).
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
@@ -85,10 +85,11 @@ export class RadarConsole {
 
   #takeHello(hello) {
     this.hello = hello;
+    const wanted = this.radar;
     if (!hello.radars.some((r) => r.radar === this.radar) && hello.radars.length > 0) {
       this.radar = hello.radars[0].radar;
     }
-    this.events.hello(hello);
+    this.events.hello(hello, wanted);
   }
 
   #takeSettings(settings) {

@@ -1,5 +1,6 @@
 // The panel's controls as elements, made from the table of controls into the parts that index.html has for them:
-// <div data-panel="receiver">.  A control's element has its name as id.
+// <div data-panel="receiver">, or <div data-controls="gain gainAuto"> for some of them by name, wherever they are wanted.
+// A control's element has its name as id.
 import { widgetOf } from './controls_table.js';
 
 function element(name, properties = {}, ...children) {
@@ -55,13 +56,20 @@ function add(part, control, sameRow) {
   }
 }
 
+function fill(part, shown) {
+  shown.sort((a, b) => a.row - b.row || (a.type === 'switch') - (b.type === 'switch'));
+  shown.forEach((control, i) => add(part, control, i > 0 && shown[i - 1].row === control.row));
+}
+
 // Controls of a panel that index.html has no part for are left out.
 export function buildPanel({ controls, artefacts }) {
-  for (const part of document.querySelectorAll('[data-panel]')) {
-    const shown = controls.filter((control) => control.panel === part.dataset.panel && widgetOf(control));
-    shown.sort((a, b) => a.row - b.row || (a.type === 'switch') - (b.type === 'switch'));
-    shown.forEach((control, i) => add(part, control, i > 0 && shown[i - 1].row === control.row));
+  let rest = controls.filter(widgetOf);
+  for (const part of document.querySelectorAll('[data-controls]')) {
+    const names = part.dataset.controls.split(' ');
+    fill(part, rest.filter(({ name }) => names.includes(name)));
+    rest = rest.filter(({ name }) => !names.includes(name));
   }
+  for (const part of document.querySelectorAll('[data-panel]')) fill(part, rest.filter(({ panel }) => panel === part.dataset.panel));
   document.querySelector('#artefacts').append(...artefacts.map((artefact) =>
     label(artefact, '', element('input', { id: artefact.name, type: 'checkbox' }), text(artefact))));
 }

@@ -42,7 +42,8 @@ export class PictureSettings {
   }
 }
 
-// Shows the picture's settings in the panel and calls changed(values) when the operator changes one.
+// Shows the picture's settings in the panel and calls changed(values) when the operator changes one.  Gives what shows them
+// anew.
 export function bindPicture(picture, changed) {
   const show = () => {
     showPalette(picture.palette);
@@ -66,6 +67,7 @@ export function bindPicture(picture, changed) {
   $('rings').addEventListener('change', () => change({ rings: $('rings').checked }));
   $('heading-line').addEventListener('change', () => change({ headingLine: $('heading-line').checked }));
   show();
+  return show;
 }
 
 // Keys work anywhere but in a field that needs them itself.

@@ -1,5 +1,6 @@
 // Instructor: sea, air, rain and artefacts of the whole world, for all radars.
 import { bearing, fixed } from './format.js';
+import { showRefusal } from './panel/refusal.js';
 import { PendingRequests } from './shared_setting.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
 import { $, bindNumber, bindSlider, bindSwitch } from './widgets.js';
@@ -44,11 +45,13 @@ export class Instructor {
       radiusNm: value('rain-radius'), rateMmH: value('rain-rate'), driftDeg: value('rain-drift'),
       driftKn: value('rain-speed'), kind: Number($('rain-kind').value) };
     for (const name of Object.keys(cell)) if (Number.isNaN(cell[name])) delete cell[name];
-    if (cell.latitudeDeg !== undefined && cell.longitudeDeg !== undefined) this.set({ world: { rain: [cell] } });
+    if (cell.latitudeDeg !== undefined && cell.longitudeDeg !== undefined) {
+      this.pending.add(this.set({ world: { rain: [cell] } }), { settle: () => {}, refused: (why) => showRefusal($('rain-kind'), why) });
+    }
   }
 
-  takeReply(reply) {
-    this.pending.takeReply(reply);
+  takeReply(reply, why) {
+    this.pending.takeReply(reply, why);
   }
 
   take(world) {

@@ -1,4 +1,6 @@
 // Locks: which controls only the instructor may change, and what that does to the panel.
+import { showRefusal } from './panel/refusal.js';
+import { PendingRequests } from './shared_setting.js';
 import { $ } from './widgets.js';
 
 // Elements of controls that are not one element with the control's name, by the field's name.
@@ -19,24 +21,37 @@ function groupsOf(controls) {
 }
 
 export class Locks {
-  // controls: the table's.  set(values): sends them.  While the instructor's panel is open this console is the instructor's,
-  // whom no lock holds.
+  // controls: the table's.  set(values): sends them, and returns the request number or null.  While the instructor's panel is
+  // open this console is the instructor's, whom no lock holds.
   constructor(controls, set) {
     this.groups = groupsOf(controls);
+    this.pending = new PendingRequests();
     this.locked = new Set();
     this.tuneAuto = false;
     this.driven = false;
     for (const [id, controls] of Object.entries(this.groups)) {
       $(id).addEventListener('change', () => {
-        set({ [$(id).checked ? 'lock' : 'unlock']: Object.keys(controls) });
-        this.show();  // as the server has it, until it says otherwise
+        this.#ask(set({ [$(id).checked ? 'lock' : 'unlock']: Object.keys(controls) }), $(id));
       });
     }
+    // An exam: everything locked, then what the instructor allows unlocked.
+    const all = Object.values(this.groups).flatMap((controls) => Object.keys(controls));
+    $('lock-all').addEventListener('click', () => this.#ask(set({ lock: all }), $('lock-range')));
+    $('unlock-all').addEventListener('click', () => this.#ask(set({ unlock: all }), $('lock-range')));
     $('instructor').addEventListener('toggle', () => this.show());
+  }
+
+  #ask(request, element) {
+    this.pending.add(request, { settle: () => this.show(), refused: (why) => showRefusal(element, why) });
+    this.show();  // as the server has it, until it says otherwise
   }
 
   get isInstructor() {
     return $('instructor').open;
+  }
+
+  takeReply(reply, why) {
+    this.pending.takeReply(reply, why);
   }
 
   take(settings) {
@@ -58,6 +73,7 @@ export class Locks {
       $(id).indeterminate = !$(id).checked && names.some((name) => this.locked.has(name));
       for (const name of names) for (const element of controls[name]) this.#show($(element), name);
     }
+    $('exam-sign').hidden = !Object.values(this.groups).every((controls) => Object.keys(controls).every((name) => this.locked.has(name)));
   }
 
   #show(element, name) {
@@ -65,8 +81,8 @@ export class Locks {
     element.classList.toggle('locked', locked);
     if (locked) element.title = 'Locked by the instructor';
     else if (element.title === 'Locked by the instructor') element.removeAttribute('title');
-    // The range buttons and the tuning have a say of their own in when they serve.
+    // The tuning and a ship that is driven from outside have a say of their own in when they serve.
     const idle = (name === 'tune' && this.tuneAuto) || (this.driven && (name === 'course_deg' || name === 'speed_kn'));
-    if (name !== 'range_nm' || element.id === 'range') element.disabled = (locked && !this.isInstructor) || idle;
+    element.disabled = (locked && !this.isInstructor) || idle;
   }
 }

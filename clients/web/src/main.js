@@ -2,21 +2,38 @@
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
-import { bindKeys, bindPicture, PictureSettings, showPalette } from './controls.js';
+import { bindPicture, PictureSettings, showPalette } from './controls.js';
 import { loadControls } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
+import { Pinch } from './hands/pinch.js';
 import { Instructor } from './instructor.js';
+import { consoleKeys, showKeyHints } from './keys/console_keys.js';
+import { KeyHelp } from './keys/key_help.js';
+import { listenToKeys } from './keys/key_listener.js';
+import { KeyTable } from './keys/key_table.js';
 import { Locks } from './locks.js';
 import { Markers } from './markers.js';
-import { REFUSED, useControls } from './messages.js';
+import { useControls } from './messages.js';
+import { isolated } from './names.js';
 import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
 import { echoColourTable, PALETTES } from './palette.js';
+import { Availability } from './panel/availability.js';
+import { Greeting } from './panel/greeting.js';
+import { InstructorChoice } from './panel/instructor_choice.js';
+import { PictureHealth } from './panel/picture_health.js';
+import { showRefusal } from './panel/refusal.js';
+import { Screens } from './panel/screens.js';
+import { SetupStore } from './panel/setup_store.js';
+import { Setups } from './panel/setups.js';
+import { Subscription } from './panel/subscription.js';
+import { Tabs } from './panel/tabs.js';
 import { Playback } from './playback.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
 import { Recording } from './recording.js';
+import { PendingRequests } from './shared_setting.js';
 import { Rate } from './stream_stats.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
@@ -25,15 +42,10 @@ import { $ } from './widgets.js';
 const READOUTS_MS = 100;
 const seconds = () => performance.now() / 1000;
 
-let renderer;
-try {
-  renderer = new PpiRenderer($('echoes'));
-} catch (error) {
-  $('alarm').hidden = false;
-  $('alarm').textContent = `This browser cannot draw the radar picture: ${error.message}. ` +
-    'Turn on hardware acceleration, or use a browser with WebGL2.';
-  throw error;
-}
+const health = new PictureHealth($('echoes'), (canvas) => new PpiRenderer(canvas));
+const { renderer } = health;
+const tabs = new Tabs($('tabs'), $('tab-sections'));
+const availability = new Availability();
 
 const table = await loadControls(new URL('controls.json', location.href), () => {
   $('alarm').hidden = false;
@@ -52,9 +64,13 @@ const radarChoice = choices.get('radar');
 
 let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection;
+let isTold = false;  // of the radar's settings, by the server of now
 // A console that watches: the picture alone, and no order leaves it. The instructor's page has one beside the chart.
 const isWatching = choices.has('watch');
 document.body.toggleAttribute('data-watch', isWatching);
+// One of two pictures: the picture and its range buttons (src/panel/screens.js).
+document.body.toggleAttribute('data-bare', choices.has('bare'));
+new InstructorChoice({ part: $('instructor-part'), fold: $('instructor'), box: $('is-instructor'), ask: $('instructor-ask') }, choices.get('instructor'));
 const set = (values) => {
   if (isWatching) return null;
   const ours = locks.isInstructor ? { ...values, instructor: true } : values;
@@ -62,88 +78,68 @@ const set = (values) => {
   if (request === null) notices.show('Not connected: the change was not sent');
   return request;
 };
-const receiver = new ReceiverControls(table.controls, set);
+const notify = (text, kind) => notices.show(text, kind);
+const receiver = new ReceiverControls(table.controls, set, notify);
 const instructor = new Instructor(table.artefacts, set, () => radar.ownShip);
 const locks = new Locks(table.controls, set);
-const notify = (text, kind) => notices.show(text, kind);
+const greeting = new Greeting({ problem: $('server-problem'), text: $('server-problem-text') }, notify);
 const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
 const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
 
 const radar = new RadarConsole(renderer.maxRows, {
-  hello: (hello) => {
+  hello: (hello, wanted) => {
+    greeting.take(hello, wanted);
     recording.greet(hello.canRecord);
     playback.greet(hello.playback);
     receiver.setScales(hello.rangeScalesNm);
-    const named = (r) => [r.ownShip, r.name].filter(Boolean).join(' · ');
+    const named = (r) => isolated([r.ownShip, r.name].filter(Boolean).join(' · '));
     $('radar').replaceChildren(...hello.radars.map((r) => new Option(named(r), r.radar)));
     $('radar').value = String(radar.radar);
-    $('server').textContent = [hello.server, hello.scenario].filter(Boolean).join(' · ');
-    subscribe();
+    $('server').textContent = [hello.server, hello.scenario].map((name) => isolated(name)).filter(Boolean).join(' · ');
+    screens.greet(hello.radars);
+    subscription.begin();
+    showAvailability();
   },
-  settings: (settings) => { receiver.takeSettings(settings); locks.take(settings); },
+  settings: (settings) => {
+    isTold = true;
+    subscription.takeSettings(settings);
+    receiver.takeSettings(settings);
+    locks.take(settings);
+    showAvailability();
+  },
   ownShip: (ownShip) => locks.takeOwnShip(ownShip),
   world: (world) => instructor.take(world),
   recorder: (state) => recording.take(state),
-  playback: (state) => playback.take(state),
+  playback: (state) => { playback.take(state); showAvailability(); },
   reply: (reply, text, refused) => {
-    if (takeSubscription(reply)) return;
-    receiver.takeReply(reply);
-    instructor.takeReply(reply);
+    if (subscription.takeReply(reply)) return;
+    receiver.takeReply(reply, text);
+    instructor.takeReply(reply, text);
+    locks.takeReply(reply, text);
+    ordered.takeReply(reply, text);
     recording.takeReply(reply);
     playback.takeReply(reply);
-    if (reply.code !== 0) notices.show(text);
+    if (reply.code !== 0) notify(text);
     if (refused) $('access').hidden = false;
   },
 });
 if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
-// Whether this console has a view of its own, which further view of another's it looks at if not (0: the shared one), and
-// the subscription that is under way.
-let ownView = choices.get('view') === 'own';
-let joined = /^\d{1,9}$/.test(choices.get('view') ?? '') ? Number(choices.get('view')) : 0;
-let asked = null;
-
-function subscribe() {
-  const like = ownView ? radar.view : joined;
-  $('con-page').href = `conning?radar=${radar.radar}`;
-  asked = { request: connection.subscribe(radar.radar, like, ownView, token), radar: radar.radar, like, ownView };
-  radar.forget();
-  radar.view = ownView ? 0 : joined;
-  showView();
-}
-
-// Whether the reply is the subscription's. A view to copy may have ended: then the shared one is.
-function takeSubscription(reply) {
-  if (asked === null || reply.request !== asked.request) return false;
-  const { like, ownView: wanted } = asked;
-  asked = null;
-  if (reply.code === 0) {
-    radar.view = reply.view;
-    if (wanted && reply.view === 0) { ownView = false; notices.show('This server has no views of one\u2019s own'); }
-  } else if (wanted) {
-    ownView = like !== 0;
-    radar.view = 0;
-    if (like === 0) notices.show(reply.text);
-    if (reply.code === REFUSED) $('access').hidden = false;
-    subscribe();
-  } else {
-    notices.show(reply.text);
-    if (like !== 0) { joined = 0; subscribe(); }
-  }
-  showView();
-  return true;
-}
+const screens = new Screens({ radar, layOut: () => layOut(), notify }, choices);
+const subscription = new Subscription({
+  radar, set, notify, controls: table.controls, askToken: () => { $('access').hidden = false; },
+  send: (number, like, own) => connection.subscribe(number, like, own, token),
+  shown: () => showView(),
+}, choices.get('view'));
 
 function showView() {
-  document.querySelector(`input[name=view][value=${ownView ? 'own' : 'shared'}]`).checked = true;
-  $('receiver-note').textContent = ownView ? 'this console\u2019s own' : 'shared by all consoles';
+  const { own } = subscription;
+  $('con-page').href = `conning?radar=${radar.radar}`;
+  document.querySelector(`input[name=view][value=${own ? 'own' : 'shared'}]`).checked = true;
+  $('receiver-note').textContent = own ? 'this console\u2019s own' : 'shared by all consoles';
 }
 for (const input of document.querySelectorAll('input[name=view]')) {
-  input.addEventListener('change', () => {
-    ownView = input.value === 'own';
-    joined = radar.view = 0;
-    subscribe();
-  });
+  input.addEventListener('change', () => subscription.choose(input.value === 'own'));
 }
 showView();
 
@@ -151,10 +147,15 @@ const url = new URL('ws', location.href);
 url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
 url.search = url.hash = '';
 connection = new Connection(url, {
-  state: () => {},
+  state: (state) => { if (state !== 'live') isTold = false; showAvailability(); },
   messages: (messages) => radar.takeAll(messages, seconds()),
-  garbage: (error) => notices.show(`The server sent what is no radar message (${error.kind ?? 'text'})`),
+  garbage: (error) => notify(`The server sent what is no radar message (${error.kind ?? 'text'})`),
 });
+
+// Called by the connection's maker already.
+function showAvailability() {
+  availability.show({ live: connection?.state === 'live', known: isTold && radar.settings !== null, playback: playback.on, nowMs: performance.now() });
+}
 
 // The picture.
 let view = new ViewGeometry(100, 10, 1);
@@ -203,12 +204,12 @@ function draw() {
 
 let readoutsAt = 0;
 function frame() {
+  requestAnimationFrame(frame);  // first: a fault in one picture is not the end of all
   draw();
   if (performance.now() - readoutsAt >= READOUTS_MS) {
     readoutsAt = performance.now();
     showReadouts();
   }
-  requestAnimationFrame(frame);
 }
 
 function alarmText() {
@@ -237,9 +238,10 @@ function showReadouts() {
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
   playback.showPosition();
-  const alarm = alarmText();
+  showAvailability();
+  const alarm = [health.text, alarmText()].filter(Boolean).join('\n');
   $('alarm').hidden = alarm === '';
-  $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
+  $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live' && health.text === '');
   if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
   const summary = `Range ${formatRange(rangeNm)} nautical miles, ${$('orientation').textContent.toLowerCase()}.`;
   if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
@@ -250,7 +252,7 @@ function applyPicture() {
   radar.store.trailS = picture.trailS;
   renderer.setEchoColours(echoColourTable(picture.echo));
 }
-bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
+const showPicture = bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
 applyPicture();
 // The colours of the page around it are this console's too.
 if (isWatching) {
@@ -261,43 +263,51 @@ if (isWatching) {
   });
 }
 
-$('radar').addEventListener('change', () => {
-  radar.radar = Number($('radar').value);
-  joined = radar.view = 0;
-  subscribe();
-});
+$('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
+const ordered = new PendingRequests();
 $('orders').addEventListener('submit', (event) => {
   event.preventDefault();
   const course = $('order-course'), speed = $('order-speed');
-  const values = {};
+  const values = {}, before = [course.value, speed.value];
   if (course.value !== '') values.courseDeg = course.valueAsNumber;
   if (speed.value !== '') values.speedKn = speed.valueAsNumber;
-  if (Object.keys(values).length > 0 && set(values) !== null) course.value = speed.value = '';
+  const request = Object.keys(values).length > 0 ? set(values) : null;
+  if (request === null) return;
+  course.value = speed.value = '';
+  ordered.add(request, { settle: () => { [course.value, speed.value] = before; }, refused: (why) => showRefusal($('orders'), why) });
 });
 $('token').addEventListener('change', () => {
   token = $('token').value;
   sessionStorage.setItem('skerry.token', token);
 });
 $('token').value = token;
-$('help-open').addEventListener('click', () => $('help').showModal());
 
-const step = (event, coarse) => (event.shiftKey ? coarse / 10 : coarse);
-bindKeys({
-  '+': () => receiver.stepRange(1), '=': () => receiver.stepRange(1), '-': () => receiver.stepRange(-1),
-  n: () => document.querySelector('input[name=orientation][value=north]').click(),
-  h: () => document.querySelector('input[name=orientation][value=head]').click(),
-  s: () => document.querySelector(`input[name=transmit][value=${radar.inStandby ? 'on' : 'off'}]`).click(),
-  g: (event) => receiver.stepGain(event.shiftKey ? -1 : 1),
-  e: () => markers.toggle('ebl'), v: () => markers.toggle('vrm'),
-  r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),
-  k: () => playback.toggle(), ',': () => playback.step(-1), '.': () => playback.step(1), m: () => recording.mark(''),
-  '?': () => $('help').showModal(),
-  ArrowLeft: (event) => markers.turnEbl(-step(event, 1)), ArrowRight: (event) => markers.turnEbl(step(event, 1)),
-  ArrowUp: (event) => markers.moveVrm(step(event, 0.01)), ArrowDown: (event) => markers.moveVrm(-step(event, 0.01)),
+// Keys and hands.
+const keys = new KeyTable();
+const help = new KeyHelp($('help'), keys, () => showKeyHints(keys));
+const orders = (run) => () => (availability.on ? run() : notify(playback.on ? 'A recording is played: the radar takes no orders' : 'Not connected: the change was not sent'));
+keys.register(...consoleKeys({ receiver, markers, playback, recording, screens, help, inStandby: () => radar.inStandby, orders }));
+showKeyHints(keys);
+listenToKeys(keys);
+$('help-open').addEventListener('click', () => help.open());
+new Pinch($('ppi'), (by) => orders(() => receiver.stepRange(by))());
+
+// What a set-up keeps.
+const setups = new SetupStore();
+setups.addPart('picture', {
+  take: () => ({ ...picture }),
+  put: (values) => {
+    picture.change(Object.fromEntries(Object.entries(values).filter(([name, value]) => typeof picture[name] === typeof value)));
+    showPicture();
+    applyPicture();
+  },
 });
+setups.addPart('receiver', { take: () => subscription.valuesOf(radar.settings), put: (values) => subscription.give(values) });
+setups.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
+new Setups(setups, notify);
 
 new ResizeObserver(layOut).observe($('display'));
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs });
 requestAnimationFrame(frame);

@@ -87,7 +87,6 @@ export class Playback {
     this.pending = this.dragged = null;
     document.documentElement.toggleAttribute('data-playback', isPlayback);
     $('playback').hidden = $('playback-sign').hidden = !isPlayback;
-    for (const part of document.querySelectorAll('[data-live-radar]')) part.inert = isPlayback;
   }
 
   take(state) {

@@ -1,6 +1,7 @@
 // ReceiverControls: the controls of the view and of the radar behind it, joined to what they do.
 import { widgetOf } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
+import { showRefusal } from './panel/refusal.js';
 import { PendingRequests, SharedSetting } from './shared_setting.js';
 import { $, bindChoice, bindNumber, bindSlider, bindSwitch } from './widgets.js';
 
@@ -21,10 +22,11 @@ export function sectorsText(sectors) {
 
 // Shared with every console on the same view; pulse, tuning and standby with every one on the radar.
 // controls: the table's, whose elements buildPanel() has made.  set(values): sends them, and returns the request
-// number or null.
+// number or null.  notify(text, kind): to the operator.
 export class ReceiverControls {
-  constructor(controls, set) {
+  constructor(controls, set, notify) {
     this.set = set;
+    this.notify = notify;
     this.scales = [];
     this.pending = new PendingRequests();
     this.settings = {};
@@ -36,7 +38,7 @@ export class ReceiverControls {
     $('blankedSectors').addEventListener('change', () => this.#changeSectors());
     this.settings.transmit = new SharedSetting((value) => this.#send('transmit', value), (value) => {
       document.querySelector(`input[name=transmit][value=${value ? 'on' : 'off'}]`).checked = true;
-    });
+    }, (why) => showRefusal($('transmit-on'), why));
     for (const input of document.querySelectorAll('input[name=transmit]')) {
       input.addEventListener('change', () => this.settings.transmit.change(input.value === 'on'));
     }
@@ -45,7 +47,7 @@ export class ReceiverControls {
       select.value = String(value);
       select.classList.toggle('pending', pending);
       this.#limitRange(value);
-    });
+    }, (why) => showRefusal(select, why));
     select.addEventListener('change', () => this.settings.rangeNm.change(Number(select.value)));
     $('range-less').addEventListener('click', () => this.stepRange(-1));
     $('range-more').addEventListener('click', () => this.stepRange(1));
@@ -55,7 +57,7 @@ export class ReceiverControls {
     const field = $('blankedSectors');
     const sectors = sectorsOf(field.value);
     field.setCustomValidity(sectors ? '' : 'Up to four sectors from-to in degrees from the bow, as 350-10');
-    if (sectors) this.set({ blankedSectors: sectors });
+    if (sectors) this.pending.add(this.set({ blankedSectors: sectors }), { settle: () => {}, refused: (why) => showRefusal(field, why) });
     else field.reportValidity();
   }
 
@@ -63,15 +65,16 @@ export class ReceiverControls {
     this.pending.add(this.set({ [name]: value }), this.settings[name]);
   }
 
-  takeReply(reply) {
-    this.pending.takeReply(reply);
+  takeReply(reply, why) {
+    this.pending.takeReply(reply, why);
   }
 
-  // An own view shows at most what is on the air.
+  // An own view shows at most what is on the air. The buttons can still be pressed at an end of the scales: they say why
+  // nothing follows.
   #limitRange(value) {
     const most = this.scales.indexOf(this.longestNm ?? this.scales.at(-1));
-    $('range-less').disabled = this.scales.indexOf(value) === 0;
-    $('range-more').disabled = this.scales.indexOf(value) >= most;
+    $('range-less').setAttribute('aria-disabled', String(this.scales.indexOf(value) === 0));
+    $('range-more').setAttribute('aria-disabled', String(this.scales.indexOf(value) >= most));
     for (const option of $('range').options) option.disabled = Number(option.value) > this.scales[most];
   }
 
@@ -99,13 +102,20 @@ export class ReceiverControls {
 
   stepRange(by) {
     const at = this.scales.indexOf(this.settings.rangeNm.value());
+    if (at < 0 || $('range').disabled) return;
     const next = this.scales[at + by];
-    if (at < 0 || next === undefined || (this.longestNm && next > this.longestNm)) return;
-    this.settings.rangeNm.change(next);
+    if (next === undefined) {
+      this.notify(`${formatRange(this.scales[at])} NM is the ${by > 0 ? 'longest' : 'shortest'} range of this radar`, 'info');
+    } else if (this.longestNm && next > this.longestNm) {
+      this.notify(`Own views reach as far as the radar\u2019s range, ${formatRange(this.longestNm)} NM`, 'info');
+    } else {
+      this.settings.rangeNm.change(next);
+    }
   }
 
-  stepGain(by) {
-    const gain = this.settings.gain.value();
-    if (gain !== null) this.settings.gain.change(Math.min(100, Math.max(0, Math.round(gain) + by)));
+  // name: of a control of 0 to 100.
+  step(name, by) {
+    const value = this.settings[name]?.value() ?? null;
+    if (value !== null && !$(name).disabled) this.settings[name].change(Math.min(100, Math.max(0, Math.round(value) + by)));
   }
 }

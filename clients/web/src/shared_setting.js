@@ -7,10 +7,11 @@ const SEND_MS = 90;
 const SETTLE_MS = 1200;
 
 export class SharedSetting {
-  // send(value): to the server. show(value, pending): on the screen.
-  constructor(send, show) {
+  // send(value): to the server. show(value, pending): on the screen. refused(why): beside it, if it has a place there.
+  constructor(send, show, refused = () => {}) {
     this.send = send;
     this.show = show;
+    this.refused = refused;
     this.server = null;
     this.own = null;
   }
@@ -55,7 +56,7 @@ export class SharedSetting {
 // Which requests are under way and whose they are.
 export class PendingRequests {
   constructor() {
-    this.owners = new Map();  // request -> SharedSetting
+    this.owners = new Map();  // request -> SharedSetting, or whatever else settles and is refused
   }
 
   // `request` is null if it could not be sent.
@@ -65,10 +66,12 @@ export class PendingRequests {
     if (this.owners.size > 64) this.owners.delete(this.owners.keys().next().value);
   }
 
-  // A refused value gives way to the server's.
-  takeReply(reply) {
+  // A refused value gives way to the server's, and it is said why.  why: the reply's text or the name of its code.
+  takeReply(reply, why = reply.text) {
     const setting = this.owners.get(reply.request);
     this.owners.delete(reply.request);
-    if (setting && reply.code !== 0) setting.settle();
+    if (!setting || reply.code === 0) return;
+    setting.settle();
+    setting.refused(why);
   }
 }

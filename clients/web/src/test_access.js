@@ -12,8 +12,9 @@
 //   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
+//   showTab(name)         of the panel: 'radar', 'targets', 'tools', 'chart', 'set-up'
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -57,6 +58,7 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       const { rows, cols, cells, meta } = radar.store;
       return { rows, cols, cells: base64(cells), meta: base64(new Uint8Array(meta.buffer)) };
     },
+    showTab: (name) => tabs.show(name),
     holdAfter: (scan) => { radar.heldAfter = scan; },
   };
 }

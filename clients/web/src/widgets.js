@@ -1,4 +1,5 @@
 // Elements of the panel, joined to the SharedSettings that they show and change.
+import { showRefusal } from './panel/refusal.js';
 import { SharedSetting } from './shared_setting.js';
 
 export const $ = (id) => document.getElementById(id);
@@ -22,14 +23,14 @@ export function bindSlider(id, send, text = (value) => String(Math.round(value))
     showSlider(slider, value);
     output.textContent = text(value);
     output.classList.toggle('pending', pending);
-  });
+  }, (why) => showRefusal(slider, why));
   slider.addEventListener('input', () => setting.change(Number(slider.value)));
   return setting;
 }
 
 export function bindSwitch(id, send) {
   const box = $(id);
-  const setting = new SharedSetting(send, (value) => { box.checked = value; });
+  const setting = new SharedSetting(send, (value) => { box.checked = value; }, (why) => showRefusal(box, why));
   box.addEventListener('change', () => setting.change(box.checked));
   return setting;
 }
@@ -39,7 +40,7 @@ export function bindNumber(id, send) {
   const field = $(id);
   const setting = new SharedSetting(send, (value) => {
     if (document.activeElement !== field) field.value = String(Number(value.toFixed(2)));
-  });
+  }, (why) => showRefusal(field, why));
   field.addEventListener('change', () => {
     if (field.validity.valid && field.value !== '') setting.change(field.valueAsNumber);
     else if (setting.value() !== null) field.value = String(setting.value());
@@ -49,7 +50,7 @@ export function bindNumber(id, send) {
 
 export function bindChoice(id, send) {
   const select = $(id);
-  const setting = new SharedSetting(send, (value) => { select.value = String(value); });
+  const setting = new SharedSetting(send, (value) => { select.value = String(value); }, (why) => showRefusal(select, why));
   select.addEventListener('change', () => setting.change(Number(select.value)));
   return setting;
 }

@@ -24,6 +24,9 @@ export async function openConsole(browser, url, options = {}) {
   return page;
 }
 
+// A tab of the console's panel by its title.
+export const openTab = (page, title) => page.getByRole('tab', { name: title, exact: true }).click();
+
 export const state = (page) => page.evaluate(() => window.skerry.state());
 
 // Waits for a whole turn that was received with the settings of now.

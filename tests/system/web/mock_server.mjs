@@ -32,9 +32,9 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {},
+      exercise: null, ownShipMore: {}, helloMore: {},
     }, options);
-    // exercise: a MockExercise; ownShipMore: further fields of OwnShip.
+    // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
@@ -140,6 +140,7 @@ export class MockServer {
         radar, name: 'X-band', ownShip, spokesPerTurn: this.spokes, cells: this.cells, bits: this.bits,
         rpm: this.rpm, beamWidthDeg: 1.2,
       })),
+      ...this.helloMore,
     } });
   }
 

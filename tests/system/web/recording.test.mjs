@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { capture, launch, openConsole, state, waitForScan } from './browser.mjs';
+import { capture, launch, openConsole, openTab, state, waitForScan } from './browser.mjs';
 import { compare, differences, parsePgm } from './compare_scan.mjs';
 import { readAsStream, readByIndex, typesOf, unpackSpokes } from './mcap_file.mjs';
 import { schema } from './mock_server.mjs';
@@ -148,6 +148,7 @@ test('@mcap/core reads every message of what skerryd records', async (t) => {
   const until = (id, expected) => page.waitForFunction(([i, e]) => document.getElementById(i).textContent === e, [id, expected], { timeout: 20000 });
   await until('record-phase', 'Recording');
   await waitForScan(page);
+  await openTab(page, 'Set-up');
   await page.locator('#record-mark').fill('seen by the test');
   await page.locator('#record-mark').press('Enter');
   await until('record-marks', '1');

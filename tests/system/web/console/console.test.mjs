@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { PNG } from 'pngjs';
-import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { capture, launch, openConsole, openTab, state, waitForScan } from '../browser.mjs';
 import { angleBetween, blobAt, echoPixels, leadingEdge, placeOf, isEcho } from '../measure.mjs';
 import { coastM, LAND_DEPTH_M, NM, TARGETS } from '../mock_scene.mjs';
 import { CONTROLS, MockServer, ServerMessage } from '../mock_server.mjs';
@@ -18,10 +18,10 @@ afterEach(async () => {
 });
 
 // Turns are a second long, unless a test is about their length.
-async function open(options = {}, viewport) {
+async function open(options = {}, viewport, query = '') {
   server = new MockServer({ rpm: 60, ...options });
   const url = await server.start();
-  page = await openConsole(browser, url, viewport);
+  page = await openConsole(browser, url + query, viewport);
   return url;
 }
 
@@ -30,8 +30,8 @@ async function setSlider(id, value) {
 }
 
 // Even brightness, so that pixels can be told echo or not wherever the sweep is.
-async function openFlat(options, viewport) {
-  await open(options, viewport);
+async function openFlat(options, viewport, query) {
+  await open(options, viewport, query);
   await setSlider('afterglow', 0);
   await waitForScan(page);
 }
@@ -297,13 +297,14 @@ test('a control that the console has never heard of has its place, value and loc
 });
 
 test('a locked control is greyed, but for the instructor, who locks and unlocks', async () => {
-  await openFlat({});
+  await openFlat({}, {}, '?instructor=1');
   server.locked = ['gain', 'gain_auto', 'course_deg'];
   server.change({});
   await page.waitForFunction(() => document.querySelector('#gain').disabled && document.querySelector('#order-course').disabled);
   assert.equal(await page.locator('#sea').isDisabled(), false);
   assert.equal(await page.locator('#gain').getAttribute('title'), 'Locked by the instructor');
 
+  await openTab(page, 'Set-up');
   await page.locator('#instructor > summary').click();
   await page.waitForFunction(() => !document.querySelector('#gain').disabled);
   assert.equal(await page.locator('#lock-gain').isChecked(), true);
@@ -361,7 +362,8 @@ test('echoes that approach are red, those that recede blue', async () => {
 });
 
 test('the instructor changes sea, rain and false echoes', async () => {
-  await openFlat({});
+  await openFlat({}, {}, '?instructor=1');
+  await openTab(page, 'Set-up');
   assert.equal(await page.locator('#seaState').isVisible(), false, 'folded away');
   await page.locator('#instructor > summary').click();
   await setSlider('seaState', 4.5);

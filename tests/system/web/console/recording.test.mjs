@@ -1,7 +1,7 @@
 // Recorder and playback in the console, in a real Chromium on the mock server.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
-import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { capture, launch, openConsole, openTab, state, waitForScan } from '../browser.mjs';
 import { MockServer } from '../mock_server.mjs';
 
 let browser, server, page;
@@ -22,6 +22,7 @@ async function open(options = {}) {
   server = new MockServer({ rpm: 60, ...options });
   page = await openConsole(browser, await server.start());
   await page.waitForFunction(() => window.skerry.state().connection === 'live');
+  if (options.recorder) await openTab(page, 'Set-up');
 }
 
 const text = (id) => page.locator(`#${id}`).textContent();

@@ -1,0 +1,229 @@
+// The console when something goes wrong: the graphics, a script, the link, the server, a value, a name.
+import assert from 'node:assert/strict';
+import { after, afterEach, before, test } from 'node:test';
+import { PNG } from 'pngjs';
+import { launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { openSmall, restart, setsOf, SMALL, untilSet } from '../hands_kit.mjs';
+import { MockServer } from '../mock_server.mjs';
+
+let browser, server, page;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
+afterEach(async () => {
+  await page?.context().close();
+  await server?.stop();
+  page = server = null;
+});
+async function open(options) {
+  ({ server, page } = await openSmall(browser, options));
+}
+const notice = (text) => page.locator('.notice', { hasText: text }).first().waitFor();
+const setSlider = (id, value) => page.locator(`#${id}`).fill(String(value));
+const isOff = (id) => page.locator(`#${id}`).evaluate((e) => e.closest('[inert]') !== null);
+const untilOff = (id, off) => page.waitForFunction(([i, o]) => (document.getElementById(i).closest('[inert]') !== null) === o, [id, off], { timeout: 10000 });
+
+// Mean of red, green and blue in the middle of the picture.
+async function middle() {
+  const box = await page.locator('#ppi').boundingBox();
+  const png = PNG.sync.read(await page.screenshot({ clip: { x: box.x + box.width * 0.3, y: box.y + box.height * 0.55, width: 100, height: 100 } }));
+  return png.data.reduce((sum, v, i) => (i % 4 < 3 ? sum + v : sum), 0) / (png.data.length * 0.75);
+}
+
+test('lost graphics are told over a dark picture, and it comes back by itself', async () => {
+  await open();
+  await waitForScan(page);
+  await page.evaluate(() => {
+    window.lose = document.querySelector('#echoes').getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.lose.loseContext();
+  });
+  await page.locator('#alarm', { hasText: 'taken the graphics away' }).waitFor();
+  assert.ok(await middle() < 60, `dark, not ${await middle()}`);
+  assert.equal(await isOff('gain'), false);
+  await page.evaluate(() => window.lose.restoreContext());
+  await page.locator('#alarm').waitFor({ state: 'hidden' });
+  await waitForScan(page);
+  assert.equal(await page.locator('#echoes').evaluate((canvas) => getComputedStyle(canvas).visibility), 'visible');
+  assert.deepEqual(page.problems, []);
+});
+
+test('without WebGL2 the picture says why, and controls and numbers work', async () => {
+  server = new MockServer({ ...SMALL, headingDeg: 37 });
+  const url = await server.start();
+  const context = await browser.newContext();
+  await context.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : original.call(this, kind, ...rest); };
+  });
+  page = await context.newPage();
+  await page.goto(url);
+  await page.locator('#alarm', { hasText: 'no WebGL2' }).waitFor();
+  await page.waitForFunction(() => document.getElementById('heading').textContent === '037.0');
+  await setSlider('gain', 63);
+  await untilSet(server, (set) => set.gain === 63);
+  await page.keyboard.press('-');
+  await untilSet(server, (set) => set.rangeNm === 3);
+  await page.waitForFunction(() => window.skerry.state().received > 500);
+});
+
+test('a fault of a script is told once, whatever comes after it, and offers to reload', async () => {
+  await open();
+  await page.evaluate(() => { for (let i = 0; i < 200; ++i) setTimeout(() => { throw new Error(`the drawing <b>failed</b> ${i}`); }); });
+  const bar = page.locator('#script-error');
+  await bar.waitFor();
+  assert.match(await bar.locator('p').textContent(), /the drawing <b>failed<\/b> 0\. What is shown may be wrong/);
+  await page.waitForFunction(() => /199 more/.test(document.querySelector('#script-error').textContent));
+  assert.equal(await page.locator('#script-error').count(), 1);
+  await bar.getByRole('button', { name: 'Close' }).click();
+  await page.evaluate(() => { Promise.reject(new TypeError('promised in vain')); });
+  await page.locator('#script-error', { hasText: 'promised in vain' }).waitFor();
+  await page.locator('#script-error').getByRole('button', { name: 'Reload' }).click();
+  await bar.waitFor({ state: 'detached' });
+});
+
+test('controls are off while the server is not there and while nothing is known of the radar, and come back with the focus', async () => {
+  await open();
+  await page.locator('#gain').focus();
+  const { port } = server;
+  await server.stop();
+  await untilOff('gain', true);
+  for (const id of ['range', 'transmit-off', 'radar', 'pulse', 'order-course']) assert.equal(await isOff(id), true, id);
+  assert.equal(await isOff('afterglow'), false, 'what needs no server goes on');
+  await page.keyboard.press('+');
+  await notice('Not connected');
+  // A server that greets, but tells nothing of the radar.
+  server = new MockServer({ ...SMALL, port, refuse: null });
+  const told = server.views;
+  server.views = new Map();
+  await server.start();
+  await page.waitForFunction(() => window.skerry.state().connection === 'live');
+  await untilOff('radar', false);
+  assert.equal(await isOff('gain'), true);
+  server.views = told;
+  await page.locator('#radar').selectOption('1');
+  await untilOff('gain', false);
+  assert.equal(await page.evaluate(() => document.activeElement.id !== ''), true);
+});
+
+test('the focus is where it was after a break', async () => {
+  await open();
+  await page.locator('#gain').focus();
+  server = await restart(server);
+  await page.waitForFunction(() => document.documentElement.hasAttribute('data-off'));
+  await page.waitForFunction(() => !document.documentElement.hasAttribute('data-off'), null, { timeout: 10000 });
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'gain');
+});
+
+test('the console is back within 2 s of the server, with its own view as it was', async (t) => {
+  await open();
+  await page.evaluate(() => { window.restored = []; document.addEventListener('view-restored', ({ detail }) => window.restored.push(detail)); });
+  await page.locator('input[name=view][value=own] + span').click();
+  await page.waitForFunction(() => window.skerry.settings()?.view === 1);
+  await setSlider('gain', 41);
+  await page.locator('#range').selectOption('1.5');
+  await page.locator('#doppler').selectOption('1');
+  await page.keyboard.press('e');
+  await page.waitForFunction(() => { const s = window.skerry.settings(); return s.gain === 41 && s.rangeNm === 1.5 && s.doppler === 1; });
+  await server.stop();
+  // Long enough that the page has tried some times.
+  const { port } = server;
+  await page.waitForFunction(() => document.querySelector('#link').dataset.state === 'waiting');
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 6000)));
+  server = new MockServer({ ...SMALL, port });
+  await server.start();
+  const backMs = Date.now();
+  await page.waitForFunction(() => window.skerry.state().connection === 'live', null, { polling: 20 });
+  const tookMs = Date.now() - backMs;
+  t.diagnostic(`connected ${tookMs} ms after the server's return`);
+  assert.ok(tookMs < 2300, `${tookMs} ms`);
+  await page.waitForFunction(() => { const s = window.skerry.settings(); return s?.view === 1 && s.gain === 41 && s.rangeNm === 1.5 && s.doppler === 1; });
+  assert.deepEqual([server.settings.gain, server.settings.rangeNm], [50, 6], 'the shared view is as it was');
+  assert.deepEqual(await page.evaluate(() => window.restored), [{ radar: 0, view: 1 }]);
+  assert.ok(await page.locator('#ebl').isChecked());
+});
+
+test('a refused value says so beside its control for some seconds, and as a notice', async () => {
+  await open();
+  server.refuse = { code: 2, text: 'gain is 0 to 42 <i>today</i>' };
+  await setSlider('gain', 90);
+  await notice('gain is 0 to 42 <i>today</i>');
+  const note = page.locator('.refusal');
+  assert.equal(await note.textContent(), 'refused: gain is 0 to 42 <i>today</i>');
+  const [row, beside] = [await page.locator('#gain').boundingBox(), await note.boundingBox()];
+  assert.ok(beside.y >= row.y && beside.y - row.y - row.height < 30, 'under the slider');
+  assert.equal(await page.locator('#gain').inputValue(), '50');
+  await page.locator('#order-course').fill('123');
+  await page.locator('#orders button').click();
+  await page.locator('#orders + .refusal').waitFor();
+  assert.equal(await page.locator('#order-course').inputValue(), '123', 'an order is not typed twice');
+  await page.waitForFunction(() => !document.querySelector('.refusal'), null, { timeout: 12000 });
+});
+
+test('a range beyond what there is says why nothing follows', async () => {
+  await open();
+  await page.locator('input[name=view][value=own] + span').click();
+  await page.waitForFunction(() => window.skerry.settings()?.view === 1);
+  const before = setsOf(server).length;
+  await page.locator('#range-more').click({ force: true });  // aria-disabled, and says why
+  await notice('Own views reach as far as the radar\u2019s range, 6 NM');
+  await page.keyboard.press('+');
+  await notice('6 NM (2×)');
+  assert.equal(setsOf(server).length, before);
+  server.change({ rangeNm: 96 });
+  await page.locator('input[name=view][value=shared] + span').click();
+  await page.waitForFunction(() => window.skerry.settings()?.view === 0 && document.getElementById('range').value === '96');
+  await page.locator('#range-more').click({ force: true });  // aria-disabled, and says why
+  await notice('96 NM is the longest range');
+});
+
+test('another server is told: its protocol, its version, its scenario, its radars', async () => {
+  await open();
+  await page.locator('#radar').selectOption('1');
+  await page.waitForFunction(() => window.skerry.state().radar === 1);
+  const problem = page.locator('#server-problem');
+  server = await restart(server, { ships: ['Skua'], helloMore: { scenario: 'Dover', protocolVersion: 2 } });
+  await problem.getByText('This server is newer than this page: it speaks version 2').waitFor();
+  await notice('Another scenario: Dover');
+  await notice('Radar 1 is there no more: Skua is shown');
+  await page.waitForFunction(() => window.skerry.state().radar === 0 && window.skerry.settings() !== null);
+  server = await restart(server, { helloMore: { protocolVersion: 0 } });
+  await problem.getByText('This server is older than this page: it speaks version 0').waitFor();
+  server = await restart(server, { helloMore: { server: 'mock 2.0' } });
+  await problem.getByText('The server is now mock 2.0; this page is of mock 1.0').waitFor();
+  await problem.getByRole('button').click();
+  await page.waitForFunction(() => window.skerry && document.querySelector('#server').textContent.includes('mock 2.0'));
+  assert.equal(await problem.isVisible(), false);
+});
+
+test('hostile names and a wrong clock change neither the page nor its layout', async () => {
+  const names = ['<img src=x onerror="window.hit=1"><script>window.hit=1</script>', 'x'.repeat(10240), '\u202egnol si eman siht\u202c \u05e9\u05dc\u05d5\u05dd'];
+  server = new MockServer({ ...SMALL, ships: names, helloMore: { scenario: `\u202e${'y'.repeat(10240)}`, server: '<b>mock</b>' } });
+  const url = await server.start();
+  for (const [path, width] of [['', 1280], ['', 390], ['conning', 1280]]) {
+    const context = await browser.newContext({ viewport: { width, height: 844 } });
+    page = await context.newPage();
+    await page.addInitScript(() => { const now = Date.now; Date.now = () => now() - 40 * 365 * 86400e3; });
+    await page.goto(url + path);
+    await page.waitForFunction(() => window.skerry && document.querySelector('#radar').options.length === 3);
+    const seen = await page.evaluate(() => ({
+      hit: window.hit, wide: document.documentElement.scrollWidth, made: document.querySelectorAll('img, option script, b').length,
+      options: [...document.querySelectorAll('#radar option')].map((option) => option.textContent),
+    }));
+    assert.equal(seen.hit, undefined);
+    assert.equal(seen.wide, width);
+    if (path === '') {
+      assert.ok(seen.options.every((text) => [...text].length <= 62 && !text.includes('\u202e')), JSON.stringify(seen.options));
+      assert.ok(seen.options[0].startsWith('<img src=x'), 'text, as it is');
+      assert.ok((await page.locator('#server').textContent()).length < 130);
+      await page.waitForFunction(() => window.skerry.lastScan() !== null);
+      assert.equal((await state(page)).connection, 'live');
+      if (width === 1280) {
+        server.refuse = { code: 2, text: `\u202e${'z'.repeat(10240)}` };
+        await setSlider('gain', 20);
+        await page.locator('.notice').first().waitFor();
+        assert.ok((await page.locator('.notice').first().boundingBox()).height < 140);
+        server.refuse = null;
+      }
+    }
+    if (path !== 'conning') await context.close();
+  }
+});
