@@ -2,7 +2,7 @@
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
-import { bindKeys, bindPicture, PictureSettings, showPalette } from './controls.js';
+import { bindKeys, PictureSettings } from './controls.js';
 import { loadControls } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
 import { Instructor } from './instructor.js';
@@ -12,6 +12,12 @@ import { REFUSED, useControls } from './messages.js';
 import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
 import { echoColourTable, PALETTES } from './palette.js';
+import { fitSide } from './picture/fit.js';
+import { bindPicture, showMode } from './picture/picture_panel.js';
+import { Stage } from './picture/stage.js';
+import * as status from './picture/status.js';
+import { Tools } from './picture/tools.js';
+import { ToolsPanel } from './picture/tools_panel.js';
 import { Playback } from './playback.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
@@ -44,7 +50,12 @@ buildPanel(table);
 
 const notices = new Notices($('notices'));
 const picture = new PictureSettings();
-const markers = new Markers($('ppi'));
+const tools = new Tools();
+const stage = new Stage(picture, (text, kind) => notices.show(text, kind));
+const markers = new Markers($('ppi'), tools, {
+  putOwn: (at) => stage.putOwn(at), modeChanged: showMode, told: (text) => notices.show(text),
+});
+const toolsPanel = new ToolsPanel(tools, markers);
 const overlay = new Overlay($('graticule'), $('marks'));
 const frames = { drawn: 0, rate: new Rate(2) };
 const choices = new URLSearchParams(location.search);
@@ -85,6 +96,8 @@ const radar = new RadarConsole(renderer.maxRows, {
   world: (world) => instructor.take(world),
   recorder: (state) => recording.take(state),
   playback: (state) => playback.take(state),
+  spoke: (spoke, nowS) => stage.takeSpoke(spoke, nowS, radar),
+  clear: () => stage.clear(),
   reply: (reply, text, refused) => {
     if (takeSubscription(reply)) return;
     receiver.takeReply(reply);
@@ -159,15 +172,35 @@ connection = new Connection(url, {
 // The picture.
 let view = new ViewGeometry(100, 10, 1);
 
+const marginOf = (side) => Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
+// The data's boxes at their largest, so that a figure more or less does not resize the picture.
+const boxes = [...document.querySelectorAll('#display > .corner')].map((element) => ({ element, width: 0, height: 0 }));
+const narrow = matchMedia('(max-width: 760px)');
+
 function layOut() {
-  const area = $('display').getBoundingClientRect();
-  const side = Math.max(200, Math.floor(Math.min(area.width, area.height)));
-  const margin = Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
-  view = new ViewGeometry(side, margin, window.devicePixelRatio || 1);
+  const display = $('display').getBoundingClientRect();
+  // On a narrow screen the data stand below the picture.
+  const area = narrow.matches && !isWatching ? { width: display.width, height: display.width } : display;
+  const inCorners = area === display && !isWatching;
+  const side = fitSide(area.width, area.height, inCorners ? boxes : [], marginOf);
+  if (side !== view.side || view.pixelRatio !== (window.devicePixelRatio || 1)) {
+    view = new ViewGeometry(side, marginOf(side), window.devicePixelRatio || 1);
+  }
   Object.assign($('ppi').style, {
     width: `${side}px`, height: `${side}px`,
     left: `${Math.floor((area.width - side) / 2)}px`, top: `${Math.floor((area.height - side) / 2)}px`,
   });
+}
+
+// Whether a box has grown.
+function measureBoxes() {
+  let grew = false;
+  for (const box of boxes) {
+    const { offsetWidth: width, offsetHeight: height } = box.element;
+    grew ||= width > box.width || height > box.height;
+    Object.assign(box, { width: Math.max(width, box.width), height: Math.max(height, box.height) });
+  }
+  return grew;
 }
 
 // A change of the pixel ratio alone (zoom, another screen) resizes nothing but is told here.
@@ -178,23 +211,28 @@ function watchPixelRatio() {
 
 function draw() {
   const nowS = seconds();
-  const headingDeg = radar.headingDeg();
   const palette = PALETTES[picture.palette];
-  view.upDeg = picture.headUp && headingDeg !== null ? headingDeg : 0;
-  view.rangeM = radar.rangeM();
+  stage.frame(view, radar);
+  const ship = radar.ownShip;
   markers.view = view;
+  markers.now = { bowDeg: radar.bowDeg(), ownPlace: ship && !ship.noPosition ? ship : null };
   const turnS = radar.turnS() / playback.rate;
   // A picture that stands still does not fade.
   const held = radar.heldAfter !== null || playback.isPaused;
+  const drawnS = held ? Math.min(nowS, radar.lastSpokeS) : nowS;
   renderer.draw(radar.store, view, {
-    palette, turnS,
-    nowS: held ? Math.min(nowS, radar.lastSpokeS) : nowS,
+    palette, turnS, nowS: drawnS,
     afterglow: picture.afterglow / 100,
     sweepRow: radar.isTurning(nowS) && !held ? radar.store.lastRow : -1,
+    videoM: radar.videoM(), echo: picture.brilliance.echo / 100, trails: picture.brilliance.trails / 100,
+    trueTrails: stage.standing.trailMode === 'true' ? stage.trails : null, trailS: picture.trailS,
   });
+  const measured = markers.measurement();
   overlay.draw(view, {
     paletteName: picture.palette, palette, rangeNm: view.rangeM / NAUTICAL_MILE_M, rings: picture.rings,
-    headingLine: picture.headingLine, headingDeg, headUp: picture.headUp, ebl: markers.ebl, vrm: markers.vrm,
+    scaleUpDeg: stage.standing.scaleUpDeg, headingLine: picture.headingLine && !picturePanel.isLineHeld(),
+    sternMarks: picture.sternMarks, bowDeg: radar.spoke || ship ? markers.now.bowDeg : null, ship, brilliance: picture.brilliance,
+    shapes: markers.shapes, active: tools.active, measured: measured && { from: measured.from, to: measured.to },
     cursor: markers.at() ? markers.pointer : null,
   });
   frames.drawn += 1;
@@ -229,9 +267,11 @@ function showReadouts() {
   readouts.showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
   readouts.showOwnShip(radar.ownShip, headingDeg);
   readouts.showSensors(radar.ownShip);
-  readouts.showOrientation(picture.headUp, radar.ownShip);
-  readouts.showRange(rangeNm > 0 ? Number(rangeNm.toFixed(4)) : NaN);
-  readouts.showMarkers(markers, headingDeg);
+  status.showStanding({ standing: stage.standing, picture, view, videoM: radar.videoM() });
+  status.showCursor(markers, headingDeg, stage.speedKn());
+  status.showTools(tools, markers, headingDeg);
+  status.showReceiver(radar.settings, radar.spoke?.utcNs ?? 0);
+  toolsPanel.show();
   readouts.showStream({
     scan: radar.spoke?.scan ?? null, rpm: radar.isTurning(seconds()) ? radar.turnRate.rpm() : null,
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
@@ -241,22 +281,25 @@ function showReadouts() {
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
   if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
-  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${$('orientation').textContent.toLowerCase()}.`;
+  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${stage.standing.words}.`;
   if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
 }
 
 // The panel and the keys.
 function applyPicture() {
   radar.store.trailS = picture.trailS;
-  renderer.setEchoColours(echoColourTable(picture.echo));
+  renderer.setEchoColours(echoColourTable(picture.echo, picture.palette));
 }
-bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
+const picturePanel = bindPicture({
+  picture, stage, markers, notify, headingDeg: () => radar.headingDeg(),
+  setDefaults: () => { picture.setDefaults(); tools.setDefaults(view); },
+}, applyPicture);
 applyPicture();
 // The colours of the page around it are this console's too.
 if (isWatching) {
   addEventListener('storage', () => {
     Object.assign(picture, new PictureSettings());
-    showPalette(picture.palette);
+    picturePanel.show();
     applyPicture();
   });
 }
@@ -282,22 +325,37 @@ $('token').value = token;
 $('help-open').addEventListener('click', () => $('help').showModal());
 
 const step = (event, coarse) => (event.shiftKey ? coarse / 10 : coarse);
+// In the off-centre mode Shift and an arrow move own ship, else the active EBL and VRM.
+const arrow = (x, y, otherwise) => (event) => {
+  if (markers.mode === 'off-centre' && event.shiftKey) stage.putOwn({ x: view.ownAt.x + x * 0.05, y: view.ownAt.y + y * 0.05 });
+  else otherwise(event);
+};
+const press = (name, value) => document.querySelector(`input[name=${name}][value=${value}]`).click();
 bindKeys({
   '+': () => receiver.stepRange(1), '=': () => receiver.stepRange(1), '-': () => receiver.stepRange(-1),
-  n: () => document.querySelector('input[name=orientation][value=north]').click(),
-  h: () => document.querySelector('input[name=orientation][value=head]').click(),
-  s: () => document.querySelector(`input[name=transmit][value=${radar.inStandby ? 'on' : 'off'}]`).click(),
+  n: () => press('orientation', 'north'), h: () => press('orientation', 'head'), c: () => picturePanel.setOrientation('course'),
+  t: () => press('motion', picture.motion === 'true' ? 'relative' : 'true'),
+  o: () => $('off-centre').click(), PageUp: () => stage.lookAhead(), Home: () => stage.centre(), End: () => $('motion-reset').click(),
+  s: () => press('transmit', radar.inStandby ? 'on' : 'off'),
   g: (event) => receiver.stepGain(event.shiftKey ? -1 : 1),
-  e: () => markers.toggle('ebl'), v: () => markers.toggle('vrm'),
+  e: (event) => tools.toggle('ebls', event.shiftKey ? 1 : 0, view), v: (event) => tools.toggle('vrms', event.shiftKey ? 1 : 0, view),
+  i: () => toolsPanel.toggleLines(), d: () => $('measure').click(), z: () => picturePanel.hold(true),
+  Escape: () => markers.setMode(null),
   r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),
   k: () => playback.toggle(), ',': () => playback.step(-1), '.': () => playback.step(1), m: () => recording.mark(''),
   '?': () => $('help').showModal(),
-  ArrowLeft: (event) => markers.turnEbl(-step(event, 1)), ArrowRight: (event) => markers.turnEbl(step(event, 1)),
-  ArrowUp: (event) => markers.moveVrm(step(event, 0.01)), ArrowDown: (event) => markers.moveVrm(-step(event, 0.01)),
+  ArrowLeft: arrow(-1, 0, (event) => markers.turnEbl(-step(event, 1))), ArrowRight: arrow(1, 0, (event) => markers.turnEbl(step(event, 1))),
+  ArrowUp: arrow(0, 1, (event) => markers.moveVrm(step(event, 0.01))), ArrowDown: arrow(0, -1, (event) => markers.moveVrm(-step(event, 0.01))),
 });
 
-new ResizeObserver(layOut).observe($('display'));
+new ResizeObserver(() => {
+  for (const box of boxes) box.width = box.height = 0;
+  measureBoxes();
+  layOut();
+}).observe($('display'));
+const grown = new ResizeObserver(() => { if (measureBoxes()) layOut(); });
+for (const { element } of boxes) grown.observe(element);
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tools });
 requestAnimationFrame(frame);
