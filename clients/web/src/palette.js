@@ -10,7 +10,7 @@ const GREEN = [
 ];
 // One colour of nearly one hue: strength is told by brightness alone.
 const AMBER = [
-  [0, 90, 46, 4, 0], [20, 90, 46, 4, 0.04], [48, 122, 64, 6, 0.42], [96, 182, 102, 10, 0.9],
+  [0, 90, 52, 4, 0], [20, 90, 52, 4, 0.04], [48, 122, 70, 6, 0.42], [96, 182, 102, 10, 0.9],
   [150, 232, 140, 20, 1], [210, 250, 168, 46, 1], [255, 255, 196, 96, 1],
 ];
 // As far below an alarm's red in brightness as IEC 62288 asks of red video, and more.

@@ -86,7 +86,7 @@ export class ScanStore {
       const echo = keepOld && cells[i] > scratch[c] ? cells[i] : scratch[c];
       const trail = cells[i + 1] - fade;
       cells[i] = echo;
-      cells[i + 1] = this.trailS > 0 && echo >= TRAIL_THRESHOLD ? 255 : trail > 0 ? trail : 0;
+      cells[i + 1] = this.trailS !== 0 && echo >= TRAIL_THRESHOLD ? 255 : trail > 0 ? trail : 0;
     }
     if (this.doppler) this.#paintDoppler(row, spoke.doppler);
     meta[row * 4] = nowS;
