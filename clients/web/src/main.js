@@ -53,7 +53,7 @@ const picture = new PictureSettings();
 const tools = new Tools();
 const stage = new Stage(picture, (text, kind) => notices.show(text, kind));
 const markers = new Markers($('ppi'), tools, {
-  putOwn: (at) => stage.putOwn(at), modeChanged: showMode, told: (text) => notices.show(text),
+  putOwn: (at) => stage.putOwn(at), moveOwn: (by) => stage.moveOwn(by), modeChanged: showMode, told: (text) => notices.show(text),
 });
 const toolsPanel = new ToolsPanel(tools, markers);
 const overlay = new Overlay($('graticule'), $('marks'));
@@ -184,7 +184,8 @@ function layOut() {
   const inCorners = area === display && !isWatching;
   const side = fitSide(area.width, area.height, inCorners ? boxes : [], marginOf);
   if (side !== view.side || view.pixelRatio !== (window.devicePixelRatio || 1)) {
-    view = new ViewGeometry(side, marginOf(side), window.devicePixelRatio || 1);
+    const { upDeg, rangeM, ownAt, jumps } = view;
+    view = Object.assign(new ViewGeometry(side, marginOf(side), window.devicePixelRatio || 1), { upDeg, rangeM, ownAt, jumps });
   }
   Object.assign($('ppi').style, {
     width: `${side}px`, height: `${side}px`,
@@ -327,7 +328,7 @@ $('help-open').addEventListener('click', () => $('help').showModal());
 const step = (event, coarse) => (event.shiftKey ? coarse / 10 : coarse);
 // In the off-centre mode Shift and an arrow move own ship, else the active EBL and VRM.
 const arrow = (x, y, otherwise) => (event) => {
-  if (markers.mode === 'off-centre' && event.shiftKey) stage.putOwn({ x: view.ownAt.x + x * 0.05, y: view.ownAt.y + y * 0.05 });
+  if (markers.mode === 'off-centre' && event.shiftKey) stage.moveOwn({ x: x * 0.05, y: y * 0.05 });
   else otherwise(event);
 };
 const press = (name, value) => document.querySelector(`input[name=${name}][value=${value}]`).click();

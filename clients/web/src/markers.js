@@ -14,7 +14,8 @@ const MOUSE_PX = 12, TOUCH_PX = 22;
 const RAD = Math.PI / 180;
 
 export class Markers {
-  // tools: Tools; events: putOwn({ x, y }) in parts of the radius from the centre, modeChanged(mode).
+  // tools: Tools; events: putOwn({ x, y }) in parts of the radius from the centre, moveOwn({ x, y }) from where
+  // she is, modeChanged(mode), told(text).
   constructor(element, tools, events) {
     this.tools = tools;
     this.events = events;
@@ -90,12 +91,12 @@ export class Markers {
   #move(event) {
     const finger = this.fingers.get(event.pointerId);
     if (finger && this.fingers.size === 2 && this.view) {
-      const { radius, ownAt } = this.view;
+      const { radius } = this.view;
       // Half, as there are two that move.
       const by = { x: (event.clientX - finger.x) / radius / 2, y: (finger.y - event.clientY) / radius / 2 };
       Object.assign(finger, { x: event.clientX, y: event.clientY });
       this.pointer = null;
-      this.events.putOwn({ x: ownAt.x + by.x, y: ownAt.y + by.y });
+      this.events.moveOwn(by);
       return;
     }
     this.pointer = { x: event.offsetX, y: event.offsetY };

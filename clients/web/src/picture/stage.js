@@ -98,11 +98,17 @@ export class Stage {
   }
 
   // Own ship at `at`, as of own_place.js; not beyond what is allowed, which is told.
-  putOwn(at, isTold = true) {
+  putOwn(at) {
     const { x, y, clamped } = clampPlace(at);
-    if (clamped && isTold) this.notify('Own ship stands at most 75 % of the radius from the centre', 'info');
+    if (clamped) this.notify('Own ship stands at most 75 % of the radius from the centre', 'info');
     if (this.standing.isTrue) this.#begin({ x, y });
     else this.picture.change({ ownX: x, ownY: y });
+  }
+
+  // By so much from where she stands, in parts of the radius.
+  moveOwn({ x, y }) {
+    const { at } = this.sailing ?? { at: clampPlace({ x: this.picture.ownX, y: this.picture.ownY }) };
+    this.putOwn({ x: at.x + x, y: at.y + y });
   }
 
   lookAhead() {
