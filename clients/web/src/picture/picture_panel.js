@@ -58,15 +58,19 @@ export function bindPicture({ picture, stage, markers, notify, headingDeg, setDe
   for (const input of radios('orientation')) input.addEventListener('change', () => setOrientation(input.value));
   for (const input of radios('motion')) {
     input.addEventListener('change', () => {
-      change({ motion: input.value });
+      // True motion has true trails only.
+      change(input.value === 'true' ? { motion: 'true', trailMode: 'true' } : { motion: 'relative' });
       if (input.value === 'true' && picture.orientation === 'head') notify('True motion needs north up or course up', 'info');
-      if (input.value === 'true' && picture.trailMode === 'relative' && picture.trailS !== 0) notify('True motion has true trails', 'info');
     });
   }
   for (const input of radios('trail-mode')) {
     input.addEventListener('change', () => {
-      change({ trailMode: input.value });
-      if (input.value === 'relative' && stage.standing.isTrue) notify('True motion has true trails', 'info');
+      if (input.value === 'relative' && stage.standing.isTrue) {
+        notify('True motion has true trails only', 'info');
+        show();
+      } else {
+        change({ trailMode: input.value });
+      }
     });
   }
   $('stabilised').addEventListener('change', () => change({ stabilised: $('stabilised').value }));

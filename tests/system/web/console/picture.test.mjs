@@ -379,6 +379,8 @@ test('in true motion own ship sails over the picture, and begins anew at 75 % wi
   await page.locator('.notice', { hasText: 'true trails' }).first().waitFor();
   assert.equal(await text('trail-state'), 'T 1 min');
   await page.keyboard.press('t');
+  await until('motion', 'RM(T)');
+  await page.locator('input[name=trail-mode][value=relative] + span').click();
   await until('motion', 'RM(R)');
   assert.deepEqual(page.problems, []);
 });
