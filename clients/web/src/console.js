@@ -8,7 +8,7 @@ const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
   // events: hello(hello, the radar that was looked at before it), settings(settings), ownShip(ownShip), world(world), recorder(state),
-  // playback(state), reply(reply, text, refused).
+  // playback(state), reply(reply, text, refused), and spoke(spoke, nowS) of those that are drawn, clear() once the picture is dark.
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -27,6 +27,7 @@ export class RadarConsole {
   // Another radar, or the same one after a break: its picture, numbers and settings are not ours.
   forget() {
     this.store.clear();
+    this.events.clear?.();
     this.scans.reset();
     this.spokeRate.clear();
     this.turnRate.clear();
@@ -60,6 +61,7 @@ export class RadarConsole {
     if (this.heldAfter !== null && spoke.scan > this.heldAfter) return;
     this.scans.take(spoke);
     this.store.put(spoke, nowS, follows);
+    this.events.spoke?.(spoke, nowS);
     // Not the message itself: its cells lie in the whole WebSocket message's memory.
     this.spoke = { ...spoke, cells: null, doppler: null };
     this.lastSpokeS = nowS;
@@ -73,6 +75,7 @@ export class RadarConsole {
 
   #goDark() {
     this.store.clear();
+    this.events.clear?.();
     this.scans.reset();
     this.spokeRate.clear();
     this.turnRate.clear();
@@ -107,7 +110,16 @@ export class RadarConsole {
 
   // Range of the picture's edge. The settings name it before the first spoke of a new range comes.
   rangeM() {
-    if (this.settings?.rangeNm > 0) return this.settings.rangeNm * NAUTICAL_MILE_M;
+    return this.settings?.rangeNm > 0 ? this.settings.rangeNm * NAUTICAL_MILE_M : this.videoM();
+  }
+
+  // What the spokes take for the bow's true bearing: where the heading is not known, the last that was, or 0.
+  bowDeg() {
+    return this.spoke ? (this.spoke.heading * 360) / 4294967296 : this.ownShip?.headingDeg ?? 0;
+  }
+
+  // How far the newest spoke reaches, metres.
+  videoM() {
     return this.spoke ? this.spoke.cellSizeM * this.spoke.cellCount : 0;
   }
 

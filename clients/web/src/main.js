@@ -2,7 +2,6 @@
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
-import { bindPicture, PictureSettings, showPalette } from './controls.js';
 import { loadControls } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
 import { Pinch } from './hands/pinch.js';
@@ -28,6 +27,14 @@ import { SetupStore } from './panel/setup_store.js';
 import { Setups } from './panel/setups.js';
 import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
+import { fitSide } from './picture/fit.js';
+import { bindPicture, showMode } from './picture/picture_panel.js';
+import { pictureKeys } from './picture/picture_keys.js';
+import { PictureSettings } from './picture/picture_settings.js';
+import { Stage } from './picture/stage.js';
+import * as status from './picture/status.js';
+import { Tools } from './picture/tools.js';
+import { ToolsPanel } from './picture/tools_panel.js';
 import { Playback } from './playback.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
@@ -56,7 +63,12 @@ buildPanel(table);
 
 const notices = new Notices($('notices'));
 const picture = new PictureSettings();
-const markers = new Markers($('ppi'));
+const tools = new Tools();
+const stage = new Stage(picture, (text, kind) => notices.show(text, kind));
+const markers = new Markers($('ppi'), tools, {
+  putOwn: (at) => stage.putOwn(at), moveOwn: (by) => stage.moveOwn(by), modeChanged: showMode, told: (text) => notices.show(text),
+});
+const toolsPanel = new ToolsPanel(tools, markers);
 const overlay = new Overlay($('graticule'), $('marks'));
 const frames = { drawn: 0, rate: new Rate(2) };
 const choices = new URLSearchParams(location.search);
@@ -111,6 +123,8 @@ const radar = new RadarConsole(renderer.maxRows, {
   world: (world) => instructor.take(world),
   recorder: (state) => recording.take(state),
   playback: (state) => { playback.take(state); showAvailability(); },
+  spoke: (spoke, nowS) => stage.takeSpoke(spoke, nowS, radar),
+  clear: () => stage.clear(),
   reply: (reply, text, refused) => {
     if (subscription.takeReply(reply)) return;
     receiver.takeReply(reply, text);
@@ -160,15 +174,36 @@ function showAvailability() {
 // The picture.
 let view = new ViewGeometry(100, 10, 1);
 
+const marginOf = (side) => Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
+// The data's boxes at their largest, so that a figure more or less does not resize the picture.
+const boxes = [...document.querySelectorAll('#display > .corner')].map((element) => ({ element, width: 0, height: 0 }));
+const narrow = matchMedia('(max-width: 760px)');
+
 function layOut() {
-  const area = $('display').getBoundingClientRect();
-  const side = Math.max(200, Math.floor(Math.min(area.width, area.height)));
-  const margin = Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
-  view = new ViewGeometry(side, margin, window.devicePixelRatio || 1);
+  const display = $('display').getBoundingClientRect();
+  // On a narrow screen the data stand below the picture.
+  const area = narrow.matches && !isWatching ? { width: display.width, height: display.width } : display;
+  const inCorners = area === display && !isWatching;
+  const side = fitSide(area.width, area.height, inCorners ? boxes : [], marginOf);
+  if (side !== view.side || view.pixelRatio !== (window.devicePixelRatio || 1)) {
+    const { upDeg, rangeM, ownAt, jumps } = view;
+    view = Object.assign(new ViewGeometry(side, marginOf(side), window.devicePixelRatio || 1), { upDeg, rangeM, ownAt, jumps });
+  }
   Object.assign($('ppi').style, {
     width: `${side}px`, height: `${side}px`,
     left: `${Math.floor((area.width - side) / 2)}px`, top: `${Math.floor((area.height - side) / 2)}px`,
   });
+}
+
+// Whether a box has grown.
+function measureBoxes() {
+  let grew = false;
+  for (const box of boxes) {
+    const { offsetWidth: width, offsetHeight: height } = box.element;
+    grew ||= width > box.width || height > box.height;
+    Object.assign(box, { width: Math.max(width, box.width), height: Math.max(height, box.height) });
+  }
+  return grew;
 }
 
 // A change of the pixel ratio alone (zoom, another screen) resizes nothing but is told here.
@@ -179,23 +214,28 @@ function watchPixelRatio() {
 
 function draw() {
   const nowS = seconds();
-  const headingDeg = radar.headingDeg();
   const palette = PALETTES[picture.palette];
-  view.upDeg = picture.headUp && headingDeg !== null ? headingDeg : 0;
-  view.rangeM = radar.rangeM();
+  stage.frame(view, radar);
+  const ship = radar.ownShip;
   markers.view = view;
+  markers.now = { bowDeg: radar.bowDeg(), ownPlace: ship && !ship.noPosition ? ship : null };
   const turnS = radar.turnS() / playback.rate;
   // A picture that stands still does not fade.
   const held = radar.heldAfter !== null || playback.isPaused;
+  const drawnS = held ? Math.min(nowS, radar.lastSpokeS) : nowS;
   renderer.draw(radar.store, view, {
-    palette, turnS,
-    nowS: held ? Math.min(nowS, radar.lastSpokeS) : nowS,
+    palette, turnS, nowS: drawnS,
     afterglow: picture.afterglow / 100,
     sweepRow: radar.isTurning(nowS) && !held ? radar.store.lastRow : -1,
+    videoM: radar.videoM(), echo: picture.brilliance.echo / 100, trails: picture.brilliance.trails / 100,
+    trueTrails: stage.standing.trailMode === 'true' ? stage.trails : null, trailS: picture.trailS,
   });
+  const measured = markers.measurement();
   overlay.draw(view, {
     paletteName: picture.palette, palette, rangeNm: view.rangeM / NAUTICAL_MILE_M, rings: picture.rings,
-    headingLine: picture.headingLine, headingDeg, headUp: picture.headUp, ebl: markers.ebl, vrm: markers.vrm,
+    scaleUpDeg: stage.standing.scaleUpDeg, headingLine: picture.headingLine && !picturePanel.isLineHeld(),
+    sternMarks: picture.sternMarks, bowDeg: radar.spoke || ship ? markers.now.bowDeg : null, ship, brilliance: picture.brilliance,
+    shapes: markers.shapes, active: tools.active, measured: measured && { from: measured.from, to: measured.to },
     cursor: markers.at() ? markers.pointer : null,
   });
   frames.drawn += 1;
@@ -230,9 +270,11 @@ function showReadouts() {
   readouts.showLink(connection.state, (connection.retryAt - performance.now()) / 1000);
   readouts.showOwnShip(radar.ownShip, headingDeg);
   readouts.showSensors(radar.ownShip);
-  readouts.showOrientation(picture.headUp, radar.ownShip);
-  readouts.showRange(rangeNm > 0 ? Number(rangeNm.toFixed(4)) : NaN);
-  readouts.showMarkers(markers, headingDeg);
+  status.showStanding({ standing: stage.standing, picture, view, videoM: radar.videoM() });
+  status.showCursor(markers, headingDeg, stage.speedKn());
+  status.showTools(tools, markers, headingDeg);
+  status.showReceiver(radar.settings, radar.spoke?.utcNs ?? 0);
+  toolsPanel.show();
   readouts.showStream({
     scan: radar.spoke?.scan ?? null, rpm: radar.isTurning(seconds()) ? radar.turnRate.rpm() : null,
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
@@ -243,22 +285,25 @@ function showReadouts() {
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live' && health.text === '');
   if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
-  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${$('orientation').textContent.toLowerCase()}.`;
+  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${stage.standing.words}.`;
   if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
 }
 
 // The panel and the keys.
 function applyPicture() {
   radar.store.trailS = picture.trailS;
-  renderer.setEchoColours(echoColourTable(picture.echo));
+  renderer.setEchoColours(echoColourTable(picture.echo, picture.palette));
 }
-const showPicture = bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
+const picturePanel = bindPicture({
+  picture, stage, markers, notify, headingDeg: () => radar.headingDeg(),
+  setDefaults: () => { picture.setDefaults(); tools.setDefaults(view); },
+}, applyPicture);
 applyPicture();
 // The colours of the page around it are this console's too.
 if (isWatching) {
   addEventListener('storage', () => {
     Object.assign(picture, new PictureSettings());
-    showPalette(picture.palette);
+    picturePanel.show();
     applyPicture();
   });
 }
@@ -286,7 +331,8 @@ $('token').value = token;
 const keys = new KeyTable();
 const help = new KeyHelp($('help'), keys, () => showKeyHints(keys));
 const orders = (run) => () => (availability.on ? run() : notify(playback.on ? 'A recording is played: the radar takes no orders' : 'Not connected: the change was not sent'));
-keys.register(...consoleKeys({ receiver, markers, playback, recording, screens, help, inStandby: () => radar.inStandby, orders }));
+keys.register(...consoleKeys({ receiver, playback, recording, screens, help, inStandby: () => radar.inStandby, orders }));
+keys.register(...pictureKeys({ picture, picturePanel, stage, markers, tools, toolsPanel, view: () => view }));
 showKeyHints(keys);
 listenToKeys(keys);
 $('help-open').addEventListener('click', () => help.open());
@@ -297,8 +343,8 @@ const setups = new SetupStore();
 setups.addPart('picture', {
   take: () => ({ ...picture }),
   put: (values) => {
-    picture.change(Object.fromEntries(Object.entries(values).filter(([name, value]) => typeof picture[name] === typeof value)));
-    showPicture();
+    picture.change(values);
+    picturePanel.show();
     applyPicture();
   },
 });
@@ -306,8 +352,14 @@ setups.addPart('receiver', { take: () => subscription.valuesOf(radar.settings), 
 setups.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
 new Setups(setups, notify);
 
-new ResizeObserver(layOut).observe($('display'));
+new ResizeObserver(() => {
+  for (const box of boxes) box.width = box.height = 0;
+  measureBoxes();
+  layOut();
+}).observe($('display'));
+const grown = new ResizeObserver(() => { if (measureBoxes()) layOut(); });
+for (const { element } of boxes) grown.observe(element);
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools });
 requestAnimationFrame(frame);

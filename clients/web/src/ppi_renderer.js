@@ -4,6 +4,8 @@
 // strongest cell each pixel touches; only the wedge the antenna has just passed is made anew, so a
 // frame costs little at any number of spokes and cells. The second colours the disc every frame: age,
 // afterglow, sweep. Both are exact at each pixel's own bearing and range; nothing is interpolated.
+// While own ship sails over the picture (true motion) the disc stays: each row lies where it was seen from.
+import { SIDE as TRAILS_SIDE, TILE } from './picture/true_trails.js';
 import { SCREEN_FRAGMENT, SCREEN_VERTEX, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
 
 const MAX_WEDGE_RAD = Math.PI / 6;
@@ -26,8 +28,10 @@ export class PpiRenderer {
     this.wedge = program(gl, WEDGE_VERTEX, WEDGE_FRAGMENT);
     this.screen = program(gl, SCREEN_VERTEX, SCREEN_FRAGMENT);
     this.textures = {
-      cells: texture(gl), doppler: texture(gl), meta: texture(gl), disc: texture(gl), colours: texture(gl),
+      cells: texture(gl), doppler: texture(gl), meta: texture(gl), disc: texture(gl), colours: texture(gl), trails: texture(gl),
     };
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.trails);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R16UI, 1, 1, 0, gl.RED_INTEGER, gl.UNSIGNED_SHORT, new Uint16Array(1));
     this.framebuffer = gl.createFramebuffer();
     this.corners = gl.createBuffer();
     this.emptyArray = gl.createVertexArray();
@@ -42,6 +46,7 @@ export class PpiRenderer {
     this.discSide = 0;
     this.drawn = null;     // what the disc was made for
     this.colours = null;
+    this.trails = null;    // the TrueTrails that the texture has
   }
 
   setEchoColours(bytes) {
@@ -49,7 +54,8 @@ export class PpiRenderer {
     this.nextColours = bytes;
   }
 
-  // view: ViewGeometry; look: { palette, afterglow, sweepRow (below 0: none), nowS, turnS }.
+  // view: ViewGeometry; look: { palette, afterglow, sweepRow (below 0: none), nowS, turnS, videoM (how far spokes reach),
+  // echo and trails (brilliance, 0..1), trueTrails (TrueTrails, or null: those of the store), trailS }.
   draw(store, view, look) {
     const gl = this.gl;
     if (gl.isContextLost()) return;
@@ -59,6 +65,7 @@ export class PpiRenderer {
     const runs = store.takeDirtyRuns();
     this.#upload(store, runs);
     this.#updateDisc(store, view, side, runs);
+    if (look.trueTrails) this.#uploadTrails(look.trueTrails);
     this.#colourDisc(view, side, look);
   }
 
@@ -111,13 +118,31 @@ export class PpiRenderer {
     }
   }
 
+  #uploadTrails(trails) {
+    const gl = this.gl;
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.trails);
+    if (this.trails !== trails) {
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.R16UI, TRAILS_SIDE, TRAILS_SIDE, 0, gl.RED_INTEGER, gl.UNSIGNED_SHORT, null);
+      trails.dirty.fill(1);
+      this.trails = trails;
+    }
+    gl.pixelStorei(gl.UNPACK_ROW_LENGTH, TRAILS_SIDE);
+    for (const [column, row] of trails.takeDirtyTiles()) {
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, column, row, TILE, TILE, gl.RED_INTEGER, gl.UNSIGNED_SHORT,
+                       trails.cells, row * TRAILS_SIDE + column);
+    }
+    gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 0);
+  }
+
   #updateDisc(store, view, side, runs) {
     const gl = this.gl;
     const metresPerPixel = view.rangeM / (view.radius * view.pixelRatio);
-    const wanted = { upDeg: view.upDeg, metresPerPixel };
+    const own = ownOnDisc(view);
+    const wanted = { upDeg: view.upDeg, metresPerPixel, jumps: view.jumps };
     const halfPixelDeg = 28 / (view.radius * view.pixelRatio);
     const turned = this.drawn && Math.abs(((wanted.upDeg - this.drawn.upDeg + 540) % 360) - 180);
-    const keep = this.drawn && this.drawn.metresPerPixel === metresPerPixel && turned <= halfPixelDeg;
+    const keep = this.drawn && this.drawn.metresPerPixel === metresPerPixel && this.drawn.jumps === view.jumps &&
+      turned <= halfPixelDeg;
     if (keep && runs.length === 0) return;
     if (keep) wanted.upDeg = this.drawn.upDeg;
 
@@ -125,7 +150,7 @@ export class PpiRenderer {
     if (keep) {
       for (const [first, count] of runs) {
         addWedges(corners, (first - 0.5) / store.rows, (first + count - 0.5) / store.rows,
-                  wanted.upDeg / 360, side);
+                  wanted.upDeg / 360, side, own);
       }
     } else {
       const h = side / 2;
@@ -139,6 +164,7 @@ export class PpiRenderer {
     const { program, at } = this.wedge;
     gl.useProgram(program);
     gl.uniform1f(at('halfSide'), side / 2);
+    gl.uniform2f(at('own'), own.x, own.y);
     gl.uniform1f(at('metresPerPixel'), metresPerPixel);
     gl.uniform1f(at('upTurn'), wanted.upDeg / 360);
     gl.uniform1i(at('hasDoppler'), store.doppler ? 1 : 0);
@@ -161,12 +187,30 @@ export class PpiRenderer {
     gl.uniform1f(at('turnS'), look.turnS);
     gl.uniform1f(at('afterglow'), look.afterglow);
     gl.uniform1f(at('sweepRow'), look.sweepRow);
-    gl.uniform1f(at('brilliance'), look.palette.brilliance);
+    const own = ownOnDisc(view), pixelsPerM = (view.radius * view.pixelRatio) / view.rangeM;
+    gl.uniform2f(at('own'), own.x, own.y);
+    const videoPx = look.videoM > 0 && view.rangeM > 0 ? look.videoM * pixelsPerM : Infinity;
+    const seenAll = videoPx > view.radius * view.pixelRatio + Math.hypot(own.x, own.y) - 0.5;
+    gl.uniform1f(at('videoPx'), seenAll ? 4 * side : videoPx);
+    gl.uniform1f(at('trails'), look.trails);
+    gl.uniform1i(at('hasTrueTrails'), look.trueTrails ? 1 : 0);
+    if (look.trueTrails) {
+      const { cellM, own: cell, nowTick, lifeTicks } = look.trueTrails.look(look.nowS, look.trailS);
+      const up = (view.upDeg * Math.PI) / 180, cells = 1 / (pixelsPerM * cellM);
+      gl.uniform2f(at('eastward'), cells * Math.cos(up), cells * Math.sin(up));
+      gl.uniform2f(at('northward'), -cells * Math.sin(up), cells * Math.cos(up));
+      gl.uniform2f(at('ownCell'), cell[0], cell[1]);
+      gl.uniform1f(at('nowTick'), nowTick);
+      gl.uniform1f(at('lifeTicks'), lifeTicks);
+    }
+    gl.uniform1f(at('brilliance'), look.palette.brilliance * look.echo);
     gl.uniform3fv(at('sea'), look.palette.sea);
     gl.uniform3fv(at('seaEdge'), look.palette.seaEdge);
     gl.uniform3fv(at('trailColour'), look.palette.trail);
     gl.uniform3fv(at('sweepColour'), look.palette.sweep);
-    this.#bind(at, { disc: this.textures.disc, meta: this.textures.meta, echoColours: this.textures.colours });
+    this.#bind(at, {
+      disc: this.textures.disc, meta: this.textures.meta, echoColours: this.textures.colours, trueTrails: this.textures.trails,
+    });
     gl.bindVertexArray(this.emptyArray);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
@@ -195,14 +239,21 @@ export class PpiRenderer {
   }
 }
 
-// Triangles that cover the bearings from..to (in turns) and EDGE_PX beyond, for a disc of `side`.
-export function addWedges(corners, from, to, upTurn, side) {
+// Own ship in the disc's pixels from the centre, y up.
+function ownOnDisc(view) {
+  const scale = view.radius * view.pixelRatio;
+  return { x: view.ownAt.x * scale, y: view.ownAt.y * scale };
+}
+
+// Triangles that cover the bearings from..to (in turns) and EDGE_PX beyond, for a disc of `side` seen from `own`.
+export function addWedges(corners, from, to, upTurn, side, own = { x: 0, y: 0 }) {
   const total = (to - from) * 2 * Math.PI;
   const parts = Math.ceil(total / MAX_WEDGE_RAD);
   for (let i = 0; i < parts; ++i) {
     const a = (from - upTurn) * 2 * Math.PI + (total * i) / parts;
     const b = a + total / parts;
-    const reach = side * 0.75;  // beyond the corners of the square
+    // Beyond the corners of the square, with an arc's chord.
+    const reach = side * 0.75 + 1.04 * Math.hypot(own.x, own.y);
     const left = { x: Math.sin(a), y: Math.cos(a) }, right = { x: Math.sin(b), y: Math.cos(b) };
     // Both edges moved outwards and begun behind the centre.
     const at = (d, outX, outY, along) => [d.x * along + outX * EDGE_PX, d.y * along + outY * EDGE_PX];
@@ -210,7 +261,7 @@ export function addWedges(corners, from, to, upTurn, side) {
       at(left, -left.y, left.x, -EDGE_PX), at(left, -left.y, left.x, reach),
       at(right, right.y, -right.x, reach), at(right, right.y, -right.x, -EDGE_PX),
     ];
-    for (const k of [0, 1, 2, 0, 2, 3]) corners.push(...quad[k]);
+    for (const k of [0, 1, 2, 0, 2, 3]) corners.push(quad[k][0] + own.x, quad[k][1] + own.y);
   }
 }
 

@@ -1,7 +1,6 @@
 // Readouts: the numbers beside the picture. Written a few times a second, and only where they changed.
 import { $, write } from './widgets.js';
 import * as format from './format.js';
-import { NAUTICAL_MILE_M, ringsFor, wrapDeg } from './view_geometry.js';
 
 const LINK_TEXT = { connecting: 'Connecting', greeting: 'Connecting', live: 'Connected', waiting: 'Disconnected' };
 
@@ -38,35 +37,6 @@ export function showSensors(ship) {
   const text = missingSensors(ship);
   $('sensor-sign').hidden = text === '';
   write('sensor-sign', text);
-}
-
-// With an unknown heading the bow is up, whatever was chosen.
-export function showOrientation(headUp, ship) {
-  write('orientation', headUp || ship?.noHeading ? 'Head up' : 'North up');
-}
-
-export function showRange(rangeNm) {
-  write('range-now', format.rangeNm(rangeNm));
-  write('ring-spacing', rangeNm > 0 ? format.rangeNm(ringsFor(rangeNm).spacingNm) : format.NONE);
-}
-
-export function showMarkers(markers, headingDeg) {
-  const relative = (deg) => (headingDeg === null ? NaN : wrapDeg(deg - headingDeg));
-  const at = markers.at();
-  write('cursor-range', at ? format.distance(at.rangeM) : format.NONE);
-  write('cursor-metres', at && at.rangeM < NAUTICAL_MILE_M ? `${Math.round(at.rangeM)} m` : '');
-  write('cursor-true', at ? `${format.bearing(at.bearingDeg)}°` : format.NONE);
-  write('cursor-relative', at && headingDeg !== null ? `${format.bearing(relative(at.bearingDeg))}°` : format.NONE);
-  $('ebl-box').hidden = !markers.ebl;
-  if (markers.ebl) {
-    write('ebl-true', `${format.bearing(markers.ebl.bearingDeg)}°`);
-    write('ebl-relative', `${format.bearing(relative(markers.ebl.bearingDeg))}°`);
-  }
-  $('vrm-box').hidden = !markers.vrm;
-  if (markers.vrm) {
-    const near = markers.vrm.rangeM < NAUTICAL_MILE_M ? `  ${Math.round(markers.vrm.rangeM)} m` : '';
-    write('vrm-range', format.distance(markers.vrm.rangeM) + near);
-  }
 }
 
 export function showStream({ scan, rpm, spokeRate, lost, spoke }) {

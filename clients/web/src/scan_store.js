@@ -19,7 +19,7 @@ export class ScanStore {
   constructor(maxRows = MAX_SPOKES) {
     this.maxRows = maxRows;
     this.generation = 0;  // grows when rows and cols change
-    this.trailS = 0;      // seconds a trail lives; 0: none
+    this.trailS = 0;      // seconds a trail lives; 0: none, below 0: it stays
     this.resize(0, 0);
   }
 
@@ -70,7 +70,7 @@ export class ScanStore {
     const base = row * cols * 2;
     const oldCellSize = meta[row * 4 + 1];
     const cellSize = Math.fround(spoke.cellSizeM);
-    const fade = this.#fade(nowS - meta[row * 4]);
+    const fade = this.#fade(meta[row * 4], nowS);
     if (oldCellSize !== cellSize) this.#rescaleTrail(base, oldCellSize, cellSize);
 
     if (spoke.bits === 8) {
@@ -86,7 +86,7 @@ export class ScanStore {
       const echo = keepOld && cells[i] > scratch[c] ? cells[i] : scratch[c];
       const trail = cells[i + 1] - fade;
       cells[i] = echo;
-      cells[i + 1] = this.trailS > 0 && echo >= TRAIL_THRESHOLD ? 255 : trail > 0 ? trail : 0;
+      cells[i + 1] = this.trailS !== 0 && echo >= TRAIL_THRESHOLD ? 255 : trail > 0 ? trail : 0;
     }
     if (this.doppler) this.#paintDoppler(row, spoke.doppler);
     meta[row * 4] = nowS;
@@ -103,9 +103,12 @@ export class ScanStore {
     else this.doppler.fill(0, at, at + this.dopplerCols);
   }
 
-  #fade(ageS) {
-    if (this.trailS <= 0) return 255;
-    return Math.min(255, ageS > 0.05 ? Math.max(1, Math.round((255 * ageS) / this.trailS)) : 0);
+  // By whole steps of the clock, so that a trail of half an hour, whose step is longer than a turn, fades as it should.
+  #fade(fromS, toS) {
+    if (this.trailS === 0) return 255;
+    if (this.trailS < 0) return 0;
+    const steps = (s) => Math.round((255 * s) / this.trailS);
+    return Math.min(255, Math.max(0, steps(toS) - steps(fromS)));
   }
 
   #rescaleTrail(base, oldCellSize, cellSize) {

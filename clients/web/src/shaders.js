@@ -17,6 +17,7 @@ uniform highp sampler2D meta;     // x: row; r: time s, g: cell size m, b: cells
 uniform mediump sampler2D doppler;  // x: four cells, y: row; two bits a cell, the nearest lowest
 uniform bool hasDoppler;
 uniform float halfSide;           // pixels
+uniform vec2 own;                 // own ship, pixels from the centre, y up
 uniform float metresPerPixel;
 uniform float upTurn;             // true bearing of the screen's top, in turns
 out vec4 disc;
@@ -25,7 +26,7 @@ const int MAX_ROWS = 32, MAX_CELLS = 20;
 const float TAU = 6.283185307179586;
 
 void main() {
-  vec2 p = gl_FragCoord.xy - vec2(halfSide);
+  vec2 p = gl_FragCoord.xy - vec2(halfSide) - own;
   int rows = textureSize(meta, 0).x;
   float r = length(p);
   float turn = fract(atan(p.x, p.y) / TAU + upTurn);
@@ -76,7 +77,15 @@ precision highp int;
 uniform mediump sampler2D disc;
 uniform highp sampler2D meta;
 uniform mediump sampler2D echoColours;
+uniform highp usampler2D trueTrails;  // see true_trails.js
 uniform float halfSide, radius;   // pixels
+uniform vec2 own;                 // own ship, pixels from the centre, y up
+uniform float videoPx;            // no spoke reaches farther from own ship
+uniform float trails;             // brilliance; 0: none
+uniform bool hasTrueTrails;       // instead of those around own ship
+uniform vec2 eastward, northward; // screen to cells of the true trails
+uniform vec2 ownCell;
+uniform float nowTick, lifeTicks; // lifeTicks below 0: trails stay
 uniform float now, turnS;         // seconds
 uniform float afterglow;          // 0: even picture, 1: fades to a tenth within a turn
 uniform float sweepRow;           // newest row; below 0: no sweep
@@ -84,12 +93,27 @@ uniform float brilliance;
 uniform vec3 sea, seaEdge, trailColour, sweepColour;
 out vec4 colour;
 
+// How fresh the true trail is here, 0..1.
+float trueTrail(vec2 fromOwn) {
+  vec2 offset = vec2(dot(fromOwn, eastward), dot(fromOwn, northward));
+  int side = textureSize(trueTrails, 0).x;
+  if (max(abs(offset.x), abs(offset.y)) >= float(side / 2 - 1)) return 0.0;
+  ivec2 cell = (ivec2(floor(ownCell + offset)) + ivec2(2 * side)) % side;
+  uint tick = texelFetch(trueTrails, cell, 0).r;
+  if (tick == 0u) return 0.0;
+  return lifeTicks < 0.0 ? 0.8 : clamp(1.0 - (nowTick - float(tick)) / lifeTicks, 0.0, 1.0);
+}
+
 void main() {
   vec2 p = gl_FragCoord.xy - vec2(halfSide);
   float r = length(p);
   float inside = clamp(radius + 0.5 - r, 0.0, 1.0);
   if (inside <= 0.0) { colour = vec4(0.0); return; }
   vec3 c = mix(sea, seaEdge, smoothstep(0.0, 1.0, r / radius));
+  float fromOwn = length(p - own);
+  // Beyond the video nothing is known: not sea, and a thin line where it ends.
+  c = mix(c, seaEdge * 0.4, clamp(fromOwn - videoPx, 0.0, 1.0));
+  c += sweepColour * 0.45 * clamp(1.0 - abs(fromOwn - videoPx), 0.0, 1.0);
 
   ivec4 d = ivec4(texelFetch(disc, ivec2(gl_FragCoord.xy), 0) * 255.0 + 0.5);
   int rows = textureSize(meta, 0).x;
@@ -99,12 +123,13 @@ void main() {
     c += sweepColour * (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0));
   }
   vec4 m = texelFetch(meta, ivec2(row, 0), 0);
+  if (hasTrueTrails && d.a < 255) c = mix(c, trailColour, 0.8 * trails * trueTrail(p - own));
   if (m.g > 0.0) {
     float age = max(0.0, now - m.r) / turnS;                   // turns
     float present = 1.0 - smoothstep(1.3, 2.6, age);           // a missing sector goes out
     float glow = mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
     float trail = float(d.a) / 255.0;
-    if (d.a < 255) c = mix(c, trailColour, 0.8 * trail * present);
+    if (!hasTrueTrails && d.a < 255) c = mix(c, trailColour, 0.8 * trails * trail * present);
     vec4 echo = texelFetch(echoColours, ivec2(d.r, d.g >> 6), 0);
     c = mix(c, echo.rgb * brilliance, echo.a * present * glow);
   }

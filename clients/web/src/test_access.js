@@ -6,15 +6,16 @@
 //   world()               sea, air, rain and artefacts as the server last sent them, or null
 //   lastScan()            the newest turn received whole: { scan, spokes, cells, rangeM, headingDeg,
 //                         mixedRanges }, or null
-//   ppi                   { centre: {x, y}, radiusPx, side, pixelRatio, upDeg, rangeM }, CSS pixels
+//   ppi                   { centre: {x, y}, own: {x, y}, radiusPx, side, pixelRatio, upDeg, rangeM }, CSS pixels
 //   pixelFor(deg, m)      {x, y} on the picture of a true bearing and a range
 //   at(x, y)              { bearingDeg, rangeM, inside } of such a pixel
+//   tools()               the measuring tools, as picture/tools.js has them
 //   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
 //   showTab(name)         of the panel: 'radar', 'targets', 'tools', 'chart', 'set-up'
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -44,11 +45,12 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     world: () => radar.world,
     lastScan: () => radar.scans.last,
     get ppi() {
-      const { side, centre, radius, pixelRatio, upDeg, rangeM } = view();
-      return { side, centre: { x: centre, y: centre }, radiusPx: radius, pixelRatio, upDeg, rangeM };
+      const { side, centre, own, radius, pixelRatio, upDeg, rangeM } = view();
+      return { side, centre: { x: centre, y: centre }, own, radiusPx: radius, pixelRatio, upDeg, rangeM };
     },
     pixelFor: (bearingDeg, rangeM) => view().toPixel(bearingDeg, rangeM),
     at: (x, y) => view().fromPixel(x, y),
+    tools: () => { const { ebls, vrms, lines, active } = tools; return structuredClone({ ebls, vrms, lines, active }); },
     capture: () => {
       drawNow();
       const { width, height, data } = renderer.readPixels();

@@ -12,7 +12,7 @@ export function isEcho(shot, x, y) {
 const place = (shot, bearingDeg, rangeM) => {
   const angle = (bearingDeg - shot.upDeg) * Math.PI / 180;
   const r = (rangeM / shot.rangeM) * shot.radiusPx;
-  return { x: (shot.centre.x + r * Math.sin(angle)) * shot.pixelRatio, y: (shot.centre.y - r * Math.cos(angle)) * shot.pixelRatio };
+  return { x: ((shot.own ?? shot.centre).x + r * Math.sin(angle)) * shot.pixelRatio, y: ((shot.own ?? shot.centre).y - r * Math.cos(angle)) * shot.pixelRatio };
 };
 
 // Range of the first echo on a bearing from fromM on, or null.
@@ -47,7 +47,7 @@ export function blobAt(shot, bearingDeg, rangeM, halfDeg, halfM) {
 }
 
 export function placeOf(shot, x, y) {
-  const dx = x / shot.pixelRatio - shot.centre.x, dy = shot.centre.y - y / shot.pixelRatio;
+  const dx = x / shot.pixelRatio - (shot.own ?? shot.centre).x, dy = (shot.own ?? shot.centre).y - y / shot.pixelRatio;
   return { rangeM: (Math.hypot(dx, dy) / shot.radiusPx) * shot.rangeM,
            bearingDeg: (Math.atan2(dx, dy) * 180 / Math.PI + shot.upDeg + 720) % 360 };
 }

@@ -32,9 +32,10 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {},
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null,
     }, options);
-    // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello.
+    // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
+    // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
@@ -257,6 +258,7 @@ export class MockServer {
       if (client.radar === null) continue;
       this.#send(client, { ownShip: {
         radar: client.radar, name: this.ships[client.radar], latitudeDeg: 60.3925, longitudeDeg: 5.3233 - client.radar,
+        ...this.place?.((this.made / this.spokes) * (60 / this.rpm)),
         headingDeg: this.headingDeg, speedKn: 11.9, rateOfTurnDegMin: 0,
         orderedCourseDeg: this.ordered.courseDeg, orderedSpeedKn: this.ordered.speedKn,
         driven: this.driven, noPosition: this.untold, noMotion: this.untold, noHeading: this.untold, ...this.ownShipMore,
@@ -304,7 +306,7 @@ export class MockServer {
       bearingDeg, sequence, scan: Math.floor(number / this.spokes), index, spokesPerTurn: this.spokes,
       rangeScale: RANGES_NM.indexOf(this.settings.rangeNm), bits: this.bits, cellCount: this.cells,
       cellSizeM: this.cellSizeM(), heading: Math.round((this.headingDeg / 360) * 2 ** 32) >>> 0,
-      latitudeDeg: 60.3925, longitudeDeg: 5.3233,
+      latitudeDeg: 60.3925, longitudeDeg: 5.3233, ...this.place?.((number / this.spokes) * (60 / this.rpm)),
       utcNs: protobuf.util.Long.fromNumber(1.7e18 + (number / this.spokes) * (60 / this.rpm) * 1e9),
       scenarioNs: protobuf.util.Long.fromNumber(1e9), cells: this.#cells(bearingDeg),
       ...(this.doppler ? { doppler: new Uint8Array((this.cells + 3) >> 2).fill(0x55 * this.doppler(bearingDeg)) } : {}),

@@ -271,7 +271,7 @@ test('the controls that displays have reach the server too', async () => {
       s.bearingAlignmentDeg === -12 && s.antennaHeightM === 33 && s.blankedSectors.sectors.length === 2;
   });
   assert.ok(server.received.every(({ set }) => !set?.instructor), 'no instructor, as long as the panel is folded');
-  assert.equal(await page.locator('#orientation').textContent(), 'North up');
+  assert.equal(await page.locator('#orientation').textContent(), 'N UP');
   assert.deepEqual(page.problems, []);
 });
 
@@ -335,7 +335,7 @@ test('what a recording does not tell of own ship is not shown', async () => {
     .map((id) => document.getElementById(id).textContent));
   await page.waitForFunction(() => /^[0-9]/.test(document.querySelector('#order-course').placeholder));
   assert.deepEqual(await told(), ['–', '–', '–', '–', '–']);
-  assert.equal(await page.locator('#orientation').textContent(), 'Head up');
+  assert.equal(await page.locator('#orientation').textContent(), 'H UP · heading lost');
   server.untold = false;
   await page.waitForFunction(() => document.querySelector('#latitude').textContent !== '–');
   assert.ok((await told()).every((text) => text !== '–'));

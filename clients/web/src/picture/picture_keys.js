@@ -1,0 +1,43 @@
+// Keys of the picture and of what measures in it, for the table of keys (keys/key_table.js).
+import { $ } from '../widgets.js';
+
+const click = (id) => () => $(id).click();
+const fine = (event, coarse) => (event.shiftKey ? coarse / 10 : coarse);
+const choose = (name, value) => document.querySelector(`input[name=${name}][value=${value}]`).click();
+
+// view(): the ViewGeometry of now.
+export function pictureKeys({ picture, picturePanel, stage, markers, tools, toolsPanel, view }) {
+  const look = 'Picture', marks = 'Bearing lines, range markers, lines';
+  // In the off-centre mode Shift and an arrow move own ship, else the active EBL and VRM.
+  const arrow = (x, y, otherwise) => (event) => {
+    if (markers.mode === 'off-centre' && event.shiftKey) stage.moveOwn({ x: x * 0.05, y: y * 0.05 });
+    else otherwise(event);
+  };
+  const turn = (by) => arrow(by, 0, (event) => markers.turnEbl(by * fine(event, 1)));
+  const move = (by) => arrow(0, by, (event) => markers.moveVrm(by * fine(event, 0.01)));
+  document.addEventListener('keydown', (event) => { if (event.key === 'Escape') markers.setMode(null); });
+  return [
+    { id: 'north-up', key: 'n', words: 'north up', group: look, run: () => choose('orientation', 'north') },
+    { id: 'course-up', key: 'c', words: 'course up; again: the heading of now', group: look, run: () => picturePanel.setOrientation('course') },
+    { id: 'head-up', key: 'h', words: 'head up', group: look, run: () => choose('orientation', 'head') },
+    { id: 'motion', key: 'Shift+t', words: 'true or relative motion', group: look, run: () => choose('motion', picture.motion === 'true' ? 'relative' : 'true') },
+    { id: 'off-centre', key: 'Shift+o', words: 'off-centre: press, or move own ship with Shift and arrows; again: done', group: look, run: click('off-centre') },
+    { id: 'look-ahead', key: 'PageUp', words: 'look ahead', group: look, run: () => stage.lookAhead() },
+    { id: 'centre', key: 'Home', words: 'own ship in the centre', group: look, run: () => stage.centre() },
+    { id: 'motion-reset', key: 'End', words: 'reset of true motion and course up', group: look, run: click('motion-reset') },
+    { id: 'rings', key: 'r', words: 'range rings', group: look, run: click('rings') },
+    { id: 'heading-line', key: 'l', words: 'heading line', group: look, run: click('heading-line') },
+    { id: 'heading-hold', key: 'Shift+l', words: 'heading line off while held', group: look, run: () => picturePanel.hold(true) },
+    { id: 'palette', key: 'p', words: 'day, dusk or night colours', group: look, run: click('palette') },
+    { id: 'ebl', key: 'e', words: 'bearing line EBL 1', group: marks, run: () => tools.toggle('ebls', 0, view()) },
+    { id: 'ebl-2', key: 'Shift+e', words: 'bearing line EBL 2', group: marks, run: () => tools.toggle('ebls', 1, view()) },
+    { id: 'vrm', key: 'v', words: 'range marker VRM 1', group: marks, run: () => tools.toggle('vrms', 0, view()) },
+    { id: 'vrm-2', key: 'Shift+v', words: 'range marker VRM 2', group: marks, run: () => tools.toggle('vrms', 1, view()) },
+    { id: 'ebl-left', key: 'ArrowLeft', also: ['Shift+ArrowLeft'], words: 'active bearing line 1° to the left, with Shift 0.1°', group: marks, run: turn(-1) },
+    { id: 'ebl-right', key: 'ArrowRight', also: ['Shift+ArrowRight'], words: 'active bearing line 1° to the right, with Shift 0.1°', group: marks, run: turn(1) },
+    { id: 'vrm-out', key: 'ArrowUp', also: ['Shift+ArrowUp'], words: 'active range marker out by 1 % of the range, with Shift 0.1 %', group: marks, run: move(1) },
+    { id: 'vrm-in', key: 'ArrowDown', also: ['Shift+ArrowDown'], words: 'active range marker in by 1 % of the range, with Shift 0.1 %', group: marks, run: move(-1) },
+    { id: 'parallel', key: 'Shift+i', words: 'parallel index lines', group: marks, run: () => toolsPanel.toggleLines() },
+    { id: 'measure', key: 'b', words: 'measure between two points', group: marks, run: click('measure') },
+  ];
+}
