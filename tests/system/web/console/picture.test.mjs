@@ -437,10 +437,12 @@ test('the heading line is off while it is held; stern marks and own ship\'s outl
   await open({ settings: { rangeNm: 0.25 } });
   const line = async (deg, m) => (await marked([deg, m]))[0];
   assert.equal(await line(37, 300), true);
-  await page.keyboard.down('Shift+L');
+  await page.keyboard.down('Shift');
+  await page.keyboard.down('L');
   await page.waitForFunction(() => document.querySelector('#heading-hold').getAttribute('aria-pressed') === 'true');
   assert.equal(await line(37, 300), false);
-  await page.keyboard.up('Shift+L');
+  await page.keyboard.up('L');
+  await page.keyboard.up('Shift');
   await page.waitForFunction(() => document.querySelector('#heading-hold').getAttribute('aria-pressed') === 'false');
   assert.equal(await line(37, 300), true);
   await page.locator('#heading-hold').scrollIntoViewIfNeeded();
