@@ -2,7 +2,7 @@
 //
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
-import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe } from './messages.js';
+import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, encodeTargetOrder } from './messages.js';
 
 const SILENCE_MS = 6000;
 const FIRST_RETRY_MS = 400, LAST_RETRY_MS = 8000;
@@ -95,6 +95,10 @@ export class Connection {
 
   set(radar, view, values, token) {
     return this.#send((request) => encodeSet(request, radar, view, values, token));
+  }
+
+  targetOrder(radar, view, order, token) {
+    return this.#send((request) => encodeTargetOrder(request, radar, view, order, token));
   }
 
   // place: { latitudeDeg, longitudeDeg, radiusNm }.

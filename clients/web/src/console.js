@@ -8,7 +8,7 @@ const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
   // events: hello(hello), settings(settings), ownShip(ownShip), world(world), recorder(state),
-  // playback(state), reply(reply, text, refused).
+  // playback(state), targets(list), reply(reply, text, refused).
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -47,6 +47,7 @@ export class RadarConsole {
       else if (message.world) { this.world = message.world; this.events.world(message.world); }
       else if (message.recorder) this.events.recorder(message.recorder);
       else if (message.playback) this.events.playback(message.playback);
+      else if (message.targets) this.#takeTargets(message.targets);
       else if (message.reply) this.#takeReply(message.reply);
     }
   }
@@ -69,6 +70,10 @@ export class RadarConsole {
     if (ownShip.radar !== this.radar) return;
     this.ownShip = ownShip;
     this.events.ownShip(ownShip);
+  }
+
+  #takeTargets(list) {
+    if (list.radar === this.radar && list.view === this.view) this.events.targets(list);
   }
 
   #goDark() {

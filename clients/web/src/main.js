@@ -1,4 +1,5 @@
 // The console: joins the stream, the picture and the panel.
+import { AlertConsole } from './alerts/alerts.js';
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
@@ -18,6 +19,7 @@ import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
 import { Recording } from './recording.js';
 import { Rate } from './stream_stats.js';
+import { TargetConsole } from './targets/targets.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
 import { $ } from './widgets.js';
@@ -68,6 +70,11 @@ const locks = new Locks(table.controls, set);
 const notify = (text, kind) => notices.show(text, kind);
 const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
 const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
+const targets = new TargetConsole({
+  send: (order) => (isWatching ? undefined : connection.targetOrder(radar.radar, radar.view, order, token)),
+  notify, cursor: () => markers.at(), table, seconds,
+});
+const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
 
 const radar = new RadarConsole(renderer.maxRows, {
   hello: (hello) => {
@@ -85,12 +92,14 @@ const radar = new RadarConsole(renderer.maxRows, {
   world: (world) => instructor.take(world),
   recorder: (state) => recording.take(state),
   playback: (state) => playback.take(state),
+  targets: (list) => { targets.take(list); alerts.take(list.alerts); },
   reply: (reply, text, refused) => {
     if (takeSubscription(reply)) return;
     receiver.takeReply(reply);
     instructor.takeReply(reply);
     recording.takeReply(reply);
     playback.takeReply(reply);
+    targets.takeReply(reply, text);
     if (reply.code !== 0) notices.show(text);
     if (refused) $('access').hidden = false;
   },
@@ -106,8 +115,10 @@ let asked = null;
 function subscribe() {
   const like = ownView ? radar.view : joined;
   $('con-page').href = `conning?radar=${radar.radar}`;
-  asked = { request: connection.subscribe(radar.radar, like, ownView, token), radar: radar.radar, like, ownView };
+  asked = { request: connection.subscribe(radar.radar, like, ownView, token, { targetsHz: 2 }), radar: radar.radar, like, ownView };
   radar.forget();
+  targets.forget();
+  alerts.forget();
   radar.view = ownView ? 0 : joined;
   showView();
 }
@@ -197,6 +208,7 @@ function draw() {
     headingLine: picture.headingLine, headingDeg, headUp: picture.headUp, ebl: markers.ebl, vrm: markers.vrm,
     cursor: markers.at() ? markers.pointer : null,
   });
+  targets.draw(view, { palette, paletteName: picture.palette, ownShip: radar.ownShip, headingDeg, rate: held ? 0 : playback.rate });
   frames.drawn += 1;
   frames.rate.add(nowS, frames.drawn);
 }
@@ -237,6 +249,8 @@ function showReadouts() {
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
   playback.showPosition();
+  targets.show();
+  alerts.show();
   const alarm = alarmText();
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
@@ -292,6 +306,7 @@ bindKeys({
   r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),
   k: () => playback.toggle(), ',': () => playback.step(-1), '.': () => playback.step(1), m: () => recording.mark(''),
   '?': () => $('help').showModal(),
+  ...targets.keys, ...alerts.keys,
   ArrowLeft: (event) => markers.turnEbl(-step(event, 1)), ArrowRight: (event) => markers.turnEbl(step(event, 1)),
   ArrowUp: (event) => markers.moveVrm(step(event, 0.01)), ArrowDown: (event) => markers.moveVrm(-step(event, 0.01)),
 });
@@ -299,5 +314,5 @@ bindKeys({
 new ResizeObserver(layOut).observe($('display'));
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, targets, alerts });
 requestAnimationFrame(frame);

@@ -6,7 +6,7 @@ import { rangeNm as formatRange } from './format.js';
 const RAD = Math.PI / 180;
 const FONT = 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
 
-class Layer {
+export class Layer {
   constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext('2d');

@@ -12,8 +12,10 @@
 //   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
+//   targets()             { list, stale, selected, mode, shown, vectors, pxPerMm }: what is drawn of targets now, in CSS pixels
+//   alerts()              { calling (priority that sounds, or null), soundAllowed, beeps, history }
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, targets, alerts }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -41,6 +43,8 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     recorder: () => recording.state,
     playback: () => playback.state,
     world: () => radar.world,
+    targets: () => targets.state,
+    alerts: () => alerts.state,
     lastScan: () => radar.scans.last,
     get ppi() {
       const { side, centre, radius, pixelRatio, upDeg, rangeM } = view();
