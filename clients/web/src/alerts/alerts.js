@@ -79,7 +79,7 @@ export class AlertConsole {
   show() {
     const urgent = this.#urgent();
     const [worst] = urgent;
-    const words = worst ? `${symbolOf(worst)} ${priorityOf(worst).word} ${worst.number} ${worst.title}: ${worst.text}` : 'No alerts';
+    const words = worst ? `${symbolOf(worst)} ${priorityOf(worst).word}: ${worst.title}: ${worst.text}` : 'No alerts';
     say(this.worst, words);
     this.banner.dataset.priority = worst ? priorityOf(worst).name : '';
     this.banner.toggleAttribute('data-calls', worst !== undefined && isUnacknowledged(worst));

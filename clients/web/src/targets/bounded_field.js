@@ -18,15 +18,20 @@ export class BoundedField {
     this.label = element('label', { title: rule.help ?? '' }, `${rule.label}${rule.unit ? ` ${rule.unit}` : ''}`, this.input);
     this.element = element('div', { className: 'bounded' }, this.label, this.problem);
     this.input.addEventListener('change', () => this.#change());
+    // What was refused is taken back while it is put right: not when the field is left, which would move the button from
+    // under the pointer.
+    this.input.addEventListener('input', () => { if (!this.problem.hidden && this.#isSound) this.read(); });
+  }
+
+  get #isSound() {
+    return this.input.valueAsNumber >= this.rule.min && this.input.valueAsNumber <= this.rule.max;
   }
 
   // null where it is no number within bounds; says so beside the field. An empty field is not a number.
   read() {
-    const value = this.input.valueAsNumber;
-    const sound = value >= this.rule.min && value <= this.rule.max;
-    this.input.ariaInvalid = String(!sound);
-    sayProblem(this.problem, sound ? '' : boundsText(this.rule));
-    return sound ? value : null;
+    this.input.ariaInvalid = String(!this.#isSound);
+    sayProblem(this.problem, this.#isSound ? '' : boundsText(this.rule));
+    return this.#isSound ? this.input.valueAsNumber : null;
   }
 
   #change() {

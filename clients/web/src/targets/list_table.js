@@ -20,12 +20,11 @@ export class ListTable {
     this.falls = false;
     this.rows = new Map();  // by key
     this.heads = COLUMNS.map(([name, words, unit]) => {
-      const head = element('th', { scope: 'col' }, button(`sort-${name}`, words, () => this.#sortBy(name)),
-        unit ? element('span', { className: 'unit', textContent: unit }) : null);
+      const head = element('th', { scope: 'col' }, button(`sort-${name}`, words, () => this.#sortBy(name), { title: unit }));
       head.dataset.sort = name;
       return head;
     });
-    this.trialHeads = ['Trial CPA', 'Trial TCPA'].map((words) => element('th', { scope: 'col', textContent: words, className: 'trial' }));
+    this.trialHeads = ['CPA', 'TCPA'].map((words) => element('th', { scope: 'col', textContent: `T ${words}`, ariaLabel: `${words} of the trial`, className: 'trial' }));
     this.body = element('tbody');
     this.table = element('table', { id: 'target-list', ariaLabel: 'All targets' },
       element('thead', {}, element('tr', {}, ...this.heads, ...this.trialHeads)), this.body);
@@ -53,7 +52,9 @@ export class ListTable {
       if (a.value === undefined || b.value === undefined) return (a.value === undefined) - (b.value === undefined);
       return this.falls ? b.value - a.value : a.value - b.value;
     });
+    // The trial takes the place of the range.
     for (const head of this.trialHeads) head.hidden = outcomes === null;
+    this.heads[1].hidden = outcomes !== null;
     const held = this.body.contains(document.activeElement) ? document.activeElement : null;
     const wanted = keyed.map(({ shown }) => this.#row(shown, outcomes, selected));
     const kept = new Set(wanted);
@@ -80,13 +81,14 @@ export class ListTable {
     row.classList.toggle('trial-dangerous', outcome?.isDangerous ?? false);
     say(choose, headingOf(shown.entry));
     const { track } = shown.entry;
-    say(words, [shown.isDangerous ? 'DANGER' : '', track ? (nameOf(shown.entry) === NONE ? '' : nameOf(shown.entry)) : 'AIS',
+    say(words, [shown.isDangerous ? '!' : '', track ? (nameOf(shown.entry) === NONE ? '' : nameOf(shown.entry)) : 'AIS',
       ['TRACKED', 'ACTIVATED'].includes(stateOf(shown)) ? '' : stateOf(shown)].filter(Boolean).join(' '));
     const holds = isValid(shown);
     const texts = [rangeText(shown), holds ? cpaText(shown.from.cpaNm) : NONE, holds ? tcpaText(shown.from.tcpaMin) : NONE,
       outcome ? `${outcome.isDangerous ? '! ' : ''}${cpaText(outcome.cpaNm)}` : NONE, outcome ? tcpaText(outcome.tcpaMin) : NONE];
     texts.forEach((text, i) => say(cells[i], text));
     cells[3].hidden = cells[4].hidden = outcomes === null;
+    cells[0].hidden = outcomes !== null;
     return row;
   }
 }

@@ -134,7 +134,9 @@ export function kindOf(shown) {
   return from.state === ACQUIRING ? 'acquiring' : from.state === FROZEN ? 'frozen' : 'tracked';
 }
 
-const reachMm = ({ kind }) => SIZES_MM[kind]?.height ?? SIZES_MM[kind] ?? SIZES_MM.tracked;
+// How wide a symbol is, with the crossed lines of a lost one.
+const sizeMm = (kind) => SIZES_MM[kind]?.height ?? SIZES_MM[kind] ?? SIZES_MM.tracked;
+const reachMm = ({ kind, isLost }) => (isLost ? (sizeMm(kind) + 2 * SIZES_MM.lostBeyond) / Math.SQRT2 : sizeMm(kind));
 
 export function outcomeOf(trial, { entry: { track, ais } }) {
   return trial?.outcomes.find((outcome) => (outcome.target > 0 ? outcome.target === track?.number : ais !== null && outcome.mmsi === ais.mmsi)) ?? null;
