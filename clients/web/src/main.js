@@ -249,8 +249,8 @@ function showReadouts() {
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
   playback.showPosition();
-  targets.show();
-  alerts.show();
+  targets.tick();
+  alerts.sound.tick();
   const alarm = alarmText();
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');

@@ -65,8 +65,11 @@ export class AlertConsole {
     return [...this.alerts].sort(byUrgency);
   }
 
+  // Another view: its alerts are others, and those of this one are not gone.
   forget() {
-    this.take([]);
+    this.history.current.clear();
+    this.alerts = [];
+    this.show();
   }
 
   take(alerts) {
@@ -75,7 +78,6 @@ export class AlertConsole {
     this.show();
   }
 
-  // Also several times a second, for the sound.
   show() {
     const urgent = this.#urgent();
     const [worst] = urgent;

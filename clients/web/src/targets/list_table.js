@@ -55,6 +55,7 @@ export class ListTable {
     // The trial takes the place of the range.
     for (const head of this.trialHeads) head.hidden = outcomes === null;
     this.heads[1].hidden = outcomes !== null;
+    this.table.toggleAttribute('data-trial', outcomes !== null);
     const held = this.body.contains(document.activeElement) ? document.activeElement : null;
     const wanted = keyed.map(({ shown }) => this.#row(shown, outcomes, selected));
     const kept = new Set(wanted);
@@ -68,7 +69,7 @@ export class ListTable {
     let row = this.rows.get(shown.key);
     if (!row) {
       const choose = button(`list-${shown.key}`, '', () => this.select(shown.key));
-      row = element('tr', {}, element('th', { scope: 'row' }, choose, element('span', { className: 'dim' })), ...Array.from({ length: 5 }, () => element('td')));
+      row = element('tr', {}, element('th', { scope: 'row' }, choose, element('span', { className: 'dim' })), ...Array.from({ length: 5 }, (_, i) => element('td', { className: i > 2 ? 'trial' : '' })));
       row.addEventListener('click', (event) => { if (!event.target.closest('button')) this.select(shown.key); });
       this.rows.set(shown.key, row);
     }
@@ -82,7 +83,7 @@ export class ListTable {
     say(choose, headingOf(shown.entry));
     const { track } = shown.entry;
     say(words, [shown.isDangerous ? '!' : '', track ? (nameOf(shown.entry) === NONE ? '' : nameOf(shown.entry)) : 'AIS',
-      ['TRACKED', 'ACTIVATED'].includes(stateOf(shown)) ? '' : stateOf(shown)].filter(Boolean).join(' '));
+      stateOf(shown).replace(/^(TRACKED|ACTIVATED) ?/, '')].filter(Boolean).join(' '));
     const holds = isValid(shown);
     const texts = [rangeText(shown), holds ? cpaText(shown.from.cpaNm) : NONE, holds ? tcpaText(shown.from.tcpaMin) : NONE,
       outcome ? `${outcome.isDangerous ? '! ' : ''}${cpaText(outcome.cpaNm)}` : NONE, outcome ? tcpaText(outcome.tcpaMin) : NONE];

@@ -8,7 +8,7 @@ import { ACQUIRING, FROZEN, LOST } from './wire.js';
 const STATES = ['ACQUIRING', 'TREND', 'TRACKED', 'LOST', 'FROZEN'];
 
 export function stateOf({ entry: { track, ais }, byAis, isLost }) {
-  const words = track ? [STATES[track.state] ?? NONE] : [isLost ? 'LOST' : ais.isActivated ? 'ACTIVATED' : 'SLEEPING'];
+  const words = track ? [byAis && track.state === LOST ? 'TRACK LOST' : STATES[track.state] ?? NONE] : [isLost ? 'LOST' : ais.isActivated ? 'ACTIVATED' : 'SLEEPING'];
   if (byAis && track && isLost) words.push('AIS LOST');
   if (track?.isReference) words.push('REF');
   return words.join(' ');

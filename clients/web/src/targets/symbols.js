@@ -5,14 +5,19 @@ export const SIZES_MM = {
   sleeping: { base: 3, height: 4.5 }, activated: { base: 4, height: 6 }, dangerousAis: { base: 5, height: 7.5 },
 };
 const THIN = 1.25, THICK_MM = 0.6;
+// Under every line, so that it stands out from bright echoes.
+const HALO = 'rgba(0, 8, 14, 0.4)', HALO_PX = 2.5;
 export const thick = (mm) => Math.max(2.25, THICK_MM * mm);
 
 function stroked(c, { colour, width = THIN, dash = [] }, path) {
-  c.strokeStyle = colour;
-  c.lineWidth = width;
   c.setLineDash(dash);
   c.beginPath();
   path();
+  c.strokeStyle = HALO;
+  c.lineWidth = width + HALO_PX;
+  c.stroke();
+  c.strokeStyle = colour;
+  c.lineWidth = width;
   c.stroke();
   c.setLineDash([]);
 }
@@ -124,5 +129,10 @@ export function text(c, words, x, y, colour, sizePx, { align = 'left', weight = 
   c.font = `${weight} ${sizePx}px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif`;
   c.textAlign = align;
   c.textBaseline = 'middle';
+  c.strokeStyle = HALO;
+  c.lineWidth = HALO_PX;
+  c.lineJoin = 'round';
+  c.strokeText(words, x, y);
+  c.lineJoin = 'miter';
   c.fillText(words, x, y);
 }

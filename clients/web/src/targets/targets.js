@@ -16,6 +16,9 @@ import { VectorPanel } from './vector_panel.js';
 import { VectorSettings } from './vector_settings.js';
 import { ZonesPanel } from './zones_panel.js';
 
+// The panel's numbers are renewed with every list, and at least so often.
+const SHOW_S = 0.5;
+
 export class TargetConsole {
   // send(order): as TargetOrders has it; notify(text, kind); cursor(): { bearingDeg, rangeM } or null; table: of
   // /controls.json; seconds(): of a clock that never goes back.
@@ -116,10 +119,17 @@ export class TargetConsole {
                             nowMs: now * 1000, version: this.version });
   }
 
+  // To be called several times a second: numbers go on between lists, and what is not renewed goes.
+  tick() {
+    if (this.store.isStale !== this.wasStale || this.seconds() - this.shownAt >= SHOW_S) this.show();
+  }
+
   // The panel and the signs, as things are now.
   show() {
     const { store, settings, signs } = this;
     const { list } = store;
+    this.shownAt = this.seconds();
+    this.wasStale = store.isStale;
     signs.show({ list, isStale: store.isStale, settings, mode: this.input.mode });
     this.acquire.show();
     this.none.hidden = list !== null;

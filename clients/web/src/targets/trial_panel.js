@@ -10,7 +10,7 @@ export class TrialPanel {
     this.problem = refusal('trial-refusal');
     this.fields = withBounds(TRIALS, table.trialOrder).map((rule) => new BoundedField(`trial-${rule.name}`, rule));
     this.ends = button('trial-end', 'End trial', () => this.orders.give({ endTrial: true }, this.problem));
-    this.state = element('p', { id: 'trial-state', className: 'hint', role: 'status' });
+    this.state = element('p', { id: 'trial-state', className: 'hint' });
     const form = element('form', { id: 'trial-form', noValidate: true }, element('div', { className: 'fields two' }, ...this.fields.map((field) => field.element)),
       element('div', { className: 'actions' }, element('button', { type: 'submit', id: 'trial-start', textContent: 'Start trial' }), this.ends));
     form.addEventListener('submit', (event) => { event.preventDefault(); this.#start(); });
