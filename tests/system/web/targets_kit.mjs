@@ -6,7 +6,7 @@ import { NM } from './mock_scene.mjs';
 import { MockServer } from './mock_server.mjs';
 import { targetList } from './mock_targets.mjs';
 
-export async function openTargets(browser, list, { settings = {}, context = {}, ...options } = {}) {
+export async function openTargets(browser, list, { settings = {}, context = { viewport: { width: 1100, height: 640 } }, ...options } = {}) {
   const server = new MockServer({ spokes: 1024, cells: 256, rpm: 20, targets: targetList(list), ...options });
   const url = await server.start();
   const page = await openConsole(browser, url, context);
@@ -55,6 +55,8 @@ export async function canvas(page) {
 }
 
 export const rgba = (png, x, y) => [...png.data.subarray(4 * (Math.floor(y) * png.width + Math.floor(x)), 4 * (Math.floor(y) * png.width + Math.floor(x)) + 4)];
+// The lines themselves, not the shade under them.
+const isLine = ([r, g, b, a]) => (Math.max(r, g, b) * a) / 255 >= 110;
 export const isRed = ([r, g, b, a]) => a > 100 && r > 150 && g < 120 && b < 120;
 
 // Box of what is drawn within `reach` pixels of a place: its middle, width and height from edge to edge; null: nothing is.
@@ -62,7 +64,7 @@ export function extent(png, x, y, reach) {
   let left = Infinity, right = -Infinity, top = Infinity, bottom = -Infinity;
   for (let j = Math.floor(y - reach); j <= y + reach; ++j) {
     for (let i = Math.floor(x - reach); i <= x + reach; ++i) {
-      if (i < 0 || j < 0 || i >= png.width || j >= png.height || rgba(png, i, j)[3] < 110) continue;
+      if (i < 0 || j < 0 || i >= png.width || j >= png.height || !isLine(rgba(png, i, j))) continue;
       left = Math.min(left, i); right = Math.max(right, i + 1); top = Math.min(top, j); bottom = Math.max(bottom, j + 1);
     }
   }

@@ -66,7 +66,8 @@ test('ships are acquired by presses on their echoes, and their data are those of
   await page.locator('#targets-rules summary').click();
   await page.locator('#rule-acquire').selectOption('0');
   await page.waitForFunction(() => window.skerry.targets().list.rules.acquire === 0);
-  await page.evaluate(() => document.querySelector('#target-ais').click());
+  // The radar's numbers, not those of AIS.
+  await page.locator('#target-ais + span').click();
   await waitForScan(page);
   for (const name of NAMES) {
     const before = (await targetState(page)).list.targets.length;
@@ -90,7 +91,8 @@ test('ships are acquired by presses on their echoes, and their data are those of
   for (const key of symbols.map((shown) => shown.key)) await page.locator(`#list-${key}`).click();
   const cells = (label) => page.locator('#target-data tbody tr', { has: page.locator('th', { hasText: new RegExp(`^${label}`) }) }).locator('td').allTextContents();
   const ships = await truth();
-  const [ranges, bearings, courses, speeds, states] = await Promise.all(['Range', 'Bearing', 'Course', 'Speed', 'State'].map(cells));
+  const [ranges, bearings, courses, speeds, states, sources] = await Promise.all(['Range', 'Bearing', 'Course', 'Speed', 'State', 'Source'].map(cells));
+  assert.ok(sources.every((source) => source.startsWith('Radar')), sources.join());
   assert.deepEqual(states, NAMES.map(() => 'TRACKED'));
   for (const ship of ships) {
     // Ships are miles apart: the nearest is she.

@@ -24,7 +24,8 @@ export class ListTable {
       head.dataset.sort = name;
       return head;
     });
-    this.trialHeads = ['CPA', 'TCPA'].map((words) => element('th', { scope: 'col', textContent: `T ${words}`, ariaLabel: `${words} of the trial`, className: 'trial' }));
+    this.trialHeads = ['CPA', 'TCPA'].map((words) =>
+      element('th', { scope: 'col', textContent: `T ${words}`, ariaLabel: `${words} of the trial`, className: 'trial' }));
     this.body = element('tbody');
     this.table = element('table', { id: 'target-list', ariaLabel: 'All targets' },
       element('thead', {}, element('tr', {}, ...this.heads, ...this.trialHeads)), this.body);
@@ -69,7 +70,8 @@ export class ListTable {
     let row = this.rows.get(shown.key);
     if (!row) {
       const choose = button(`list-${shown.key}`, '', () => this.select(shown.key));
-      row = element('tr', {}, element('th', { scope: 'row' }, choose, element('span', { className: 'dim' })), ...Array.from({ length: 5 }, (_, i) => element('td', { className: i > 2 ? 'trial' : '' })));
+      row = element('tr', {}, element('th', { scope: 'row' }, choose, element('span', { className: 'dim' })),
+        ...Array.from({ length: 5 }, (_, i) => element('td', { className: i > 2 ? 'trial' : '' })));
       row.addEventListener('click', (event) => { if (!event.target.closest('button')) this.select(shown.key); });
       this.rows.set(shown.key, row);
     }

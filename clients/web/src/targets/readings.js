@@ -14,7 +14,7 @@ export function stateOf({ entry: { track, ais }, byAis, isLost }) {
   return words.join(' ');
 }
 
-export const nameOf = ({ track, ais }) => track?.name || ais?.name || (track?.mmsi || ais?.mmsi ? String(track?.mmsi || ais?.mmsi) : NONE);
+export const nameOf = ({ track, ais }) => track?.name || ais?.name || String(track?.mmsi || ais?.mmsi || NONE);
 export const headingOf = ({ track, ais }) => (track ? labelOf(track.number) : ais.name || String(ais.mmsi));
 export const rangeText = (shown) => fixed(shown.rangeM / NAUTICAL_MILE_M, 2);
 const signed = (value, digits) => fixed(value, digits).replace('-', '\u2212');

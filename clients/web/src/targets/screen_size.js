@@ -26,7 +26,8 @@ export class ScreenSize {
     });
     document.body.append(this.dialog);
     this.opens = button('screen-size-open', '', () => this.open());
-    this.question = element('p', { id: 'screen-size-question', className: 'hint', textContent: 'Symbols are drawn as for a screen of 96 dpi. Measure this one once:' });
+    this.question = element('p', { id: 'screen-size-question', className: 'hint',
+      textContent: 'Symbols are drawn as for a screen of 96 dpi. Measure this one once:' });
     this.element = element('div', {}, this.question, this.opens);
     this.#show();
   }

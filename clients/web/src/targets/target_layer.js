@@ -1,6 +1,6 @@
 // TargetLayer: targets, vectors, past positions, zones and the trial on a canvas of their own.
 import { Layer } from '../overlay.js';
-import { moved, polar, trialPath } from './motion.js';
+import { minus, moved, polar, trialPath } from './motion.js';
 import { aisSymbol, dot, radarSymbol, selection, SIZES_MM, text, thick, tick, vector } from './symbols.js';
 import { labelOf, ownMotion, pastPlaces, shownOf } from './target_store.js';
 import { ACQUIRING, FROZEN, GROUND, LOST } from './wire.js';
@@ -48,7 +48,7 @@ export class TargetLayer {
     for (const zone of list.zones) drawZone(c, view, zone, look.headingDeg, { colour: palette.zone, mm });
     const entries = store.entries.filter((entry) => entry.track || settings.ais);
     this.shown = entries.map((entry) => {
-      const shown = shownOf(entry, settings.ais ? settings.joined : 'radar', own, store.stepS);
+      const shown = shownOf(entry, settings.source, own, store.stepS);
       return { ...shown, ...pixel(shown.at), kind: kindOf(shown), label: nameOf(shown, settings, store.selected.includes(entry.key)) };
     });
     if (settings.past) {
@@ -73,7 +73,7 @@ export class TargetLayer {
     // In a trial, relative to own ship on her way through it.
     const stepS = (settings.minutes * 60) / ((trial?.length ?? 2) - 1);
     const places = trial && settings.relative && shown.motion
-      ? trial.map((there, i) => { const at = moved(shown.at, shown.motion, i * stepS); return { east: at.east - there.east, north: at.north - there.north }; })
+      ? trial.map((there, i) => minus(moved(shown.at, shown.motion, i * stepS), there))
       : [shown.at, moved(shown.at, motion, settings.minutes * 60)];
     const points = places.map(pixel);
     vector(c, points, pen);
@@ -99,7 +99,7 @@ export class TargetLayer {
     const pens = { normal: palette.target, danger: palette.danger };
     c.save();
     c.translate(shown.x, shown.y);
-    if (!(isOff && (shown.calls || shown.isLost && !shown.byAis))) {
+    if (!(isOff && (shown.calls || (shown.isLost && !shown.byAis)))) {
       if (shown.byAis) {
         const { headingDeg, courseDeg, cpaNm } = shown.from;
         const towards = headingDeg ?? courseDeg;
@@ -114,7 +114,8 @@ export class TargetLayer {
     const reach = reachMm(shown);
     const isSelected = store.selected.includes(shown.key);
     if (isSelected) selection(c, mm, palette.target, reach + 2.5);
-    if (shown.label) text(c, shown.label, (reach / 2 + (isSelected ? 2.2 : 1)) * mm, 0, shown.isDangerous ? palette.danger : palette.targetText, Math.max(10, 2.9 * mm));
+    const beside = (reach / 2 + (isSelected ? 2.2 : 1)) * mm;
+    if (shown.label) text(c, shown.label, beside, 0, shown.isDangerous ? palette.danger : palette.targetText, Math.max(10, 2.9 * mm));
     c.restore();
   }
 

@@ -141,8 +141,8 @@ export class TargetConsole {
       return;
     }
     const own = ownMotion(list, this.ownShip);
-    const shownFor = (entry) => shownOf(entry, settings.joined, own, store.stepS);
-    const all = store.entries.map(shownFor);
+    const shownFor = (entry) => shownOf(entry, settings.source, own, store.stepS);
+    const all = store.entries.filter((entry) => entry.track || settings.ais).map(shownFor);
     const outcomes = list.trial ? new Map(all.map((shown) => [shown.key, outcomeOf(list.trial, shown)])) : null;
     this.list.show(all, outcomes, store.selected);
     this.data.show(store.selectedEntries.map((entry) => ({ shown: shownFor(entry), outcome: outcomes ? outcomes.get(entry.key) : undefined })),

@@ -32,7 +32,10 @@ export class TrialPanel {
   #fill(list) {
     if (this.isFilled || (list.ownCourseDeg === undefined && !list.trial)) return;
     this.isFilled = true;
-    const order = list.trial?.order ?? { courseDeg: Math.round(list.ownCourseDeg) % 360, speedKn: Number(Math.max(0, list.ownSpeedKn).toFixed(1)), delayMin: 0, turnRateDegMin: 0, accelerationKnMin: 0 };
+    const order = list.trial?.order ?? {
+      courseDeg: Math.round(list.ownCourseDeg) % 360, speedKn: Number(Math.max(0, list.ownSpeedKn).toFixed(1)), delayMin: 0,
+      turnRateDegMin: 0, accelerationKnMin: 0,
+    };
     for (const field of this.fields) field.set(order[field.rule.name]);
   }
 

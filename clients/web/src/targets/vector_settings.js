@@ -40,6 +40,11 @@ export class VectorSettings {
     this.change({ minutes: MINUTES[Math.max(0, Math.min(MINUTES.length - 1, at))] });
   }
 
+  // By what those are shown that both radar and AIS know.
+  get source() {
+    return this.ais ? this.joined : 'radar';
+  }
+
   // CSS pixels of a millimetre; a CSS inch has 96 of them where nobody has measured.
   get pxPerMm() {
     return this.mmOf100px === null ? 96 / 25.4 : 100 / this.mmOf100px;

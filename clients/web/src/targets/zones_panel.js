@@ -78,6 +78,7 @@ export class ZonesPanel {
     this.shown = text;
     this.zones = zones;
     this.list.replaceChildren(...zones.map((zone) => element('li', {}, element('span', { textContent: zoneText(zone) }),
-      button(`zone-remove-${zone.number}`, 'Remove', () => this.orders.give({ removeZones: [zone.number] }, this.problem), { ariaLabel: `Remove zone ${zone.number}` }))));
+      button(`zone-remove-${zone.number}`, 'Remove', () => this.orders.give({ removeZones: [zone.number] }, this.problem),
+        { ariaLabel: `Remove zone ${zone.number}` }))));
   }
 }

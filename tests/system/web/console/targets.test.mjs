@@ -41,7 +41,7 @@ const SYMBOLS = [
 ];
 
 test('symbols stand in their places, at their sizes in mm and in their colours', async (t) => {
-  await open({ targets: SYMBOLS.flatMap((s) => s.target ?? []), ais: SYMBOLS.flatMap((s) => s.ais ?? []) }, { settings: { mmOf100px: 10, names: false } });
+  await open({ targets: SYMBOLS.flatMap((s) => s.target ?? []), ais: SYMBOLS.flatMap((s) => s.ais ?? []) }, { settings: { mmOf100px: 10, names: false }, context: {} });
   const view = await ppi();
   const worst = { px: 0, mm: 0 };
   // What flashes is there half of the time.
@@ -76,7 +76,7 @@ test('symbols stand in their places, at their sizes in mm and in their colours',
   // Acquiring is broken: along its circle some is drawn, and some is not.
   const around = Array.from({ length: 72 }, (_, i) => {
     const at = pixelOf(view, plane(45, 3)), a = (i * 5 * Math.PI) / 180;
-    return rgba(shots.at(-1), at.x + 25 * Math.cos(a), at.y + 25 * Math.sin(a))[3] > 110;
+    return isDrawn(shots.at(-1), { x: at.x + 25 * Math.cos(a), y: at.y + 25 * Math.sin(a) }, 0.5);
   });
   const drawn = around.filter(Boolean).length;
   assert.ok(drawn > 20 && drawn < 52, `${drawn} of 72 places of the broken circle`);
@@ -201,7 +201,7 @@ test('acquiring by mouse and key; refusals; the bearing line keeps what is its o
   ({ acquire } = await lastOrder(2));
   near(acquire.bearingDeg, 30, 0.5);
   near(acquire.rangeNm, 5, 0.03);
-  const to = await placeOnPage(page, pixelOf(await ppi(), plane(250, 1.5)));
+  const to = await placeOnPage(page, pixelOf(await ppi(), plane(250, 4.5)));
   await page.mouse.move(to.x, to.y);
   server.answerTargets = () => ({ code: 3, text: 'no echo there' });
   await page.keyboard.press('a');
@@ -211,7 +211,7 @@ test('acquiring by mouse and key; refusals; the bearing line keeps what is its o
   await page.keyboard.press('a');
   ({ acquire } = await lastOrder(3));
   near(acquire.bearingDeg, 250, 0.6);
-  near(acquire.rangeNm, 1.5, 0.03);
+  near(acquire.rangeNm, 4.5, 0.03);
   assert.equal(await page.locator('#acquire-refusal').isHidden(), true);
   assert.deepEqual(page.problems, []);
 });
