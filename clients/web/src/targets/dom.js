@@ -24,6 +24,22 @@ export function details(id, words, isOpen, ...children) {
   return element('details', { id, open: isOpen }, element('summary', { textContent: words }), ...children);
 }
 
+// What the operator has chosen stands so long, until the server's lists tell of it, or do not.
+const HOLD_MS = 1600;
+const chosenAt = new WeakMap();
+
+// A checkbox or list that shows what the server says, by follow().
+export function following(control) {
+  control.addEventListener('change', () => chosenAt.set(control, performance.now()));
+  return control;
+}
+
+export function follow(control, value) {
+  if (performance.now() - (chosenAt.get(control) ?? -Infinity) < HOLD_MS) return;
+  const name = control.type === 'checkbox' ? 'checked' : 'value';
+  if (control[name] !== value) control[name] = value;
+}
+
 // Where a control says what was wrong with what it was given.
 export function refusal(id) {
   return element('p', { id, className: 'problem', role: 'alert', hidden: true });

@@ -1,6 +1,6 @@
 // RulesPanel: how the plotter works, for all who look at this view.
 import { BoundedField } from './bounded_field.js';
-import { button, element, refusal, toggle } from './dom.js';
+import { button, element, follow, following, refusal, toggle } from './dom.js';
 import { RULES, withBounds } from './rules.js';
 
 const ACQUIRE = [[0, 'By hand and in zones'], [1, 'What moves'], [2, 'All']];
@@ -14,7 +14,7 @@ export class RulesPanel {
     const order = (rules) => this.orders.give({ rules }, this.problem);
     this.fields = withBounds(RULES, table.targetRules).map((rule) => new BoundedField(`rule-${rule.name}`, rule, (value) => order({ [rule.name]: value })));
     const select = (id, choices, name) => {
-      const made = element('select', { id }, ...choices.map(([value, words]) => new Option(words, value)));
+      const made = following(element('select', { id }, ...choices.map(([value, words]) => new Option(words, value))));
       made.addEventListener('change', () => order({ [name]: Number(made.value) }));
       return made;
     };
@@ -22,7 +22,7 @@ export class RulesPanel {
     this.stabilisation = select('rule-stabilisation', STABILISATION, 'stabilisation');
     const lost = toggle('rule-lostWarnings', 'Lost warnings', (on) => order({ lostWarnings: on }));
     const associate = toggle('rule-associate', 'Join radar and AIS', (on) => order({ associate: on }));
-    this.boxes = { lostWarnings: lost.firstElementChild, associate: associate.firstElementChild };
+    this.boxes = { lostWarnings: following(lost.firstElementChild), associate: following(associate.firstElementChild) };
     const row = (words, control) => element('label', { className: 'row' }, element('span', { textContent: words }), control);
     this.element = element('div', { className: 'rules' }, row('Acquires', this.acquire), row('Motion over', this.stabilisation),
       element('div', { className: 'toggles two' }, lost, associate), element('div', { className: 'fields two' }, ...this.fields.map((field) => field.element)),
@@ -33,9 +33,9 @@ export class RulesPanel {
   show(rules) {
     if (!rules) return;
     for (const field of this.fields) if (rules[field.rule.name] !== undefined) field.take(rules[field.rule.name]);
-    for (const [name, box] of Object.entries(this.boxes)) box.checked = rules[name] === true;
+    for (const [name, box] of Object.entries(this.boxes)) follow(box, rules[name] === true);
     for (const name of ['acquire', 'stabilisation']) {
-      if (document.activeElement !== this[name] && rules[name] !== undefined) this[name].value = String(rules[name]);
+      if (rules[name] !== undefined) follow(this[name], String(rules[name]));
     }
   }
 }

@@ -2,7 +2,7 @@
 import { $ } from '../widgets.js';
 import { AcquirePanel } from './acquire_panel.js';
 import { DataPanel } from './data_panel.js';
-import { details, element, say, toggle } from './dom.js';
+import { details, element, follow, following, say, toggle } from './dom.js';
 import { ListTable } from './list_table.js';
 import { RulesPanel } from './rules_panel.js';
 import { ScreenSize } from './screen_size.js';
@@ -56,6 +56,7 @@ export class TargetConsole {
     this.trial = new TrialPanel(orders, table);
     this.screen = new ScreenSize(this.settings, changed);
     this.test = toggle('test-targets', 'Test targets', (on) => orders.give({ testTargets: on }, this.acquire.problem));
+    following(this.test.firstElementChild);
     this.count = element('output', { id: 'target-count' });
     this.leftOut = element('p', { id: 'ais-left-out', className: 'hint', hidden: true });
     this.none = element('p', { id: 'targets-none', className: 'hint', textContent: 'No list of targets has come from this server.' });
@@ -97,6 +98,8 @@ export class TargetConsole {
 
   take(list) {
     this.store.take(list);
+    // A page that was hidden draws nothing, but lists have come all the time.
+    this.passedAt = this.seconds();
     // Said once, and shown as long as it is so.
     if (list.problem && list.problem !== this.problem) this.notify(list.problem);
     this.problem = list.problem;
@@ -150,7 +153,7 @@ export class TargetConsole {
     this.rules.show(list.rules);
     this.zones.show(list.zones);
     this.trial.show(list);
-    if (!this.test.firstElementChild.matches(':active')) this.test.firstElementChild.checked = list.testTargets;
+    follow(this.test.firstElementChild, list.testTargets);
     say(this.leftOut, list.aisLeftOut > 0 ? `${list.aisLeftOut} more AIS targets are too far to be shown.` : '');
     this.leftOut.hidden = list.aisLeftOut === 0;
   }
