@@ -3,7 +3,7 @@
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
 import { answers, retryMs } from './connection_retry.js';
-import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe } from './messages.js';
+import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, encodeTargetOrder } from './messages.js';
 
 const SILENCE_MS = 6000;
 // Not sent, but dropped, when so much lies unsent: settings are small, so the server has stopped reading.
@@ -116,6 +116,10 @@ export class Connection {
 
   set(radar, view, values, token) {
     return this.#send((request) => encodeSet(request, radar, view, values, token));
+  }
+
+  targetOrder(radar, view, order, token) {
+    return this.#send((request) => encodeTargetOrder(request, radar, view, order, token));
   }
 
   // place: { latitudeDeg, longitudeDeg, radiusNm }.

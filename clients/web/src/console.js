@@ -8,7 +8,8 @@ const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
   // events: hello(hello, the radar that was looked at before it), settings(settings), ownShip(ownShip), world(world), recorder(state),
-  // playback(state), reply(reply, text, refused), and spoke(spoke, nowS) of those that are drawn, clear() once the picture is dark.
+  // playback(state), targets(list), reply(reply, text, refused), and spoke(spoke, nowS) of those that are drawn, clear() once the
+  // picture is dark, forget() when another radar or view is looked at.
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -28,6 +29,7 @@ export class RadarConsole {
   forget() {
     this.store.clear();
     this.events.clear?.();
+    this.events.forget?.();
     this.scans.reset();
     this.spokeRate.clear();
     this.turnRate.clear();
@@ -48,6 +50,7 @@ export class RadarConsole {
       else if (message.world) { this.world = message.world; this.events.world(message.world); }
       else if (message.recorder) this.events.recorder(message.recorder);
       else if (message.playback) this.events.playback(message.playback);
+      else if (message.targets) this.#takeTargets(message.targets);
       else if (message.reply) this.#takeReply(message.reply);
     }
   }
@@ -71,6 +74,10 @@ export class RadarConsole {
     if (ownShip.radar !== this.radar) return;
     this.ownShip = ownShip;
     this.events.ownShip(ownShip);
+  }
+
+  #takeTargets(list) {
+    if (list.radar === this.radar && list.view === this.view) this.events.targets(list);
   }
 
   #goDark() {

@@ -1,4 +1,5 @@
 // The console: joins the stream, the picture and the panel.
+import { AlertConsole } from './alerts/alerts.js';
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
@@ -42,6 +43,7 @@ import { ReceiverControls } from './receiver_controls.js';
 import { Recording } from './recording.js';
 import { PendingRequests } from './shared_setting.js';
 import { Rate } from './stream_stats.js';
+import { TargetConsole } from './targets/targets.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
 import { $ } from './widgets.js';
@@ -97,6 +99,11 @@ const locks = new Locks(table.controls, set);
 const greeting = new Greeting({ problem: $('server-problem'), text: $('server-problem-text') }, notify);
 const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
 const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
+const targets = new TargetConsole({
+  send: (order) => (isWatching ? undefined : connection.targetOrder(radar.radar, radar.view, order, token)),
+  notify, cursor: () => markers.at(), table, seconds,
+});
+const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
 
 const radar = new RadarConsole(renderer.maxRows, {
   hello: (hello, wanted) => {
@@ -125,6 +132,8 @@ const radar = new RadarConsole(renderer.maxRows, {
   playback: (state) => { playback.take(state); showAvailability(); },
   spoke: (spoke, nowS) => stage.takeSpoke(spoke, nowS, radar),
   clear: () => stage.clear(),
+  targets: (list) => { targets.take(list); alerts.take(list.alerts); },
+  forget: () => { targets.forget(); alerts.forget(); },
   reply: (reply, text, refused) => {
     if (subscription.takeReply(reply)) return;
     receiver.takeReply(reply, text);
@@ -133,6 +142,7 @@ const radar = new RadarConsole(renderer.maxRows, {
     ordered.takeReply(reply, text);
     recording.takeReply(reply);
     playback.takeReply(reply);
+    targets.takeReply(reply, text);
     if (reply.code !== 0) notify(text);
     if (refused) $('access').hidden = false;
   },
@@ -142,7 +152,7 @@ if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 const screens = new Screens({ radar, layOut: () => layOut(), notify }, choices);
 const subscription = new Subscription({
   radar, set, notify, controls: table.controls, askToken: () => { $('access').hidden = false; },
-  send: (number, like, own) => connection.subscribe(number, like, own, token),
+  send: (number, like, own) => connection.subscribe(number, like, own, token, { targetsHz: 2 }),
   shown: () => showView(),
 }, choices.get('view'));
 
@@ -238,6 +248,7 @@ function draw() {
     shapes: markers.shapes, active: tools.active, measured: measured && { from: measured.from, to: measured.to },
     cursor: markers.at() ? markers.pointer : null,
   });
+  targets.draw(view, { palette, paletteName: picture.palette, ownShip: radar.ownShip, headingDeg: radar.headingDeg(), rate: held ? 0 : playback.rate });
   frames.drawn += 1;
   frames.rate.add(nowS, frames.drawn);
 }
@@ -280,6 +291,8 @@ function showReadouts() {
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
   playback.showPosition();
+  targets.tick();
+  alerts.sound.tick();
   showAvailability();
   const alarm = [health.text, alarmText()].filter(Boolean).join('\n');
   $('alarm').hidden = alarm === '';
@@ -333,6 +346,7 @@ const help = new KeyHelp($('help'), keys, () => showKeyHints(keys));
 const orders = (run) => () => (availability.on ? run() : notify(playback.on ? 'A recording is played: the radar takes no orders' : 'Not connected: the change was not sent'));
 keys.register(...consoleKeys({ receiver, playback, recording, screens, help, inStandby: () => radar.inStandby, orders }));
 keys.register(...pictureKeys({ picture, picturePanel, stage, markers, tools, toolsPanel, view: () => view }));
+keys.register(...targets.keys, ...alerts.keys);
 showKeyHints(keys);
 listenToKeys(keys);
 $('help-open').addEventListener('click', () => help.open());
@@ -361,5 +375,5 @@ const grown = new ResizeObserver(() => { if (measureBoxes()) layOut(); });
 for (const { element } of boxes) grown.observe(element);
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts });
 requestAnimationFrame(frame);

@@ -2,6 +2,7 @@
 // message after its length as a varint, any number of them in one WebSocket message.
 import { Coastline, encodeCoastRequest, encodeOrder, exerciseState } from './exercise/wire.js';
 import { message, Reader, WireError, Writer } from './protobuf.js';
+import { checkTargets, encodeTargetOrderBody, TargetList } from './targets/wire.js';
 
 // Longest body of one frame, as the server has it (kMaxServerFrame).
 export const MAX_FRAME = 1 << 20;
@@ -109,7 +110,7 @@ export function useControls({ controls, artefacts, faults = [] }) {
     1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', message({ ...ofSet.read, ...SETTINGS_FIELDS })],
     6: ['ownShip', OwnShip], 7: ['world', message({ ...ofWorld.read, ...WORLD_FIELDS })],
     10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
-    12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline],
+    12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline], 14: ['targets', TargetList],
   });
   faultTable = faults;
   setFields = ofSet;
@@ -138,6 +139,7 @@ export function decodeFrames(bytes, take) {
       if (part) checkFinite(part, at);
     }
     if (decoded.hello) checkHello(decoded.hello, at);
+    if (decoded.targets) checkTargets(decoded.targets, at);
     reader.at = end;
     take(decoded);
   }
@@ -187,15 +189,16 @@ function frame(request, field, body) {
   return out;
 }
 
-// newView: a view of this console's own, with the settings of `view`.  ownShipHz, exerciseHz: OwnShip and
-// ExerciseState messages a second.
-export function encodeSubscribe(request, radar, view, newView = false, token = '', { ownShipHz = 0, noSpokes = false, exerciseHz = 0 } = {}) {
+// newView: a view of this console's own, with the settings of `view`.  ownShipHz, exerciseHz, targetsHz: OwnShip,
+// ExerciseState and TargetList messages a second.
+export function encodeSubscribe(request, radar, view, newView = false, token = '', { ownShipHz = 0, noSpokes = false, exerciseHz = 0, targetsHz = 0 } = {}) {
   const writer = new Writer().uint32(1, radar).uint32(2, view);
   if (newView) writer.uint32(3, 1);
   if ((newView || exerciseHz > 0) && token) writer.string(4, token);
   if (ownShipHz > 0) writer.uint32(5, ownShipHz);
   if (noSpokes) writer.uint32(6, 1);
   if (exerciseHz > 0) writer.uint32(7, exerciseHz);
+  if (targetsHz > 0) writer.uint32(8, targetsHz);
   return frame(request, 2, writer.finish());
 }
 
@@ -258,6 +261,11 @@ export function encodeSet(request, radar, view, values, token = '') {
   if (values.world) writer.bytes(18, encodeWorld(values.world));
   if (values.exercise) writer.bytes(40, encodeOrder(values.exercise, faultTable));
   return frame(request, 3, writer.finish());
+}
+
+// order: as targets/wire.js has it.
+export function encodeTargetOrder(request, radar, view, order, token = '') {
+  return frame(request, 12, encodeTargetOrderBody(radar, view, order, token));
 }
 
 export function encodeGetCoastline(request, place) {

@@ -35,6 +35,7 @@ export const PALETTES = {
     ring: 'rgba(126, 196, 214, 0.42)', ringText: 'rgba(150, 212, 228, 0.75)',
     scale: '#8fc7d4', scaleText: '#d3eef4', heading: '#ff9d3c', north: '#d3eef4',
     ebl: '#4fe3ff', vrm: '#4fe3ff', cursor: '#ff9d3c', ship: '#f3f6f7', parallel: '#8fe07a', measure: '#e3b6ff',
+    target: '#8fd3ff', targetText: '#cfeaff', danger: '#ff4538', zone: '#c9a2ff',
   },
   dusk: {
     sea: [0.010, 0.038, 0.068], seaEdge: [0.006, 0.025, 0.048], trail: [0.11, 0.35, 0.52],
@@ -42,6 +43,7 @@ export const PALETTES = {
     ring: 'rgba(90, 152, 166, 0.42)', ringText: 'rgba(116, 174, 188, 0.75)',
     scale: '#6199a5', scaleText: '#a0c7d0', heading: '#d47f2e', north: '#a0c7d0',
     ebl: '#37bad2', vrm: '#37bad2', cursor: '#d47f2e', ship: '#c6cfd2', parallel: '#6cb258', measure: '#b58fce',
+    target: '#6ea9cf', targetText: '#a3c3d6', danger: '#e63c30', zone: '#9d7fcb',
   },
   night: {
     sea: [0.004, 0.012, 0.018], seaEdge: [0.002, 0.006, 0.010], trail: [0.07, 0.22, 0.34],
@@ -49,6 +51,7 @@ export const PALETTES = {
     ring: 'rgba(58, 112, 122, 0.45)', ringText: 'rgba(86, 138, 148, 0.75)',
     scale: '#39707a', scaleText: '#6fa2ac', heading: '#a8601c', north: '#6fa2ac',
     ebl: '#2193a8', vrm: '#2193a8', cursor: '#a8601c', ship: '#9aa5a8', parallel: '#457a36', measure: '#7f6291',
+    target: '#3f7fa6', targetText: '#6f97ad', danger: '#c8322a', zone: '#75589f',
   },
 };
 

@@ -14,8 +14,10 @@
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
 //   showTab(name)         of the panel: 'radar', 'targets', 'tools', 'chart', 'set-up'
+//   targets()             { list, stale, selected, mode, shown, vectors, pxPerMm }: what is drawn of targets now, in CSS pixels
+//   alerts()              { calling (priority that sounds, or null), soundAllowed, beeps, history }
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools, targets, alerts }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -43,6 +45,8 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     recorder: () => recording.state,
     playback: () => playback.state,
     world: () => radar.world,
+    targets: () => targets.state,
+    alerts: () => alerts.state,
     lastScan: () => radar.scans.last,
     get ppi() {
       const { side, centre, own, radius, pixelRatio, upDeg, rangeM } = view();

@@ -32,10 +32,12 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null,
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}),
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
+    // targets: the TargetList that is sent twice a second, without radar and view; null: none.  answerTargets(order): code and text
+    // of the Reply.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
@@ -59,6 +61,7 @@ export class MockServer {
     this.lastView = 0;
     this.ordered = { courseDeg: this.headingDeg, speedKn: 12 };
     this.received = [];   // decoded ClientMessages
+    this.targetOrders = [];
     this.dropNext = 0;
     this.clients = new Set();
   }
@@ -96,6 +99,7 @@ export class MockServer {
     this.cache = new Map();
     this.ticker = setInterval(() => this.#turn(), 4);
     this.second = setInterval(() => this.#ownShip(), 1000);
+    this.targeting = setInterval(() => this.showTargets(), 500);
     this.exercising = setInterval(() => this.showExercise(0.25), 250);
     return `http://${this.host}:${this.port}/`;
   }
@@ -104,6 +108,7 @@ export class MockServer {
     clearInterval(this.ticker);
     clearInterval(this.second);
     clearInterval(this.exercising);
+    clearInterval(this.targeting);
     for (const client of this.clients) client.socket.terminate();
     this.clients.clear();
     this.http.closeAllConnections();
@@ -163,9 +168,16 @@ export class MockServer {
       this.#sendSettings(client);
       this.#send(client, { world: this.world });
       client.exercise = message.subscribe.exerciseHz > 0;
+      client.targets = message.subscribe.targetsHz > 0;
       this.#ownShip();
       this.showStates();
       this.showExercise();
+      this.showTargets();
+    } else if (message.kind === 'targetOrder') {
+      const { code = 0, text = '' } = this.answerTargets(message.targetOrder);
+      if (code === 0) this.targetOrders.push(message.targetOrder);
+      reply(code, text);
+      this.showTargets();
     } else if (message.kind === 'getCoastline') {
       this.exercise.coastAsked.push(message.getCoastline);
       this.#send(client, { coastline: coastlineAt(message.getCoastline) });
@@ -219,6 +231,15 @@ export class MockServer {
     if (!this.exercise) return;
     this.exercise.step(seconds);
     for (const client of this.clients) if (client.exercise) this.#send(client, { exercise: this.exercise.state() });
+  }
+
+  // Sends the list, changed by `change`.
+  showTargets(change = {}) {
+    if (!this.targets) return;
+    Object.assign(this.targets, change);
+    for (const client of this.clients) {
+      if (client.targets) this.#send(client, { targets: { ...this.targets, radar: client.radar, view: client.view } });
+    }
   }
 
   // Shows the states of recorder and playback, changed by `recorder` and `playback`.

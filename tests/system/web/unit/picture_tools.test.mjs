@@ -338,9 +338,9 @@ test('what is stored and is none of ours is ignored, value by value', () => {
     assert.deepEqual(JSON.parse(JSON.stringify(new Tools())), JSON.parse(JSON.stringify((kept.clear(), new Tools()))), wrong);
     assert.equal(new PictureSettings().palette, 'day');
   }
-  kept.set('skerry.mmPer100px', '20');
+  kept.set('skerry.targets', '{"mmOf100px": 20}');
   assert.equal(mmPerPx(), 0.2);
-  kept.set('skerry.mmPer100px', '-3');
+  kept.set('skerry.targets', '{"mmOf100px": -3}');
   assert.ok(Math.abs(mmPerPx() - 0.264583) < 1e-5);
 });
 

@@ -1,0 +1,30 @@
+// Alerts by IEC 62923-1 as words and symbols: a priority is told by shape and word, and by colour besides.
+import { ACKNOWLEDGED, ACTIVE, ALARM, CAUTION, RECTIFIED, SILENCED, WARNING } from '../targets/wire.js';
+
+// Full: not acknowledged; hollow: acknowledged.
+const PRIORITIES = {
+  [ALARM]: { word: 'Alarm', name: 'alarm', full: '\u25b2', hollow: '\u25b3' },
+  [WARNING]: { word: 'Warning', name: 'warning', full: '\u25cf', hollow: '\u25cb' },
+  [CAUTION]: { word: 'Caution', name: 'caution', full: '\u25a0', hollow: '\u25a1' },
+};
+const STATES = { [ACTIVE]: 'not acknowledged', [SILENCED]: 'silenced', [ACKNOWLEDGED]: 'acknowledged', [RECTIFIED]: 'rectified, not acknowledged' };
+
+// A priority that is not known is taken as a caution.
+export const priorityOf = ({ priority }) => PRIORITIES[priority] ?? PRIORITIES[CAUTION];
+export const stateWord = ({ state }) => STATES[state] ?? `state ${state}`;
+export const keyOf = ({ number, instance }) => `${number}.${instance}`;
+export const symbolOf = (alert) => (alert.state === ACKNOWLEDGED ? priorityOf(alert).hollow : priorityOf(alert).full);
+// Cautions are not acknowledged, nor is anything of category C.
+export const mayBeAcknowledged = (alert) => alert.state !== ACKNOWLEDGED && alert.priority !== CAUTION && alert.category !== 'C';
+export const isUnacknowledged = (alert) => alert.state !== ACKNOWLEDGED && alert.priority !== CAUTION;
+
+// 14:03:59, UTC; nanoseconds since 1970.
+export function clockOf(utcNs) {
+  const at = new Date(utcNs / 1e6);
+  return utcNs > 0 && !Number.isNaN(at.getTime()) ? at.toISOString().slice(11, 19) : '\u2013';
+}
+
+// The worst first: what is not acknowledged, then by priority, then the newest.
+export function byUrgency(a, b) {
+  return isUnacknowledged(b) - isUnacknowledged(a) || b.priority - a.priority || b.utcNs - a.utcNs;
+}

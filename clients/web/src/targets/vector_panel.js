@@ -1,0 +1,55 @@
+// VectorPanel: vectors, past positions and symbols, as this screen shows them.
+import { button, element, say, toggle } from './dom.js';
+import { MINUTES } from './vector_settings.js';
+
+export class VectorPanel {
+  // settings: VectorSettings; changed(): they have.
+  constructor(settings, changed) {
+    this.settings = settings;
+    this.changed = changed;
+    const choice = (id, value, words) => {
+      const input = element('input', { id, type: 'radio', name: 'vector-mode', value });
+      input.addEventListener('change', () => this.change({ relative: value === 'relative' }));
+      return element('label', {}, input, element('span', { textContent: words }));
+    };
+    const modes = element('div', { className: 'choice', role: 'radiogroup', ariaLabel: 'Vectors' },
+      choice('vectors-true', 'true', 'True vectors'), choice('vectors-relative', 'relative', 'Relative'));
+    this.less = button('vector-less', '\u2212', () => this.step(-1), { title: 'Shorter vectors ([)', ariaLabel: 'Shorter vectors' });
+    this.more = button('vector-more', '+', () => this.step(1), { title: 'Longer vectors (])', ariaLabel: 'Longer vectors' });
+    this.minutes = element('output', { id: 'vector-minutes' });
+    const boxes = element('div', { className: 'toggles' });
+    for (const [id, name, words] of [['vector-ticks', 'ticks', 'Minutes'], ['target-past', 'past', 'Past'], ['target-ais', 'ais', 'AIS'],
+                                     ['target-names', 'names', 'Names']]) {
+      boxes.append(toggle(id, words, (on) => this.change({ [name]: on })));
+    }
+    this.joined = element('select', { id: 'target-joined' }, new Option('AIS symbol', 'ais'), new Option('Radar symbol', 'radar'));
+    this.joined.addEventListener('change', () => this.change({ joined: this.joined.value }));
+    this.element = element('div', {}, modes, element('div', { className: 'steps' }, this.less, this.minutes, this.more), boxes,
+      element('label', { className: 'row' }, element('span', { textContent: 'Radar and AIS as one' }), this.joined));
+    this.boxes = { ticks: boxes.querySelector('#vector-ticks'), past: boxes.querySelector('#target-past'),
+                   ais: boxes.querySelector('#target-ais'), names: boxes.querySelector('#target-names') };
+    this.radios = { true: modes.querySelector('#vectors-true'), relative: modes.querySelector('#vectors-relative') };
+    this.show();
+  }
+
+  change(values) {
+    this.settings.change(values);
+    this.show();
+    this.changed();
+  }
+
+  step(by) {
+    this.settings.stepMinutes(by);
+    this.change({});
+  }
+
+  show() {
+    const { settings } = this;
+    this.radios[settings.relative ? 'relative' : 'true'].checked = true;
+    say(this.minutes, `${settings.minutes} min`);
+    this.less.disabled = settings.minutes === MINUTES[0];
+    this.more.disabled = settings.minutes === MINUTES.at(-1);
+    for (const [name, box] of Object.entries(this.boxes)) box.checked = settings[name];
+    this.joined.value = settings.joined;
+  }
+}
