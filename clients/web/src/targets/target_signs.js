@@ -3,14 +3,12 @@ import { element, say } from './dom.js';
 import { GROUND } from './wire.js';
 
 export class TargetSigns {
-  // display: the picture's frame; signs: its list of signs.
-  constructor(display, signs) {
+  // box: a corner of the picture's frame; signs: the frame's list of signs.
+  constructor(box, signs) {
     this.vectors = element('output', { id: 'vector-sign' });
     this.stabilisation = element('output', { id: 'stabilisation-sign' });
     this.limits = element('output', { id: 'limits-sign', className: 'dim' });
-    this.box = element('section', { id: 'target-box', className: 'corner right', ariaLabel: 'Targets' },
-      ...[this.vectors, this.stabilisation, this.limits].map((output) => element('p', {}, output)));
-    display.append(this.box);
+    box.append(...[this.vectors, this.stabilisation, this.limits].map((output) => element('p', {}, output)));
     const sign = (id) => { const made = element('p', { id, hidden: true }); signs.append(made); return made; };
     this.trial = sign('trial-sign');
     this.stale = sign('targets-stale');

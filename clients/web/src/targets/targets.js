@@ -38,7 +38,7 @@ export class TargetConsole {
       zone: (zone) => this.zones.addDrawn(zone),
       draft: (zone) => { this.draft = zone && { ...zone, number: 0, kind: this.zones.style.kind, relative: false }; },
     });
-    this.signs = new TargetSigns($('display'), $('signs'));
+    this.signs = new TargetSigns($('target-box'), $('signs'));
     this.#build(table);
     document.addEventListener('keydown', (event) => { if (event.key === 'Escape') this.#setMode('select'); });
     this.show();
