@@ -22,10 +22,10 @@ import { Availability } from './panel/availability.js';
 import { Greeting } from './panel/greeting.js';
 import { InstructorChoice } from './panel/instructor_choice.js';
 import { PictureHealth } from './panel/picture_health.js';
-import { showRefusal } from './panel/refusal.js';
 import { Screens } from './panel/screens.js';
 import { SetupStore } from './panel/setup_store.js';
 import { Setups } from './panel/setups.js';
+import { ShipOrders } from './panel/ship_orders.js';
 import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
 import { Playback } from './playback.js';
@@ -33,7 +33,6 @@ import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
 import { Recording } from './recording.js';
-import { PendingRequests } from './shared_setting.js';
 import { Rate } from './stream_stats.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
@@ -82,6 +81,7 @@ const notify = (text, kind) => notices.show(text, kind);
 const receiver = new ReceiverControls(table.controls, set, notify);
 const instructor = new Instructor(table.artefacts, set, () => radar.ownShip);
 const locks = new Locks(table.controls, set);
+const shipOrders = new ShipOrders(set);
 const greeting = new Greeting({ problem: $('server-problem'), text: $('server-problem-text') }, notify);
 const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
 const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
@@ -116,7 +116,7 @@ const radar = new RadarConsole(renderer.maxRows, {
     receiver.takeReply(reply, text);
     instructor.takeReply(reply, text);
     locks.takeReply(reply, text);
-    ordered.takeReply(reply, text);
+    shipOrders.takeReply(reply, text);
     recording.takeReply(reply);
     playback.takeReply(reply);
     if (reply.code !== 0) notify(text);
@@ -255,7 +255,7 @@ function applyPicture() {
 const showPicture = bindPicture(picture, (values) => { picture.change(values); applyPicture(); });
 applyPicture();
 // The colours of the page around it are this console's too.
-if (isWatching) {
+if (isWatching || choices.has('bare')) {
   addEventListener('storage', () => {
     Object.assign(picture, new PictureSettings());
     showPalette(picture.palette);
@@ -264,18 +264,6 @@ if (isWatching) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-const ordered = new PendingRequests();
-$('orders').addEventListener('submit', (event) => {
-  event.preventDefault();
-  const course = $('order-course'), speed = $('order-speed');
-  const values = {}, before = [course.value, speed.value];
-  if (course.value !== '') values.courseDeg = course.valueAsNumber;
-  if (speed.value !== '') values.speedKn = speed.valueAsNumber;
-  const request = Object.keys(values).length > 0 ? set(values) : null;
-  if (request === null) return;
-  course.value = speed.value = '';
-  ordered.add(request, { settle: () => { [course.value, speed.value] = before; }, refused: (why) => showRefusal($('orders'), why) });
-});
 $('token').addEventListener('change', () => {
   token = $('token').value;
   sessionStorage.setItem('skerry.token', token);
@@ -298,6 +286,7 @@ setups.addPart('picture', {
   take: () => ({ ...picture }),
   put: (values) => {
     picture.change(Object.fromEntries(Object.entries(values).filter(([name, value]) => typeof picture[name] === typeof value)));
+    Object.assign(picture, new PictureSettings());  // with what is valid of them
     showPicture();
     applyPicture();
   },
