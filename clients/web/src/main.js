@@ -22,10 +22,10 @@ import { Availability } from './panel/availability.js';
 import { Greeting } from './panel/greeting.js';
 import { InstructorChoice } from './panel/instructor_choice.js';
 import { PictureHealth } from './panel/picture_health.js';
-import { showRefusal } from './panel/refusal.js';
 import { Screens } from './panel/screens.js';
 import { SetupStore } from './panel/setup_store.js';
 import { Setups } from './panel/setups.js';
+import { ShipOrders } from './panel/ship_orders.js';
 import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
 import { fitSide } from './picture/fit.js';
@@ -41,7 +41,6 @@ import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
 import { Recording } from './recording.js';
-import { PendingRequests } from './shared_setting.js';
 import { Rate } from './stream_stats.js';
 import { TargetConsole } from './targets/targets.js';
 import { openTestAccess } from './test_access.js';
@@ -96,6 +95,7 @@ const notify = (text, kind) => notices.show(text, kind);
 const receiver = new ReceiverControls(table.controls, set, notify);
 const instructor = new Instructor(table.artefacts, set, () => radar.ownShip);
 const locks = new Locks(table.controls, set);
+const shipOrders = new ShipOrders(set);
 const greeting = new Greeting({ problem: $('server-problem'), text: $('server-problem-text') }, notify);
 const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
 const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
@@ -139,7 +139,7 @@ const radar = new RadarConsole(renderer.maxRows, {
     receiver.takeReply(reply, text);
     instructor.takeReply(reply, text);
     locks.takeReply(reply, text);
-    ordered.takeReply(reply, text);
+    shipOrders.takeReply(reply, text);
     recording.takeReply(reply);
     playback.takeReply(reply);
     targets.takeReply(reply, text);
@@ -313,7 +313,7 @@ const picturePanel = bindPicture({
 }, applyPicture);
 applyPicture();
 // The colours of the page around it are this console's too.
-if (isWatching) {
+if (isWatching || choices.has('bare')) {
   addEventListener('storage', () => {
     Object.assign(picture, new PictureSettings());
     picturePanel.show();
@@ -322,18 +322,6 @@ if (isWatching) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-const ordered = new PendingRequests();
-$('orders').addEventListener('submit', (event) => {
-  event.preventDefault();
-  const course = $('order-course'), speed = $('order-speed');
-  const values = {}, before = [course.value, speed.value];
-  if (course.value !== '') values.courseDeg = course.valueAsNumber;
-  if (speed.value !== '') values.speedKn = speed.valueAsNumber;
-  const request = Object.keys(values).length > 0 ? set(values) : null;
-  if (request === null) return;
-  course.value = speed.value = '';
-  ordered.add(request, { settle: () => { [course.value, speed.value] = before; }, refused: (why) => showRefusal($('orders'), why) });
-});
 $('token').addEventListener('change', () => {
   token = $('token').value;
   sessionStorage.setItem('skerry.token', token);

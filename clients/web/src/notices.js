@@ -1,7 +1,10 @@
 // Notices: short messages to the operator, newest first, each gone after a while. The same text again
 // counts up instead of filling the screen.
+import { shortName } from './names.js';
+
 const SHOWN_MS = 6000;
 const MAX_SHOWN = 3;
+const MAX_LETTERS = 300;
 
 export class Notices {
   constructor(list) {
@@ -10,7 +13,8 @@ export class Notices {
   }
 
   // kind: 'error' or 'info'.
-  show(text, kind = 'error') {
+  show(whole, kind = 'error') {
+    const text = shortName(whole, MAX_LETTERS);
     let notice = this.shown.find((n) => n.text === text);
     if (notice) {
       notice.times += 1;

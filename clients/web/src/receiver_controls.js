@@ -102,7 +102,8 @@ export class ReceiverControls {
 
   stepRange(by) {
     const at = this.scales.indexOf(this.settings.rangeNm.value());
-    if (at < 0 || $('range').disabled) return;
+    if ($('range').disabled) { this.notify('Locked by the instructor: range', 'info'); return; }
+    if (at < 0) return;
     const next = this.scales[at + by];
     if (next === undefined) {
       this.notify(`${formatRange(this.scales[at])} NM is the ${by > 0 ? 'longest' : 'shortest'} range of this radar`, 'info');
@@ -116,6 +117,7 @@ export class ReceiverControls {
   // name: of a control of 0 to 100.
   step(name, by) {
     const value = this.settings[name]?.value() ?? null;
-    if (value !== null && !$(name).disabled) this.settings[name].change(Math.min(100, Math.max(0, Math.round(value) + by)));
+    if ($(name)?.disabled) this.notify($(name).classList.contains('locked') ? `Locked by the instructor: ${name}` : `Set by itself: ${name}`, 'info');
+    else if (value !== null) this.settings[name].change(Math.min(100, Math.max(0, Math.round(value) + by)));
   }
 }

@@ -14,7 +14,13 @@ export class Screens {
     $('full-screen-end').addEventListener('click', () => this.toggleFull());
     $('pop-out').addEventListener('click', () => this.popOut());
     $('beside').addEventListener('change', () => this.#beside($('beside').value, true));
+    $('sheet').addEventListener('click', () => this.#toggleSheet());
     document.addEventListener('fullscreenchange', () => this.#showFull());
+  }
+
+  // On a telephone: the panel takes more of the screen, the picture less.
+  #toggleSheet() {
+    $('sheet').setAttribute('aria-pressed', String(document.body.toggleAttribute('data-sheet')));
   }
 
   // Over the whole screen, or where a browser does not give it (telephones), over the whole page.

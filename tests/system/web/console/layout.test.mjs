@@ -89,6 +89,16 @@ for (const [device, finger, sizes] of [['a mouse', false, [[1280, 720], [1920, 1
   });
 }
 
+test('on a telephone the panel takes more of the screen when it is asked to', async () => {
+  await open(390, 844, true);
+  const height = () => page.locator('#tab-sections').evaluate((e) => e.clientHeight);
+  const before = await height();
+  await page.locator('#sheet').tap();
+  await page.waitForFunction((h) => document.getElementById('tab-sections').clientHeight > h + 120, before);
+  await page.locator('#sheet').tap();
+  await page.waitForFunction((h) => document.getElementById('tab-sections').clientHeight === h, before);
+});
+
 test('no click and no focus on any control scrolls the page', async () => {
   for (const [width, height] of [[1280, 720], [820, 1180], [390, 844]]) {
     await open(width, height, false);

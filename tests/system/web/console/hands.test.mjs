@@ -1,0 +1,204 @@
+// The console by hand: keys and their dialog, two fingers, screens, set-ups by name, and whose console it is.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, afterEach, before, test } from 'node:test';
+import { launch } from '../browser.mjs';
+import { openSmall, setsOf, untilSet } from '../hands_kit.mjs';
+
+let browser, server, page, url;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
+afterEach(async () => {
+  await page?.context().close();
+  await server?.stop();
+  page = server = null;
+});
+async function open(options) {
+  ({ server, page, url } = await openSmall(browser, options));
+}
+const ready = (p = page) => p.waitForFunction(() => window.skerry && !document.documentElement.hasAttribute('data-off'));
+const notice = (text) => page.locator('.notice', { hasText: text }).first().waitFor();
+const tab = (name) => page.getByRole('tab', { name, exact: true }).click();
+
+test('single keys do what MSC.192 wants of them, and nothing while text is typed', async () => {
+  await open({ server: { settings: { sea: 30, rain: 10, gain: 50 } } });
+  await page.keyboard.press('u');
+  await notice('Set by itself: tune');
+  server.radarSettings.tuneAuto = false;
+  server.change({});
+  await page.waitForFunction(() => !document.getElementById('tune').disabled);
+  for (const [key, is] of [['g', (s) => s.gain === 51], ['Shift+G', (s) => s.gain === 50], ['w', (s) => s.sea === 31], ['Shift+W', (s) => s.sea === 30],
+    ['f', (s) => s.rain === 11], ['Shift+F', (s) => s.rain === 10], ['u', (s) => s.tune === 51], ['Shift+U', (s) => s.tune === 50],
+    ['+', (s) => s.rangeNm === 12], ['-', (s) => s.rangeNm === 6], ['s', (s) => s._transmit && !s.transmit]]) {
+    await page.keyboard.press(key);
+    await untilSet(server, is);
+  }
+  await page.locator('#alarm', { hasText: 'Standby' }).waitFor();
+  for (const id of ['ebl', 'vrm']) {
+    await page.keyboard.press(id[0]);
+    assert.ok(await page.locator(`#${id}`).isChecked(), id);
+  }
+  const before = setsOf(server).length;
+  await tab('Set-up');
+  await page.locator('#setup-name').pressSequentially('gGsw+-f');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await page.locator('#setup-name').inputValue(), 'gGsw+-f');
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 200)));
+  assert.equal(setsOf(server).length, before);
+});
+
+test('keys are listed from their table and changed, a conflict is told, and they come back', async () => {
+  await open();
+  await page.keyboard.press('?');
+  await page.locator('#help').waitFor();
+  const key = (id) => page.locator(`.key[data-action=${id}]`);
+  const news = () => page.locator('.key-news').textContent();
+  assert.ok(await page.locator('.key').count() >= 27);
+  await key('rings').click();
+  await page.keyboard.press('g');
+  assert.match(await news(), /^G is the key for: more gain\. Press it again to take it/);
+  await page.keyboard.press('j');
+  assert.match(await news(), /^J: range rings/);
+  assert.match(await key('rings').textContent(), /^J/);
+  await key('vrm').click();
+  await page.keyboard.press('e');
+  await page.keyboard.press('e');
+  assert.equal(await key('ebl').textContent(), 'none');
+  await page.keyboard.press('Escape');
+  await page.locator('#help').waitFor({ state: 'hidden' });
+  await page.reload();
+  await ready();
+  await page.keyboard.press('j');
+  assert.equal(await page.locator('#rings').isChecked(), false, 'kept');
+  await page.keyboard.press('r');
+  assert.equal(await page.locator('#rings').isChecked(), false, 'R is free');
+  await page.keyboard.press('e');
+  assert.deepEqual([await page.locator('#vrm').isChecked(), await page.locator('#ebl').isChecked()], [true, false]);
+  await page.locator('#help-open').click();
+  await page.getByRole('button', { name: 'All as delivered' }).click();
+  assert.match(await key('rings').textContent(), /^R/);
+  await page.getByRole('button', { name: 'Close' }).click();
+  await page.keyboard.press('r');
+  assert.equal(await page.locator('#rings').isChecked(), true);
+  assert.deepEqual(page.problems, []);
+});
+
+test('two fingers that part or close change the range by steps, and those that move together do not', async () => {
+  await open({ page: { hasTouch: true, viewport: { width: 820, height: 1180 } } });
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const pinch = async (from, to) => {
+    await touch('touchStart', [410 - from, 410], [410 + from, 410]);
+    for (let i = 1; i <= 5; ++i) { const r = from + ((to - from) * i) / 5; await touch('touchMove', [410 - r, 410], [410 + r, 410]); }
+    await touch('touchEnd');
+  };
+  await pinch(60, 100);  // 1.67 times
+  await untilSet(server, (set) => set.rangeNm === 3);
+  await pinch(100, 60);
+  await untilSet(server, (set) => set.rangeNm === 6);
+  const before = setsOf(server).length;
+  await pinch(100, 125);
+  await touch('touchStart', [300, 300], [500, 300]);
+  for (let i = 1; i <= 4; ++i) await touch('touchMove', [300 + 50 * i, 300 + 40 * i], [500 + 50 * i, 300 + 40 * i]);
+  await touch('touchEnd');
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 250)));
+  assert.equal(setsOf(server).length, before);
+});
+
+test('the picture has the screen by a key, a window of its own, and a second one beside it', async () => {
+  await open({ page: { viewport: { width: 1000, height: 800 } } });
+  const side = () => page.locator('#ppi').evaluate((e) => e.clientWidth);
+  const small = await side();
+  await page.keyboard.press('z');
+  await page.waitForFunction((s) => document.body.hasAttribute('data-alone') && document.getElementById('ppi').clientWidth > s, small);
+  assert.equal(await page.locator('#panel').isVisible(), false);
+  await page.locator('#full-screen-end').click();
+  await page.locator('#panel').waitFor();
+  await tab('Set-up');
+  const [popped] = await Promise.all([page.waitForEvent('popup'), page.locator('#pop-out').click()]);
+  await popped.waitForFunction(() => window.skerry?.state().received > 0);
+  assert.equal(await popped.locator('#panel').isVisible(), false);
+  await popped.close();
+
+  await page.locator('#beside').selectOption('0');
+  const frame = page.frameLocator('#second');
+  await frame.locator('#range-less').click();
+  await untilSet(server, (set) => set.view > 0 && set.rangeNm === 3);
+  await frame.locator('#range-now', { hasText: /^3$/ }).waitFor();
+  assert.equal(await page.locator('#range-now').textContent(), '6', 'two ranges side by side');
+  const [one, two] = [await page.locator('#display').boundingBox(), await page.locator('#second').boundingBox()];
+  assert.ok(Math.abs(one.width - two.width) < 2 && Math.abs(two.x - one.x - one.width) < 2);
+  assert.match(page.url(), /beside=0/);
+  await page.reload();
+  await ready();
+  await page.frameLocator('#second').locator('#range-more').waitFor();
+  await page.locator('#beside').selectOption('1');
+  await page.frameLocator('#second').locator('#link[data-state=live]').waitFor({ state: 'attached' });
+  assert.ok(server.received.some((m) => m.kind === 'subscribe' && m.subscribe.radar === 1 && m.subscribe.newView));
+  await page.locator('#beside').selectOption('');
+  assert.equal(await page.locator('#second').count(), 0);
+  assert.deepEqual(page.problems, []);
+});
+
+test('a set-up is kept by name, used, saved to a file and read from one', async () => {
+  await open();
+  await tab('Set-up');
+  assert.equal(await page.locator('#setup-load').isDisabled(), true);
+  const fill = (id, value) => page.locator(`#${id}`).fill(String(value));
+  await fill('gain', 61);
+  await page.waitForFunction(() => window.skerry.settings().gain === 61);
+  await page.locator('#palette').click();
+  await fill('setup-name', 'Harbour <b>night</b>');
+  await page.locator('#setup-form button').click();
+  await notice('Set-up kept in this browser: Harbour <b>night</b>');
+  await page.locator('#palette').click();
+  await fill('gain', 20);
+  await page.waitForFunction(() => window.skerry.settings().gain === 20);
+  await page.reload();
+  await ready();
+  await page.locator('#setup-load').click();
+  await notice('Set-up in force');
+  await page.waitForFunction(() => window.skerry.settings().gain === 61 && document.documentElement.dataset.palette === 'dusk');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#setup-download').click()]);
+  assert.equal(download.suggestedFilename(), 'harbour-b-night-b.json');
+  const text = readFileSync(await download.path(), 'utf8');
+  assert.equal(JSON.parse(text).parts.receiver.gain, 61);
+  await page.locator('#setup-delete').click();
+  assert.equal(await page.locator('#setup-load').isDisabled(), true);
+  await page.locator('#setup-file').setInputFiles({ name: 'photo.json', mimeType: 'application/json', buffer: Buffer.from('{"a": 1}') });
+  await notice('photo.json: the file is no set-up of this console');
+  await page.locator('#setup-file').setInputFiles({ name: 'own.json', mimeType: 'application/json', buffer: Buffer.from(text) });
+  await page.waitForFunction(() => document.querySelector('#setup-list').value === 'Harbour <b>night</b>');
+  assert.deepEqual(page.problems, []);
+});
+
+test('what instructors have is shown only where the console is said to be theirs; an exam is told', async () => {
+  await open();
+  await tab('Set-up');
+  const part = page.locator('#instructor-part');
+  assert.equal(await part.isVisible(), false);
+  await page.locator('#is-instructor + span').click();
+  await page.getByRole('button', { name: 'No', exact: true }).click();
+  assert.deepEqual([await part.isVisible(), await page.locator('#is-instructor').isChecked()], [false, false]);
+  await page.locator('#is-instructor + span').click();
+  await page.getByRole('button', { name: 'Yes, the instructor\u2019s' }).click();
+  await part.waitFor();
+  await page.reload();
+  await ready();
+  await page.locator('#instructor > summary').click();
+  await page.locator('#lock-all').click();
+  await page.locator('#exam-sign').waitFor();
+  assert.equal(await page.locator('#exam-sign').textContent(), 'Exam: set by the instructor');
+  assert.equal(setsOf(server).at(-1).instructor, true);
+  await page.locator('#lock-gain + span').click();
+  await page.locator('#exam-sign').waitFor({ state: 'hidden' });
+  await page.locator('#is-instructor + span').click();
+  await part.waitFor({ state: 'hidden' });
+  await page.waitForFunction(() => document.getElementById('sea').disabled && !document.getElementById('gain').disabled);
+  await page.reload();
+  await ready();
+  assert.equal(await part.isVisible(), false);
+  await page.goto(`${url}?instructor=1`);
+  await ready();
+  await part.waitFor();
+});
