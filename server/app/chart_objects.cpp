@@ -188,7 +188,9 @@ wire::ChartObjects chart_objects_of(const echo::CoastChart& coast, const echo::C
     add_lines(cutter, tolerance_m, out);
     out.set_tolerance_m(tolerance_m);
     // Beyond the square all lines but those from side to side are gone: no more can be done.
-    if (out.ByteSizeLong() <= most_bytes || tolerance_m > 4.0 * place.radius_nm() * 1852.0) break;
+    if ((out.ByteSizeLong() <= most_bytes && out.lines_size() <= kMostChartLines) ||
+        tolerance_m > 4.0 * place.radius_nm() * 1852.0)
+      break;
   }
   return out;
 }

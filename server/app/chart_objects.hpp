@@ -11,9 +11,10 @@ namespace skerry::server {
 
 // Shorelines and contours, cut at the square about the circle that was asked for, and the marks
 // within it.  Lines are thinned by the tolerance asked for, or twice, four times ... that until the
-// message has at most `most_bytes`, of which the marks take at most kMarkShare.  Places are right
-// to the tolerance and 0.1 m.
+// message has at most `most_bytes` and kMostChartLines lines; of the bytes the marks take at most
+// kMarkShare.  Places are right to the tolerance and 0.1 m.
 inline constexpr std::size_t kMostChartBytes = 200'000;
+inline constexpr int kMostChartLines = 8000;  // of clients that bound the lists they read
 inline constexpr double kMarkShare = 0.4;
 wire::ChartObjects chart_objects_of(const echo::CoastChart& coast, const echo::ChartDetail& detail,
                                     const wire::GetChartObjects& place,

@@ -2,7 +2,7 @@
 //
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
-import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe } from './messages.js';
+import { decodeFrames, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe } from './messages.js';
 
 const SILENCE_MS = 6000;
 const FIRST_RETRY_MS = 400, LAST_RETRY_MS = 8000;
@@ -100,6 +100,11 @@ export class Connection {
   // place: { latitudeDeg, longitudeDeg, radiusNm }.
   coastline(place) {
     return this.#send((request) => encodeGetCoastline(request, place));
+  }
+
+  // place: { latitudeDeg, longitudeDeg, radiusNm, toleranceM }.
+  chartObjects(place) {
+    return this.#send((request) => encodeGetChartObjects(request, place));
   }
 
   record(record, token) {

@@ -1,4 +1,5 @@
 // The console: joins the stream, the picture and the panel.
+import { ChartPart } from './chart/chart.js';
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
@@ -95,6 +96,10 @@ const radar = new RadarConsole(renderer.maxRows, {
     if (refused) $('access').hidden = false;
   },
 });
+const chart = new ChartPart({
+  radar, ask: (circle) => connection.chartObjects(circle), notify,
+  clockPace: () => (playback.isPaused ? 0 : playback.rate),
+});
 if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
 // Whether this console has a view of its own, which further view of another's it looks at if not (0: the shared one), and
@@ -152,7 +157,7 @@ url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
 url.search = url.hash = '';
 connection = new Connection(url, {
   state: () => {},
-  messages: (messages) => radar.takeAll(messages, seconds()),
+  messages: (messages) => { radar.takeAll(messages, seconds()); chart.takeAll(messages); },
   garbage: (error) => notices.show(`The server sent what is no radar message (${error.kind ?? 'text'})`),
 });
 
@@ -197,6 +202,7 @@ function draw() {
     headingLine: picture.headingLine, headingDeg, headUp: picture.headUp, ebl: markers.ebl, vrm: markers.vrm,
     cursor: markers.at() ? markers.pointer : null,
   });
+  chart.draw(view, nowS, picture.palette);
   frames.drawn += 1;
   frames.rate.add(nowS, frames.drawn);
 }
@@ -237,6 +243,7 @@ function showReadouts() {
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
   playback.showPosition();
+  chart.showReadouts();
   const alarm = alarmText();
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live');
@@ -291,6 +298,7 @@ bindKeys({
   e: () => markers.toggle('ebl'), v: () => markers.toggle('vrm'),
   r: () => $('rings').click(), l: () => $('heading-line').click(), p: () => $('palette').click(),
   k: () => playback.toggle(), ',': () => playback.step(-1), '.': () => playback.step(1), m: () => recording.mark(''),
+  j: () => chart.toggle(), o: () => chart.mob.mark(), x: () => chart.markEvent(),
   '?': () => $('help').showModal(),
   ArrowLeft: (event) => markers.turnEbl(-step(event, 1)), ArrowRight: (event) => markers.turnEbl(step(event, 1)),
   ArrowUp: (event) => markers.moveVrm(step(event, 0.01)), ArrowDown: (event) => markers.moveVrm(-step(event, 0.01)),
@@ -299,5 +307,5 @@ bindKeys({
 new ResizeObserver(layOut).observe($('display'));
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, chart });
 requestAnimationFrame(frame);

@@ -12,8 +12,9 @@
 //   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
+//   chart()               own ship's place, the loaded chart, lines and marks and their pixels (chart/chart.js)
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, chart }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -41,6 +42,7 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     recorder: () => recording.state,
     playback: () => playback.state,
     world: () => radar.world,
+    chart: () => chart.state(),
     lastScan: () => radar.scans.last,
     get ppi() {
       const { side, centre, radius, pixelRatio, upDeg, rangeM } = view();

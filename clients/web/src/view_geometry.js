@@ -21,6 +21,8 @@ export class ViewGeometry {
     return this.side / 2;
   }
 
+  get own() { return { x: this.centre, y: this.centre }; }
+
   toPixel(bearingDeg, rangeM) {
     const angle = (bearingDeg - this.upDeg) * RAD;
     const r = this.rangeM > 0 ? (rangeM / this.rangeM) * this.radius : 0;
