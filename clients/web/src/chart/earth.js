@@ -1,8 +1,8 @@
 // The Earth around a place, as a plane: range and true bearing from the anchor are right, as a radar has them. The same
 // reckoning as the server's (echo/chart/local_plane.hpp): the chord between two points of WGS-84, bent to an arc.
 //
-// Error against the geodesic from the anchor: range 0.02 m at 24 NM and 0.1 m at 96 NM, bearing 1e-4 deg; from a place 5 km
-// off the anchor 0.3 m and 1e-3 deg more at 24 NM. Degrees and metres throughout.
+// Error against the geodesic from the anchor, to 24 NM: 1 mm and 1e-5 deg; from a place 5 km off the anchor 1 cm and 1e-3 deg.
+// Degrees and metres throughout.
 const RAD = Math.PI / 180;
 const A = 6378137;
 const F = 1 / 298.257223563;
