@@ -13,8 +13,8 @@
 namespace skerry::server {
 namespace {
 
-wire::GetChartObjects about(double latitude_deg, double longitude_deg, double radius_nm,
-                            double tolerance_m = 0.0) {
+wire::GetChartObjects asked_about(double latitude_deg, double longitude_deg, double radius_nm,
+                                  double tolerance_m = 0.0) {
   wire::GetChartObjects place;
   place.set_latitude_deg(latitude_deg);
   place.set_longitude_deg(longitude_deg);
@@ -23,14 +23,14 @@ wire::GetChartObjects about(double latitude_deg, double longitude_deg, double ra
   return place;
 }
 
-echo::CoastRing ring_of(std::vector<GeoPoint> vertices) {
+echo::CoastRing shore_ring(std::vector<GeoPoint> vertices) {
   echo::CoastRing ring;
   ring.edges.assign(vertices.size(), echo::EdgeKind::shoreline);
   ring.vertices = std::move(vertices);
   return ring;
 }
 
-std::vector<GeoPoint> points_of(const wire::ChartObjects& chart, int line) {
+std::vector<GeoPoint> places_of(const wire::ChartObjects& chart, int line) {
   std::vector<GeoPoint> points;
   std::int64_t east = 0, north = 0;
   const auto& told = chart.lines(line).points();
@@ -93,17 +93,17 @@ TEST(ChartLines, WhatIsLeftOfALineIsWithinTheTolerance) {
 TEST(ChartObjects, HaveTheShoreAndNeitherSeamsNorBordersOfBins) {
   echo::CoastChart coast;
   coast.source = "made up";
-  coast.rings = {ring_of({{60.0, 5.0}, {60.0, 5.02}, {60.02, 5.02}, {60.02, 5.0}})};
+  coast.rings = {shore_ring({{60.0, 5.0}, {60.0, 5.02}, {60.02, 5.02}, {60.02, 5.0}})};
   coast.rings[0].edges[1] = echo::EdgeKind::bin_border;
   coast.rings[0].edges[3] = echo::EdgeKind::seam;
-  const wire::ChartObjects chart = chart_objects_of(coast, {}, about(60.01, 5.01, 10.0));
+  const wire::ChartObjects chart = chart_objects_of(coast, {}, asked_about(60.01, 5.01, 10.0));
   EXPECT_EQ(chart.chart(), "made up");
   EXPECT_TRUE(chart.coast_only());
   ASSERT_EQ(chart.lines_size(), 2);
   std::vector<double> north;
   for (int line = 0; line < 2; ++line) {
     EXPECT_EQ(chart.lines(line).kind(), wire::ChartLine::COAST);
-    const std::vector<GeoPoint> points = points_of(chart, line);
+    const std::vector<GeoPoint> points = places_of(chart, line);
     ASSERT_EQ(points.size(), 2u);
     EXPECT_NEAR(points[0].latitude_deg, points[1].latitude_deg, 1e-6) << "east and west are none";
     north.push_back(points[0].latitude_deg);
@@ -116,22 +116,22 @@ TEST(ChartObjects, HaveTheShoreAndNeitherSeamsNorBordersOfBins) {
 TEST(ChartObjects, AnIslandIsALineThatEndsWhereItBegan) {
   echo::CoastChart coast;
   // Across the date line.
-  coast.rings = {ring_of({{60.0, 179.99}, {60.0, -179.99}, {60.01, 180.0 - 360.0}})};
-  const wire::ChartObjects chart = chart_objects_of(coast, {}, about(60.0, 179.999, 10.0));
+  coast.rings = {shore_ring({{60.0, 179.99}, {60.0, -179.99}, {60.01, 180.0 - 360.0}})};
+  const wire::ChartObjects chart = chart_objects_of(coast, {}, asked_about(60.0, 179.999, 10.0));
   ASSERT_EQ(chart.lines_size(), 1);
-  const std::vector<GeoPoint> points = points_of(chart, 0);
+  const std::vector<GeoPoint> points = places_of(chart, 0);
   ASSERT_EQ(points.size(), 4u);
   EXPECT_NEAR(points[0].longitude_deg, 179.99, 1e-6);
   EXPECT_NEAR(points[1].longitude_deg, -179.99, 1e-6);
   EXPECT_NEAR(points[3].longitude_deg, 179.99, 1e-6);
   // One that is smaller than the tolerance is left out.
-  EXPECT_EQ(chart_objects_of(coast, {}, about(60.0, 179.999, 10.0, 2000.0)).lines_size(), 0);
+  EXPECT_EQ(chart_objects_of(coast, {}, asked_about(60.0, 179.999, 10.0, 2000.0)).lines_size(), 0);
 }
 
 TEST(ChartObjects, ALineOnTheOtherSideOfTheEarthDoesNotCrossThePicture) {
   echo::CoastChart coast;
-  coast.rings = {ring_of({{10.0, 179.0}, {10.0, -179.0}, {-10.0, 179.0}})};
-  EXPECT_EQ(chart_objects_of(coast, {}, about(10.0, 0.0, 60.0)).lines_size(), 0);
+  coast.rings = {shore_ring({{10.0, 179.0}, {10.0, -179.0}, {-10.0, 179.0}})};
+  EXPECT_EQ(chart_objects_of(coast, {}, asked_about(10.0, 0.0, 60.0)).lines_size(), 0);
 }
 
 TEST(ChartObjects, MarksStandToADecimetreTheNearestFirst) {
@@ -149,7 +149,7 @@ TEST(ChartObjects, MarksStandToADecimetreTheNearestFirst) {
   near.light = "Fl R 4s";
   beyond.place = {48.5, -122.45};
   detail.marks = {far, near, beyond};
-  const wire::ChartObjects chart = chart_objects_of({}, detail, about(47.28, -122.42, 10.0));
+  const wire::ChartObjects chart = chart_objects_of({}, detail, asked_about(47.28, -122.42, 10.0));
   EXPECT_FALSE(chart.coast_only());
   ASSERT_EQ(chart.lines_size(), 1);
   EXPECT_EQ(chart.lines(0).kind(), wire::ChartLine::DEPTH_CONTOUR);
@@ -190,7 +190,7 @@ TEST(ChartObjects, AreNeverLongerThanAllowed) {
     mark.name = "a name of some length " + std::to_string(i);
     detail.marks.push_back(mark);
   }
-  const wire::ChartObjects chart = chart_objects_of({}, detail, about(60.0, 5.0, 10.0));
+  const wire::ChartObjects chart = chart_objects_of({}, detail, asked_about(60.0, 5.0, 10.0));
   EXPECT_LE(chart.ByteSizeLong(), kMostChartBytes);
   EXPECT_GT(chart.ByteSizeLong(), kMostChartBytes / 4);
   EXPECT_GT(chart.tolerance_m(), 0.0);
@@ -202,9 +202,9 @@ TEST(ChartObjects, AreNeverLongerThanAllowed) {
   for (int i = 0; i < 20'000; ++i) {
     const double lat = 59.9 + 0.2 * (i % 141) / 141.0, lon = 4.8 + 0.4 * (i / 141) / 141.0;
     const double size = 1e-4 * (1 + i % 7);
-    islands.rings.push_back(ring_of({{lat, lon}, {lat, lon + size}, {lat + size, lon}}));
+    islands.rings.push_back(shore_ring({{lat, lon}, {lat, lon + size}, {lat + size, lon}}));
   }
-  const wire::ChartObjects many = chart_objects_of(islands, {}, about(60.0, 5.0, 12.0));
+  const wire::ChartObjects many = chart_objects_of(islands, {}, asked_about(60.0, 5.0, 12.0));
   EXPECT_LE(many.lines_size(), kMostChartLines);
   EXPECT_GT(many.lines_size(), 100);
 }
@@ -222,13 +222,13 @@ class CountedChart final : public echo::ChartSource {
 TEST(ChartObjects, AnAnswerIsKeptForTheNextWhoAsksForTheSame) {
   const CountedChart chart;
   ChartObjectsMaker maker;
-  for (int i = 0; i < 3; ++i) maker.about(chart, about(60.0, 5.0, 10.0));
+  for (int i = 0; i < 3; ++i) maker.about(chart, asked_about(60.0, 5.0, 10.0));
   EXPECT_EQ(chart.loads, 1);
-  maker.about(chart, about(60.0, 5.0, 10.0, 5.0));
+  maker.about(chart, asked_about(60.0, 5.0, 10.0, 5.0));
   EXPECT_EQ(chart.loads, 2);
   for (int i = 0; i < static_cast<int>(ChartObjectsMaker::kKept); ++i)
-    maker.about(chart, about(61.0 + i, 5.0, 10.0));
-  maker.about(chart, about(60.0, 5.0, 10.0));
+    maker.about(chart, asked_about(61.0 + i, 5.0, 10.0));
+  maker.about(chart, asked_about(60.0, 5.0, 10.0));
   EXPECT_EQ(chart.loads, 3 + static_cast<int>(ChartObjectsMaker::kKept)) << "the oldest went";
 }
 
