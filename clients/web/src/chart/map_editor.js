@@ -115,9 +115,10 @@ export class MapEditor {
     if (place) this.movePoint(this.drag.id, this.drag.vertex, place);
   }
 
-  movePoint(id, vertex, place) {
+  // more: kind and text, if they change too.
+  movePoint(id, vertex, place, more = {}) {
     const item = this.items.find(id);
-    if (item) this.items.change(id, { places: item.places.map((each, i) => (i === vertex ? place : each)) });
+    if (item) this.items.change(id, { ...more, places: item.places.map((each, i) => (i === vertex ? place : each)) });
   }
 
   #release(event) {

@@ -66,10 +66,7 @@ export class MapPanel {
   #change() {
     const { selected } = this.editor;
     if (!selected) return;
-    this.#enter((place) => {
-      this.editor.movePoint(selected.id, selected.vertex, place);
-      this.items.change(selected.id, this.form);
-    });
+    this.#enter((place) => this.editor.movePoint(selected.id, selected.vertex, place, this.form));
   }
 
   #saveAs(name) {
