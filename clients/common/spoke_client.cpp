@@ -92,6 +92,7 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
     case wire::ServerMessage::kBoard:  // BoardClient asks for these
     case wire::ServerMessage::kBoardRecords:
     case wire::ServerMessage::kCoastline:  // this client asks for none
+    case wire::ServerMessage::kChartObjects:
     case wire::ServerMessage::KIND_NOT_SET:
       return Event{};
   }

@@ -54,6 +54,10 @@ class JoinedHost final : public RadarHost {
   void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override {
     simulated_.find_coastline(place, std::move(done));
   }
+  bool has_chart() const override { return simulated_.has_chart(); }
+  void find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) override {
+    simulated_.find_chart_objects(place, std::move(done));
+  }
   wire::Status status() const override;
   std::uint64_t settings_version() const override;
   std::uint64_t world_version() const override { return simulated_.world_version(); }

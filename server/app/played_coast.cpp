@@ -55,6 +55,10 @@ PlayedCoast::PlayedCoast(PlaybackHost& playback, std::unique_ptr<const echo::Cha
                     done(about ? std::optional(coastline_of(*about, place)) : std::nullopt);
                   });
   });
+  playback.set_chart_objects(
+      [this](const wire::GetChartObjects& place, RadarHost::ChartObjectsDone done) {
+        chart_desk_.answer(place, std::move(done));
+      });
 }
 
 }  // namespace skerry::server

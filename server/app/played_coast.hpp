@@ -3,13 +3,14 @@
 
 #include <memory>
 
+#include "server/app/chart_desk.hpp"
 #include "server/app/exercise_files.hpp"
 #include "server/playback/playback_host.hpp"
 #include "server/radar/coast_service.hpp"
 
 namespace skerry::server {
 
-// Answers the playback's find_coastline() from a thread of its own.
+// Answers the playback's find_coastline() and find_chart_objects() from a thread of its own.
 // Thread: that of main; start() before the network's, stop() after it has been told to end.
 class PlayedCoast {
  public:
@@ -27,6 +28,7 @@ class PlayedCoast {
   PlayedCoast(PlaybackHost& playback, std::unique_ptr<const echo::ChartSource> chart);
 
   CoastService coast_;
+  ChartDesk chart_desk_{coast_};
 };
 
 }  // namespace skerry::server

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "echo/chart/chart_source.hpp"
+#include "server/app/chart_desk.hpp"
 #include "server/app/control/control_desk.hpp"
 #include "server/app/shore_thread.hpp"
 #include "server/board/board_unit.hpp"
@@ -63,6 +64,10 @@ class RadarServer : public RadarHost {
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   std::optional<wire::ExerciseState> exercise_state() const override;
   void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override;
+  bool has_chart() const override { return true; }
+  void find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) override {
+    chart_desk_.answer(place, std::move(done));
+  }
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
   wire::Status status() const override;
@@ -90,6 +95,7 @@ class RadarServer : public RadarHost {
   mutable Timeline timeline_;  // to look at a tick is to make it
   Latest<Epoch> epoch_;        // none before start()
   std::unique_ptr<CoastService> coast_;
+  ChartDesk chart_desk_;
   Airwaves airwaves_;
   InputLog inputs_;
   ShoreThread shore_;

@@ -90,6 +90,12 @@ class RadarHost {
   virtual void find_coastline(const wire::GetCoastline& /*place*/, CoastlineDone done) {
     done(std::nullopt);
   }
+  // The same of what consoles draw of the chart; only if has_chart().
+  using ChartObjectsDone = std::function<void(std::optional<wire::ChartObjects>)>;
+  virtual bool has_chart() const { return false; }
+  virtual void find_chart_objects(const wire::GetChartObjects& /*place*/, ChartObjectsDone done) {
+    done(std::nullopt);
+  }
 
   // Require a radar and view that find_channel() knows.
   virtual wire::Settings settings(std::uint32_t radar, std::uint32_t view) const = 0;

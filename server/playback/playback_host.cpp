@@ -190,6 +190,10 @@ void PlaybackHost::find_coastline(const wire::GetCoastline& place, CoastlineDone
   coastline_ ? coastline_(place, std::move(done)) : done(std::nullopt);
 }
 
+void PlaybackHost::find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) {
+  chart_objects_ ? chart_objects_(place, std::move(done)) : done(std::nullopt);
+}
+
 std::string PlaybackHost::problem(const std::string& playing) const {
   std::string text;
   const auto add = [&text](const std::string& more) {

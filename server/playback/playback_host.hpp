@@ -36,6 +36,8 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
   // none.  Before the NetServer is made.
   using CoastlineMaker = std::function<void(const wire::GetCoastline&, CoastlineDone)>;
   void set_coastline(CoastlineMaker maker) { coastline_ = std::move(maker); }
+  using ChartObjectsMaker = std::function<void(const wire::GetChartObjects&, ChartObjectsDone)>;
+  void set_chart_objects(ChartObjectsMaker maker) { chart_objects_ = std::move(maker); }
   // A playback can be recorded, too.  Before the NetServer is made.
   void set_recording(RecordingPort* port) { recording_ = port; }
 
@@ -54,6 +56,8 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
   wire::Status status() const override;
   std::optional<wire::ExerciseState> exercise_state() const override;
   void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override;
+  bool has_chart() const override { return chart_objects_ != nullptr; }
+  void find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) override;
 
  private:
   PlaybackHost(RecordedRadars radars, recording::RecordingReader&& reader,
@@ -80,6 +84,7 @@ class PlaybackHost final : public RelayHost, private PlaybackPort {
   RecordingPort* recording_ = nullptr;
   TargetPort* plotters_ = nullptr;
   CoastlineMaker coastline_;
+  ChartObjectsMaker chart_objects_;
   bool holds_truth_ = false;
   // Of the last order that was obeyed.
   mutable std::mutex mutex_;

@@ -79,10 +79,10 @@ void CoastService::work(const std::stop_token& stop) {
   while (wished_.wait(lock, stop, [&] { return wishing() != slots_.end() || !surveys_.empty(); })) {
     const auto slot = wishing();
     if (slot == slots_.end()) {
-      const Survey survey = std::move(surveys_.front());
+      const Look look = std::move(surveys_.front());
       surveys_.pop_front();
       lock.unlock();
-      serve(survey);
+      serve(look);
       lock.lock();
       continue;
     }
@@ -100,26 +100,36 @@ void CoastService::work(const std::stop_token& stop) {
   }
 }
 
-void CoastService::survey(GeoPoint centre, Length radius, SurveyDone done) {
+void CoastService::look(Look look) {
   {
     const std::lock_guard lock(mutex_);
     if (surveys_.size() < kMaxSurveys) {
-      surveys_.push_back({centre, radius, std::move(done)});
-      done = nullptr;
+      surveys_.push_back(std::move(look));
+      look = nullptr;
     }
   }
-  if (done) return done(std::nullopt);
+  if (look) return look(nullptr);
   wished_.notify_one();
 }
 
-void CoastService::serve(const Survey& survey) const {
-  std::optional<echo::CoastChart> chart;
+void CoastService::serve(const Look& look) const {
   try {
-    chart = chart_->load(survey.centre, survey.radius);
+    look(chart_.get());
   } catch (const std::exception& error) {
     spdlog::error("chart: {}", error.what());
   }
-  survey.done(std::move(chart));
+}
+
+void CoastService::survey(GeoPoint centre, Length radius, SurveyDone done) {
+  look([centre, radius, done = std::move(done)](const echo::ChartSource* source) {
+    std::optional<echo::CoastChart> chart;
+    try {
+      if (source != nullptr) chart = source->load(centre, radius);
+    } catch (const std::exception& error) {
+      spdlog::error("chart: {}", error.what());
+    }
+    done(std::move(chart));
+  });
 }
 
 }  // namespace skerry::server

@@ -42,6 +42,10 @@ class CoastService {
   // Thread: the one that looks at the slot.  Never waits for the work.  Wishes of slots of a lower
   // number, the radars' first of all, are served first.
   void ask(std::size_t slot, const CoastWish& wish);
+  // Looks at the chart itself; `look` is called from the service's thread, or with null at once if
+  // kMaxSurveys wait already.  Served after wishes.  What it throws is logged.
+  using Look = std::function<void(const echo::ChartSource*)>;
+  void look(Look look);
   // The chart itself; `done` is called from the service's thread, or with nothing at once if
   // kMaxSurveys wait already.  Served after wishes.  A chart that cannot be read: nothing too.
   static constexpr std::size_t kMaxSurveys = 8;
@@ -58,13 +62,8 @@ class CoastService {
     PictureOrigin origin;
     Latest<CoastInSight> in_sight;
   };
-  struct Survey {
-    GeoPoint centre;
-    Length radius;
-    SurveyDone done;
-  };
   Slot& find(std::size_t slot) const;
-  void serve(const Survey& survey) const;
+  void serve(const Look& look) const;
   static void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);
 
@@ -72,7 +71,7 @@ class CoastService {
   echo::CoastRules rules_;
   mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Slot>> slots_;  // guarded by mutex_; each stays where it is
-  std::deque<Survey> surveys_;                // guarded by mutex_
+  std::deque<Look> surveys_;                  // guarded by mutex_
   std::condition_variable_any wished_;
   std::jthread thread_;
 };

@@ -55,6 +55,13 @@ void write_client_frames(const Corpus& corpus) {
   status.set_request(3);
   status.mutable_get_status();
   corpus.write("subscribe", framed(subscribe));
+  wire::ClientMessage chart;
+  chart.set_request(4);
+  chart.mutable_get_chart_objects()->set_latitude_deg(60.4);
+  chart.mutable_get_chart_objects()->set_longitude_deg(5.3);
+  chart.mutable_get_chart_objects()->set_radius_nm(9.0);
+  chart.mutable_get_chart_objects()->set_tolerance_m(5.0);
+  corpus.write("get_chart_objects", framed(chart));
   corpus.write("set", framed(set));
   corpus.write("get_status", framed(status));
   Bytes all = framed(subscribe);

@@ -3,7 +3,7 @@
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
 import { answers, retryMs } from './connection_retry.js';
-import { decodeFrames, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, encodeTargetOrder } from './messages.js';
+import { decodeFrames, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, encodeTargetOrder } from './messages.js';
 
 const SILENCE_MS = 6000;
 // Not sent, but dropped, when so much lies unsent: settings are small, so the server has stopped reading.
@@ -125,6 +125,11 @@ export class Connection {
   // place: { latitudeDeg, longitudeDeg, radiusNm }.
   coastline(place) {
     return this.#send((request) => encodeGetCoastline(request, place));
+  }
+
+  // place: { latitudeDeg, longitudeDeg, radiusNm, toleranceM }.
+  chartObjects(place) {
+    return this.#send((request) => encodeGetChartObjects(request, place));
   }
 
   record(record, token) {

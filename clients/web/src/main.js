@@ -1,5 +1,6 @@
 // The console: joins the stream, the picture and the panel.
 import { AlertConsole } from './alerts/alerts.js';
+import { ChartPart } from './chart/chart.js';
 import { Connection } from './connection.js';
 import { RadarConsole } from './console.js';
 import { buildPanel } from './control_panel.js';
@@ -147,6 +148,10 @@ const radar = new RadarConsole(renderer.maxRows, {
     if (refused) $('access').hidden = false;
   },
 });
+const chart = new ChartPart({
+  radar, ask: (circle) => connection.chartObjects(circle), notify,
+  clockPace: () => (playback.isPaused ? 0 : playback.rate),
+});
 if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
 const screens = new Screens({ radar, layOut: () => layOut(), notify }, choices);
@@ -172,7 +177,7 @@ url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
 url.search = url.hash = '';
 connection = new Connection(url, {
   state: (state) => { if (state !== 'live') isTold = false; showAvailability(); },
-  messages: (messages) => radar.takeAll(messages, seconds()),
+  messages: (messages) => { radar.takeAll(messages, seconds()); chart.takeAll(messages); },
   garbage: (error) => notify(`The server sent what is no radar message (${error.kind ?? 'text'})`),
 });
 
@@ -249,6 +254,7 @@ function draw() {
     cursor: markers.at() ? markers.pointer : null,
   });
   targets.draw(view, { palette, paletteName: picture.palette, ownShip: radar.ownShip, headingDeg: radar.headingDeg(), rate: held ? 0 : playback.rate });
+  chart.draw(view, nowS, picture.palette);
   frames.drawn += 1;
   frames.rate.add(nowS, frames.drawn);
 }
@@ -291,6 +297,7 @@ function showReadouts() {
     spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
   });
   playback.showPosition();
+  chart.showReadouts();
   targets.tick();
   alerts.sound.tick();
   showAvailability();
@@ -334,7 +341,7 @@ const help = new KeyHelp($('help'), keys, () => showKeyHints(keys));
 const orders = (run) => () => (availability.on ? run() : notify(playback.on ? 'A recording is played: the radar takes no orders' : 'Not connected: the change was not sent'));
 keys.register(...consoleKeys({ receiver, playback, recording, screens, help, inStandby: () => radar.inStandby, orders }));
 keys.register(...pictureKeys({ picture, picturePanel, stage, markers, tools, toolsPanel, view: () => view }));
-keys.register(...targets.keys, ...alerts.keys);
+keys.register(...targets.keys, ...alerts.keys, ...chart.keys);
 showKeyHints(keys);
 listenToKeys(keys);
 $('help-open').addEventListener('click', () => help.open());
@@ -363,5 +370,5 @@ const grown = new ResizeObserver(() => { if (measureBoxes()) layOut(); });
 for (const { element } of boxes) grown.observe(element);
 watchPixelRatio();
 layOut();
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts });
+openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts, chart });
 requestAnimationFrame(frame);

@@ -1,5 +1,6 @@
 // The messages of protocol/wire/radar.proto that a console reads and writes, and their frames: each
 // message after its length as a varint, any number of them in one WebSocket message.
+import { ChartObjects, encodeChartRequest, partsOfChart } from './chart/chart_wire.js';
 import { Coastline, encodeCoastRequest, encodeOrder, exerciseState } from './exercise/wire.js';
 import { message, Reader, WireError, Writer } from './protobuf.js';
 import { checkTargets, encodeTargetOrderBody, TargetList } from './targets/wire.js';
@@ -27,7 +28,7 @@ const RadarInfo = message({
 const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
-  6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'],
+  6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'], 9: ['hasChart', 'bool'],
 });
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
@@ -110,7 +111,7 @@ export function useControls({ controls, artefacts, faults = [] }) {
     1: ['spoke', Spoke], 2: ['hello', Hello], 4: ['reply', Reply], 5: ['settings', message({ ...ofSet.read, ...SETTINGS_FIELDS })],
     6: ['ownShip', OwnShip], 7: ['world', message({ ...ofWorld.read, ...WORLD_FIELDS })],
     10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
-    12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline], 14: ['targets', TargetList],
+    12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline], 14: ['targets', TargetList], 15: ['chartObjects', ChartObjects],
   });
   faultTable = faults;
   setFields = ofSet;
@@ -135,7 +136,7 @@ export function decodeFrames(bytes, take) {
     for (const part of [decoded.settings, decoded.ownShip, decoded.ownShip?.con, decoded.world, decoded.recorder, decoded.playback,
                         ...(decoded.playback?.marks ?? []),
                         ...(decoded.world?.rain ?? []), ...(decoded.hello?.radars ?? []),
-                        ...(decoded.settings?.blankedSectors?.sectors ?? []), ...partsOf(decoded.exercise), decoded.coastline]) {
+                        ...(decoded.settings?.blankedSectors?.sectors ?? []), ...partsOf(decoded.exercise), decoded.coastline, ...partsOfChart(decoded.chartObjects)]) {
       if (part) checkFinite(part, at);
     }
     if (decoded.hello) checkHello(decoded.hello, at);
@@ -270,6 +271,10 @@ export function encodeTargetOrder(request, radar, view, order, token = '') {
 
 export function encodeGetCoastline(request, place) {
   return frame(request, 11, encodeCoastRequest(place));
+}
+
+export function encodeGetChartObjects(request, place) {
+  return frame(request, 13, encodeChartRequest(place));
 }
 
 // record: action (0 start, 1 stop, 2 mark) and, if there is one, name.

@@ -16,8 +16,9 @@
 //   showTab(name)         of the panel: 'radar', 'targets', 'tools', 'chart', 'set-up'
 //   targets()             { list, stale, selected, mode, shown, vectors, pxPerMm }: what is drawn of targets now, in CSS pixels
 //   alerts()              { calling (priority that sounds, or null), soundAllowed, beeps, history }
+//   chart()               own ship's place, the loaded chart, lines and marks and their pixels (chart/chart.js)
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
-export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools, targets, alerts }) {
+export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools, targets, alerts, chart }) {
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -47,6 +48,7 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     world: () => radar.world,
     targets: () => targets.state,
     alerts: () => alerts.state,
+    chart: () => chart.state(),
     lastScan: () => radar.scans.last,
     get ppi() {
       const { side, centre, own, radius, pixelRatio, upDeg, rangeM } = view();

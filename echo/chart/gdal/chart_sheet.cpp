@@ -51,8 +51,10 @@ std::uint16_t ShoreTable::index_of(const Shore& shore) {
 void ChartSheet::index() {
   ring_boxes_.clear();
   object_boxes_.clear();
+  contour_boxes_.clear();
   for (const CoastRing& ring : rings) ring_boxes_.push_back(box_around(ring.vertices));
   for (const ChartObject& object : objects) object_boxes_.push_back(box_around(object.outline));
+  for (const DepthContour& contour : contours) contour_boxes_.push_back(box_around(contour.line));
   const auto size = [](const CoverArea& area) {
     const GeoBox box = box_around(area.rings.front());
     return (box.north_deg - box.south_deg) * box.width_deg;
@@ -69,13 +71,22 @@ void ChartSheet::index() {
   }
 }
 
-CoastChart ChartSheet::window(GeoPoint centre, Length radius) const {
+namespace {
+
+// Error: std::invalid_argument.
+void require_window(GeoPoint centre, Length radius) {
   if (!(std::abs(centre.latitude_deg) <= 90.0) || !std::isfinite(centre.longitude_deg) ||
       !(radius.in_metres() >= 0.0))
     throw std::invalid_argument(fmt::format(
         "no chart window of radius {} m around latitude {}, longitude {}: expected a latitude "
         "within 90 degrees of the equator and a radius of 0 or more",
         radius.in_metres(), centre.latitude_deg, centre.longitude_deg));
+}
+
+}  // namespace
+
+CoastChart ChartSheet::window(GeoPoint centre, Length radius) const {
+  require_window(centre, radius);
   CoastChart chart;
   chart.centre = {centre.latitude_deg, wrapped_longitude(std::fmod(centre.longitude_deg, 360.0))};
   chart.radius_m = radius.in_metres();
@@ -92,6 +103,22 @@ CoastChart ChartSheet::window(GeoPoint centre, Length radius) const {
     if (overlap(cover_boxes_[i], box)) chart.covers.push_back(covers[i]);
   }
   return chart;
+}
+
+ChartDetail ChartSheet::detail_window(GeoPoint centre, Length radius) const {
+  require_window(centre, radius);
+  const GeoPoint middle{centre.latitude_deg,
+                        wrapped_longitude(std::fmod(centre.longitude_deg, 360.0))};
+  const GeoBox box = box_around(middle, radius.in_metres());
+  ChartDetail detail;
+  detail.is_charted = overlap(coverage.box(), box);
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    if (overlap(contour_boxes_[i], box)) detail.contours.push_back(contours[i]);
+  }
+  for (const ChartMark& mark : marks) {
+    if (overlap(box_around({mark.place}), box)) detail.marks.push_back(mark);
+  }
+  return detail;
 }
 
 }  // namespace skerry::echo

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "echo/chart/chart_detail.hpp"
 #include "echo/chart/coast_chart.hpp"
 #include "echo/chart/gdal/coverage.hpp"
 
@@ -14,6 +15,8 @@ namespace skerry::echo {
 // Bounds on what is kept of one chart.
 inline constexpr std::size_t kMostVertices = 8'000'000;
 inline constexpr std::size_t kMostOutlineVertices = 200'000;  // of all objects, each at least one
+inline constexpr std::size_t kMostContourVertices = 4'000'000;
+inline constexpr std::size_t kMostMarks = 100'000;
 inline constexpr std::size_t kMostShores = 65'535;
 
 // Coordinates of these charts are multiples of 1e-7 degrees (1.1 cm), or are named by the nearest.
@@ -41,6 +44,8 @@ class ChartSheet {
   std::vector<Shore> shores;
   std::vector<ChartObject> objects;
   std::vector<CoverArea> covers;
+  std::vector<DepthContour> contours;
+  std::vector<ChartMark> marks;
 
   // To be called once all is in.  Puts covers in order: the larger an area's box, the lower it
   // lies.
@@ -48,9 +53,11 @@ class ChartSheet {
   // All rings, objects and covers of which any part is within the window, whole.
   // Error: std::invalid_argument for a centre off the globe or a radius below 0.
   CoastChart window(GeoPoint centre, Length radius) const;
+  // The same of contours and marks.
+  ChartDetail detail_window(GeoPoint centre, Length radius) const;
 
  private:
-  std::vector<GeoBox> ring_boxes_, object_boxes_, cover_boxes_;
+  std::vector<GeoBox> ring_boxes_, object_boxes_, cover_boxes_, contour_boxes_;
 };
 
 // An edge by the identities of its ends, either way round.

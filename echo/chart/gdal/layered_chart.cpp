@@ -60,6 +60,11 @@ void merge_shores(const CoastChart& from, std::size_t first_ring, CoastChart& in
   }
 }
 
+bool is_covered(GeoPoint place, const std::vector<const Coverage*>& higher) {
+  return std::any_of(higher.begin(), higher.end(),
+                     [&](const Coverage* coverage) { return coverage->contains(place); });
+}
+
 // Lays the covers of `chart`, which answers for `coverage`, over those of charts below it.
 void lay_covers(const CoastChart& chart, const Coverage& coverage, std::vector<CoverArea>& covers) {
   if (!covers.empty()) {
@@ -68,6 +73,23 @@ void lay_covers(const CoastChart& chart, const Coverage& coverage, std::vector<C
       covers.push_back({LandCover::none, polygon});
   }
   covers.insert(covers.end(), chart.covers.begin(), chart.covers.end());
+}
+
+// Appends the runs of a contour that no chart in `higher` covers.
+void append_uncovered(const DepthContour& contour, const std::vector<const Coverage*>& higher,
+                      std::vector<DepthContour>& into) {
+  std::vector<GeoPoint> run;
+  const auto finish = [&] {
+    if (run.size() > 1) into.push_back({contour.depth_m, std::move(run)});
+    run.clear();
+  };
+  for (const GeoPoint& place : contour.line) {
+    if (is_covered(place, higher))
+      finish();
+    else
+      run.push_back(place);
+  }
+  finish();
 }
 
 }  // namespace
@@ -135,9 +157,7 @@ CoastChart LayeredChart::load(GeoPoint centre, Length radius) const {
     const CoastChart& own = is_asked ? loaded[k] : aside[i];
     const std::size_t objects_before = chart.objects.size();
     for (const ChartObject& object : own.objects) {
-      const GeoPoint place = object.outline.front();
-      const auto covers = [&](const Coverage* coverage) { return coverage->contains(place); };
-      if (std::none_of(higher.begin(), higher.end(), covers)) chart.objects.push_back(object);
+      if (!is_covered(object.outline.front(), higher)) chart.objects.push_back(object);
     }
     if (is_asked) {
       const std::size_t first = chart.rings.size();
@@ -160,6 +180,23 @@ CoastChart LayeredChart::load(GeoPoint centre, Length radius) const {
   if (asked.size() > 1) settle_seams(CutLines(limits), chart.rings);
   remove_craft_ashore(chart);
   return chart;
+}
+
+ChartDetail LayeredChart::detail(GeoPoint centre, Length radius) const {
+  const GeoBox window = box_around(centre, std::max(0.0, radius.in_metres()));
+  ChartDetail detail;
+  std::vector<const Coverage*> higher;
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    const ChartDetail own = charts_[i]->detail(centre, radius);
+    detail.is_charted = detail.is_charted || own.is_charted;
+    for (const DepthContour& contour : own.contours)
+      append_uncovered(contour, higher, detail.contours);
+    for (const ChartMark& mark : own.marks) {
+      if (!is_covered(mark.place, higher)) detail.marks.push_back(mark);
+    }
+    if (overlap(boxes_[i], window)) higher.push_back(&coverages_[i]);
+  }
+  return detail;
 }
 
 }  // namespace skerry::echo

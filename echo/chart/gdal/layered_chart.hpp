@@ -31,6 +31,8 @@ class LayeredChart final : public CoveredChart {
 
   // Error: as the charts'; std::runtime_error if GEOS cannot cut a ring.
   CoastChart load(GeoPoint centre, Length radius) const override;
+  // Marks as objects; of a contour of a lower chart the parts whose ends no higher one covers.
+  ChartDetail detail(GeoPoint centre, Length radius) const override;
   std::string describe() const override;  // all charts, highest first; of more than 4 the number
   const Coverage& coverage() const override { return coverage_; }
 

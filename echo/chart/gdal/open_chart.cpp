@@ -90,6 +90,9 @@ class ElevatedChart final : public CoveredChart {
     if (auto heights = elevation_->load(centre, radius)) chart.elevation = std::move(heights);
     return chart;
   }
+  ChartDetail detail(GeoPoint centre, Length radius) const override {
+    return chart_->detail(centre, radius);
+  }
   std::string describe() const override {
     return chart_->describe() + " with " + elevation_->describe();
   }

@@ -216,6 +216,7 @@ wire::Hello NetContext::hello() const {
   wire::Hello hello = host.hello();
   hello.set_can_record(host.recording() != nullptr);
   hello.set_playback(host.playback() != nullptr);
+  hello.set_has_chart(host.has_chart());
   return hello;
 }
 

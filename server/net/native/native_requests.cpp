@@ -10,12 +10,12 @@
 namespace skerry::server {
 namespace {
 
-// What is wrong with a request for a coastline.
-std::optional<std::string> refusal_of_coastline(const wire::GetCoastline& place) {
-  for (const wire::FieldDescriptor* field : wire::fields_of(*wire::GetCoastline::descriptor())) {
+// What is wrong with a request for a piece of the chart, all of whose fields are numbers.
+std::optional<std::string> refusal_of(const google::protobuf::Message& place, const char* what) {
+  for (const wire::FieldDescriptor* field : wire::fields_of(*place.GetDescriptor())) {
     const double value = place.GetReflection()->GetDouble(place, field);
     if (wire::is_allowed(*field, value)) continue;
-    return fmt::format("coastline: {} {} is out of range; allowed: {}", wire::spoken_name(*field),
+    return fmt::format("{}: {} {} is out of range; allowed: {}", what, wire::spoken_name(*field),
                        value, wire::allowed_by(wire::rule_of(*field)));
   }
   return std::nullopt;
@@ -23,8 +23,22 @@ std::optional<std::string> refusal_of_coastline(const wire::GetCoastline& place)
 
 }  // namespace
 
+template <typename Chart, typename Put>
+void NativeSession::tell_chart(std::uint32_t request, std::optional<Chart> chart, const Put& put) {
+  if (!chart) {
+    reply(request, wire::Reply::REFUSED,
+          "chart: the server has no chart here, or too many ask at once");
+  } else {
+    wire::ServerMessage message;
+    put(message, *std::move(chart));
+    send(message);
+    reply(request, wire::Reply::OK, "");
+  }
+  pump();
+}
+
 void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastline& place) {
-  if (auto wrong = refusal_of_coastline(place)) {
+  if (auto wrong = refusal_of(place, "coastline")) {
     return reply(request, wire::Reply::OUT_OF_RANGE, *std::move(wrong));
   }
   if (std::exchange(coastline_asked_, true)) {
@@ -37,16 +51,30 @@ void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastlin
       const auto session = self.lock();
       if (session == nullptr || session->closed_) return;
       session->coastline_asked_ = false;
-      if (!coastline) {
-        session->reply(request, wire::Reply::REFUSED,
-                       "coastline: the server has no chart here, or too many ask at once");
-      } else {
-        wire::ServerMessage message;
-        *message.mutable_coastline() = *std::move(coastline);
-        session->send(message);
-        session->reply(request, wire::Reply::OK, "");
-      }
-      session->pump();
+      session->tell_chart(request, std::move(coastline), [](auto& message, auto&& told) {
+        *message.mutable_coastline() = std::forward<decltype(told)>(told);
+      });
+    });
+  });
+}
+
+void NativeSession::get_chart_objects(std::uint32_t request, const wire::GetChartObjects& place) {
+  if (auto wrong = refusal_of(place, "chart objects")) {
+    return reply(request, wire::Reply::OUT_OF_RANGE, *std::move(wrong));
+  }
+  if (std::exchange(chart_asked_, true)) {
+    return reply(request, wire::Reply::REFUSED,
+                 "chart objects: they were asked for and have not come yet; ask when they have");
+  }
+  context_.host.find_chart_objects(place, [self = weak_from_this(), io = &context_.io,
+                                           request](std::optional<wire::ChartObjects> objects) {
+    asio::post(*io, [self, request, objects = std::move(objects)]() mutable {
+      const auto session = self.lock();
+      if (session == nullptr || session->closed_) return;
+      session->chart_asked_ = false;
+      session->tell_chart(request, std::move(objects), [](auto& message, auto&& told) {
+        *message.mutable_chart_objects() = std::forward<decltype(told)>(told);
+      });
     });
   });
 }

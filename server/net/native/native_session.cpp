@@ -136,6 +136,8 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       return ask_board(message);
     case wire::ClientMessage::kGetCoastline:
       return get_coastline(message.request(), message.get_coastline());
+    case wire::ClientMessage::kGetChartObjects:
+      return get_chart_objects(message.request(), message.get_chart_objects());
     case wire::ClientMessage::kTargetOrder:
       return order_targets(message.request(), message.target_order());
     case wire::ClientMessage::kRecord:
@@ -147,7 +149,7 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
   }
   fail(wire::Reply::MALFORMED, "malformed request",
        "a ClientMessage without a kind this server knows; expected subscribe, set, get_status, "
-       "record, playback, get_coastline, target_order or one of a board's");
+       "record, playback, get_coastline, get_chart_objects, target_order or one of a board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,

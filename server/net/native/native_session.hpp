@@ -70,6 +70,10 @@ class NativeSession final : public Connection,
   std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
   void set(std::uint32_t request, const wire::Set& set);
   void get_coastline(std::uint32_t request, const wire::GetCoastline& place);
+  void get_chart_objects(std::uint32_t request, const wire::GetChartObjects& place);
+  // A chart that came, or did not, as message and reply.
+  template <typename Chart, typename Put>
+  void tell_chart(std::uint32_t request, std::optional<Chart> chart, const Put& put);
   void order_targets(std::uint32_t request, const wire::TargetOrder& order);
   void record(std::uint32_t request, const wire::Record& record);
   void control_playback(std::uint32_t request, const wire::Playback& playback);
@@ -110,7 +114,8 @@ class NativeSession final : public Connection,
   Cursor cursor_;
   std::uint32_t own_ship_hz_ = kOwnShipLeastHz, exercise_hz_ = 0, targets_hz_ = 0;
   std::shared_ptr<const void> wanted_targets_;  // TargetPort::want()
-  bool coastline_asked_ = false;                // and not yet told
+  bool coastline_asked_ = false;                // and not yet told; the same of the next
+  bool chart_asked_ = false;
   std::uint64_t lost_before_ = 0;               // by earlier subscriptions
 
   // As the log and other consoles name it.

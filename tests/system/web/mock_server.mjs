@@ -9,6 +9,7 @@ import protobuf from 'protobufjs';
 import { WebSocketServer } from 'ws';
 import { controlsDocument } from './controls_document.mjs';
 import { cellsAt, NM } from './mock_scene.mjs';
+import { chartAt, OWN } from './mock_chart.mjs';
 import { coastlineAt } from './mock_exercise.mjs';
 
 const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
@@ -32,12 +33,13 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}),
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), chart: chartAt, at: OWN,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
     // targets: the TargetList that is sent twice a second, without radar and view; null: none.  answerTargets(order): code and text
     // of the Reply.
+    // chart(request): ChartObjects, or null: none is told; at: own ship's place.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
@@ -141,7 +143,7 @@ export class MockServer {
     socket.on('message', (data) => this.#take(client, data));
     this.#send(client, { hello: {
       protocolVersion: 1, server: 'mock 1.0', scenario: 'closed form', rangeScalesNm: RANGES_NM,
-      canRecord: this.recorder !== null, playback: this.playback !== null,
+      canRecord: this.recorder !== null, playback: this.playback !== null, hasChart: this.chart !== null,
       radars: this.ships.map((ownShip, radar) => ({
         radar, name: 'X-band', ownShip, spokesPerTurn: this.spokes, cells: this.cells, bits: this.bits,
         rpm: this.rpm, beamWidthDeg: 1.2,
@@ -181,6 +183,9 @@ export class MockServer {
     } else if (message.kind === 'getCoastline') {
       this.exercise.coastAsked.push(message.getCoastline);
       this.#send(client, { coastline: coastlineAt(message.getCoastline) });
+    } else if (message.kind === 'getChartObjects') {
+      this.#send(client, { chartObjects: this.chart(message.getChartObjects) });
+      reply(0);
     } else if (message.kind === 'set') {
       if (this.refuse) { reply(this.refuse.code, this.refuse.text); return; }
       const wrong = message.set.exercise ? this.exercise.take(message.set.exercise) : null;
@@ -278,7 +283,7 @@ export class MockServer {
     for (const client of this.clients) {
       if (client.radar === null) continue;
       this.#send(client, { ownShip: {
-        radar: client.radar, name: this.ships[client.radar], latitudeDeg: 60.3925, longitudeDeg: 5.3233 - client.radar,
+        radar: client.radar, name: this.ships[client.radar], latitudeDeg: this.at.latitudeDeg, longitudeDeg: this.at.longitudeDeg - client.radar,
         ...this.place?.((this.made / this.spokes) * (60 / this.rpm)),
         headingDeg: this.headingDeg, speedKn: 11.9, rateOfTurnDegMin: 0,
         orderedCourseDeg: this.ordered.courseDeg, orderedSpeedKn: this.ordered.speedKn,
@@ -327,7 +332,7 @@ export class MockServer {
       bearingDeg, sequence, scan: Math.floor(number / this.spokes), index, spokesPerTurn: this.spokes,
       rangeScale: RANGES_NM.indexOf(this.settings.rangeNm), bits: this.bits, cellCount: this.cells,
       cellSizeM: this.cellSizeM(), heading: Math.round((this.headingDeg / 360) * 2 ** 32) >>> 0,
-      latitudeDeg: 60.3925, longitudeDeg: 5.3233, ...this.place?.((number / this.spokes) * (60 / this.rpm)),
+      ...this.at, ...this.place?.((number / this.spokes) * (60 / this.rpm)),
       utcNs: protobuf.util.Long.fromNumber(1.7e18 + (number / this.spokes) * (60 / this.rpm) * 1e9),
       scenarioNs: protobuf.util.Long.fromNumber(1e9), cells: this.#cells(bearingDeg),
       ...(this.doppler ? { doppler: new Uint8Array((this.cells + 3) >> 2).fill(0x55 * this.doppler(bearingDeg)) } : {}),

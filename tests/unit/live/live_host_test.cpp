@@ -57,6 +57,10 @@ class FakeSimulation final : public RadarHost {
   void find_coastline(const wire::GetCoastline&, CoastlineDone done) override {
     done(wire::Coastline());
   }
+  bool has_chart() const override { return true; }
+  void find_chart_objects(const wire::GetChartObjects&, ChartObjectsDone done) override {
+    done(wire::ChartObjects());
+  }
   void close_view(std::uint32_t, std::uint32_t) override {}
   std::vector<View> views(std::uint32_t) override { return {}; }
   std::uint64_t views_version() const override { return 1; }
@@ -227,6 +231,10 @@ TEST(JoinedHost, HasTheExerciseOfTheSimulationWhicheverRadarIsNamed) {
   EXPECT_EQ(joined.exercise_state()->exercise_s(), 7.0);
   bool came = false;
   joined.find_coastline({}, [&](const auto& coastline) { came = coastline.has_value(); });
+  EXPECT_TRUE(came);
+  EXPECT_TRUE(joined.has_chart());
+  came = false;
+  joined.find_chart_objects({}, [&](const auto& objects) { came = objects.has_value(); });
   EXPECT_TRUE(came);
   simulated.sets.clear();  // one that puts the simulated radar to standby
   wire::Set set;

@@ -148,6 +148,10 @@ TEST(PlayedExercise, WithoutTruthSaysSo) {
   bool none = false;
   played.host.find_coastline({}, [&](const auto& coastline) { none = !coastline; });
   EXPECT_TRUE(none);
+  EXPECT_FALSE(played.host.has_chart());
+  none = false;
+  played.host.find_chart_objects({}, [&](const auto& objects) { none = !objects; });
+  EXPECT_TRUE(none);
 }
 
 TEST(PlayedExercise, OfACutFileIsToldAsFarAsItGoes) {

@@ -18,6 +18,17 @@ std::optional<int> S57Feature::integer(const char* attribute) const {
   return std::atoi(list[0]);
 }
 
+std::vector<int> S57Feature::integers(const char* attribute) const {
+  const int index = feature_.GetFieldIndex(attribute);
+  if (index < 0 || !feature_.IsFieldSetAndNotNull(index)) return {};
+  if (feature_.GetFieldDefnRef(index)->GetType() != OFTStringList)
+    return {feature_.GetFieldAsInteger(index)};
+  std::vector<int> all;
+  char** const list = feature_.GetFieldAsStringList(index);
+  for (int i = 0; list != nullptr && list[i] != nullptr; ++i) all.push_back(std::atoi(list[i]));
+  return all;
+}
+
 std::optional<double> S57Feature::real(const char* attribute) const {
   const int index = feature_.GetFieldIndex(attribute);
   if (index < 0 || !feature_.IsFieldSetAndNotNull(index)) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <ogrsf_frmts.h>
 
@@ -24,6 +25,7 @@ class S57Feature {
   const OGRGeometry* geometry() const { return feature_.GetGeometryRef(); }
   // An attribute; the first of a list; nothing if it is not charted.
   std::optional<int> integer(const char* attribute) const;
+  std::vector<int> integers(const char* attribute) const;  // all of a list
   std::optional<double> real(const char* attribute) const;
   std::string text(const char* attribute) const;
 

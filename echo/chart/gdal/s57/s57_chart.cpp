@@ -13,6 +13,7 @@
 #include "echo/chart/gdal/s57/cell_file.hpp"
 #include "echo/chart/gdal/s57/s57_cell.hpp"
 #include "echo/chart/gdal/s57/s57_cover.hpp"
+#include "echo/chart/gdal/s57/s57_detail.hpp"
 #include "echo/chart/gdal/s57/s57_land.hpp"
 #include "echo/chart/gdal/s57/s57_moorings.hpp"
 #include "echo/chart/gdal/s57/s57_objects.hpp"
@@ -185,6 +186,7 @@ S57Chart S57Chart::open(const std::filesystem::path& file, std::vector<std::stri
   read_cover(objects, chart.sheet_);
   read_objects(objects, metres_per_unit, chart.sheet_);
   read_moorings(objects, chart.sheet_);
+  read_detail(objects, chart.sheet_);
   warn_of_unknown_objects(objects);
   cell.dataset.reset();
   chart.sheet_.index();

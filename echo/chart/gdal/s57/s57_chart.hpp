@@ -11,7 +11,8 @@
 namespace skerry::echo {
 
 // An S-57 edition 3.1 cell with its updates, read once into memory: about 100 bytes per vertex.
-// See s57_land.hpp and s57_objects.hpp for the parts that become coast and objects.  Positions are
+// See s57_land.hpp, s57_objects.hpp and s57_detail.hpp for the parts that become coast,
+// objects, and depths and marks.  Positions are
 // those of the file, to 1e-7 degrees; its heights are of its own vertical datum, which is taken as
 // high water.  Not for navigation.
 //
@@ -29,6 +30,9 @@ class S57Chart final : public CoveredChart {
 
   CoastChart load(GeoPoint centre, Length radius) const override {
     return sheet_.window(centre, radius);
+  }
+  ChartDetail detail(GeoPoint centre, Length radius) const override {
+    return sheet_.detail_window(centre, radius);
   }
   std::string describe() const override { return sheet_.source; }  // "ENC US5WA22M edition 40 ..."
   const Coverage& coverage() const override { return sheet_.coverage; }

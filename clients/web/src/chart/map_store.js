@@ -1,0 +1,64 @@
+// Maps kept in this browser by their names, as GeoJSON. What is kept may have been written by anybody who had this browser: it is read
+// as a file is.
+import { fromGeoJson, MapFileError, toGeoJson } from './geojson.js';
+
+const KEY = 'skerry.maps';
+export const FIRST_NAME = 'My map';
+const MOST_MAPS = 30;
+
+export class MapStore {
+  // storage: localStorage, or one like it.
+  constructor(storage) {
+    this.storage = storage;
+    this.current = FIRST_NAME;
+    this.maps = {};
+    try {
+      const kept = JSON.parse(storage.getItem(KEY)) ?? {};
+      for (const [name, text] of Object.entries(kept.maps ?? {}).slice(0, MOST_MAPS)) {
+        if (typeof text === 'string' && isName(name)) this.maps[name] = text;
+      }
+      if (isName(kept.current) && Object.hasOwn(this.maps, kept.current)) this.current = kept.current;
+    } catch {
+      // Nothing kept, or not ours.
+    }
+  }
+
+  get names() {
+    return [...new Set([this.current, ...Object.keys(this.maps)])].sort();
+  }
+
+  // Items of a map. Error: MapFileError.
+  load(name) {
+    const text = Object.hasOwn(this.maps, name) ? this.maps[name] : null;
+    const items = text === null ? [] : fromGeoJson(text);
+    this.current = name;
+    this.#write();
+    return items;
+  }
+
+  // Whether the browser kept it.
+  save(name, items) {
+    if (!Object.hasOwn(this.maps, name) && Object.keys(this.maps).length >= MOST_MAPS) throw new MapFileError(`at most ${MOST_MAPS} maps are kept`);
+    this.maps[name] = toGeoJson(name, items);
+    this.current = name;
+    return this.#write();
+  }
+
+  remove(name) {
+    delete this.maps[name];
+    this.current = Object.keys(this.maps).sort()[0] ?? FIRST_NAME;
+    this.#write();
+  }
+
+  #write() {
+    try {
+      this.storage.setItem(KEY, JSON.stringify({ current: this.current, maps: this.maps }));
+      return true;
+    } catch {
+      return false;
+    }
+  }
+}
+
+// A name that a list can show. Not one of an object's own words.
+export const isName = (name) => typeof name === 'string' && name.trim() !== '' && name.length <= 60 && !(name in {});
