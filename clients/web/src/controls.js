@@ -19,12 +19,12 @@ export function nextPalette(palette) {
 // Keys work anywhere but in a field that needs them itself.
 export function bindKeys(actions) {
   document.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || $('help').open) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector('dialog[open]')) return;
     // The space bar presses what the keyboard has reached.
     if (event.key === ' ' && event.target.matches?.(':is(button, input, select, a):focus-visible')) return;
     const field = event.target.closest?.('input, select');
-    const arrow = event.key.startsWith('Arrow');
-    if (field && (arrow || field.matches('[type=number], [type=password], [type=text]') ||
+    const moves = event.key.startsWith('Arrow') || ['Home', 'End', 'PageUp'].includes(event.key);
+    if (field && (moves || field.matches('[type=number], [type=password], [type=text]') ||
                   (field.matches('select') && /^[a-z0-9]$/i.test(event.key)))) return;
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     if (!action) return;
