@@ -29,7 +29,7 @@ import { Setups } from './panel/setups.js';
 import { ShipOrders } from './panel/ship_orders.js';
 import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
-import { fitSide } from './picture/fit.js';
+import { Layout } from './picture/fit.js';
 import { bindPicture, showMode } from './picture/picture_panel.js';
 import { pictureKeys } from './picture/picture_keys.js';
 import { PictureSettings } from './picture/picture_settings.js';
@@ -45,7 +45,7 @@ import { Recording } from './recording.js';
 import { Rate } from './stream_stats.js';
 import { TargetConsole } from './targets/targets.js';
 import { openTestAccess } from './test_access.js';
-import { NAUTICAL_MILE_M, ViewGeometry } from './view_geometry.js';
+import { NAUTICAL_MILE_M } from './view_geometry.js';
 import { $ } from './widgets.js';
 
 const READOUTS_MS = 100;
@@ -154,7 +154,7 @@ const chart = new ChartPart({
 });
 if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
-const screens = new Screens({ radar, layOut: () => layOut(), notify }, choices);
+const screens = new Screens({ radar, layOut: () => layout.layOut(), notify }, choices);
 const subscription = new Subscription({
   radar, set, notify, controls: table.controls, askToken: () => { $('access').hidden = false; },
   send: (number, like, own) => connection.subscribe(number, like, own, token, { targetsHz: 2 }),
@@ -187,45 +187,8 @@ function showAvailability() {
 }
 
 // The picture.
-let view = new ViewGeometry(100, 10, 1);
-
-const marginOf = (side) => Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
-// The data's boxes at their largest, so that a figure more or less does not resize the picture.
-const boxes = [...document.querySelectorAll('#display > .corner')].map((element) => ({ element, width: 0, height: 0 }));
-const narrow = matchMedia('(max-width: 760px)');
-
-function layOut() {
-  const display = $('display').getBoundingClientRect();
-  // On a narrow screen the data stand below the picture.
-  const area = narrow.matches && !isWatching ? { width: display.width, height: display.width } : display;
-  const inCorners = area === display && !isWatching;
-  const side = fitSide(area.width, area.height, inCorners ? boxes : [], marginOf);
-  if (side !== view.side || view.pixelRatio !== (window.devicePixelRatio || 1)) {
-    const { upDeg, rangeM, ownAt, jumps } = view;
-    view = Object.assign(new ViewGeometry(side, marginOf(side), window.devicePixelRatio || 1), { upDeg, rangeM, ownAt, jumps });
-  }
-  Object.assign($('ppi').style, {
-    width: `${side}px`, height: `${side}px`,
-    left: `${Math.floor((area.width - side) / 2)}px`, top: `${Math.floor((area.height - side) / 2)}px`,
-  });
-}
-
-// Whether a box has grown.
-function measureBoxes() {
-  let grew = false;
-  for (const box of boxes) {
-    const { offsetWidth: width, offsetHeight: height } = box.element;
-    grew ||= width > box.width || height > box.height;
-    Object.assign(box, { width: Math.max(width, box.width), height: Math.max(height, box.height) });
-  }
-  return grew;
-}
-
-// A change of the pixel ratio alone (zoom, another screen) resizes nothing but is told here.
-function watchPixelRatio() {
-  matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`)
-    .addEventListener('change', () => { layOut(); watchPixelRatio(); }, { once: true });
-}
+let view;
+const layout = new Layout($('display'), $('ppi'), isWatching, (made) => { view = made; });
 
 function draw() {
   const nowS = seconds();
@@ -361,14 +324,5 @@ setups.addPart('receiver', { take: () => subscription.valuesOf(radar.settings), 
 setups.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
 new Setups(setups, notify);
 
-new ResizeObserver(() => {
-  for (const box of boxes) box.width = box.height = 0;
-  measureBoxes();
-  layOut();
-}).observe($('display'));
-const grown = new ResizeObserver(() => { if (measureBoxes()) layOut(); });
-for (const { element } of boxes) grown.observe(element);
-watchPixelRatio();
-layOut();
 openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts, chart });
 requestAnimationFrame(frame);

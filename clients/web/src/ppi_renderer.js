@@ -6,7 +6,7 @@
 // afterglow, sweep. Both are exact at each pixel's own bearing and range; nothing is interpolated.
 // While own ship sails over the picture (true motion) the disc stays: each row lies where it was seen from.
 import { SIDE as TRAILS_SIDE, TILE } from './picture/true_trails.js';
-import { SCREEN_FRAGMENT, SCREEN_VERTEX, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
+import { screenFragment, SCREEN_VERTEX, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
 
 const MAX_WEDGE_RAD = Math.PI / 6;
 const EDGE_PX = 2;  // a wedge reaches so far beyond its rows: half a pixel's diagonal, and rounding
@@ -26,12 +26,11 @@ export class PpiRenderer {
   #create() {
     const gl = this.gl;
     this.wedge = program(gl, WEDGE_VERTEX, WEDGE_FRAGMENT);
-    this.screen = program(gl, SCREEN_VERTEX, SCREEN_FRAGMENT);
+    this.screens = new Map();  // variants of the second pass, made when needed
+    this.#screen({ trueTrails: false, videoLimit: false });
     this.textures = {
       cells: texture(gl), doppler: texture(gl), meta: texture(gl), disc: texture(gl), colours: texture(gl), trails: texture(gl),
     };
-    gl.bindTexture(gl.TEXTURE_2D, this.textures.trails);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R16UI, 1, 1, 0, gl.RED_INTEGER, gl.UNSIGNED_SHORT, new Uint16Array(1));
     this.framebuffer = gl.createFramebuffer();
     this.corners = gl.createBuffer();
     this.emptyArray = gl.createVertexArray();
@@ -176,9 +175,20 @@ export class PpiRenderer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
+  #screen(variant) {
+    const key = JSON.stringify(variant);
+    if (!this.screens.has(key)) this.screens.set(key, program(this.gl, SCREEN_VERTEX, screenFragment(variant)));
+    return this.screens.get(key);
+  }
+
   #colourDisc(view, side, look) {
     const gl = this.gl;
-    const { program, at } = this.screen;
+    const own = ownOnDisc(view), pixelsPerM = (view.radius * view.pixelRatio) / view.rangeM;
+    const videoPx = look.videoM > 0 && view.rangeM > 0 ? look.videoM * pixelsPerM : Infinity;
+    const { trueTrails } = look;
+    const { program, at } = this.#screen({
+      trueTrails: trueTrails !== null, videoLimit: videoPx < view.radius * view.pixelRatio + Math.hypot(own.x, own.y) - 0.5,
+    });
     gl.viewport(0, 0, side, side);
     gl.useProgram(program);
     gl.uniform1f(at('halfSide'), side / 2);
@@ -187,15 +197,11 @@ export class PpiRenderer {
     gl.uniform1f(at('turnS'), look.turnS);
     gl.uniform1f(at('afterglow'), look.afterglow);
     gl.uniform1f(at('sweepRow'), look.sweepRow);
-    const own = ownOnDisc(view), pixelsPerM = (view.radius * view.pixelRatio) / view.rangeM;
     gl.uniform2f(at('own'), own.x, own.y);
-    const videoPx = look.videoM > 0 && view.rangeM > 0 ? look.videoM * pixelsPerM : Infinity;
-    const seenAll = videoPx > view.radius * view.pixelRatio + Math.hypot(own.x, own.y) - 0.5;
-    gl.uniform1f(at('videoPx'), seenAll ? 4 * side : videoPx);
+    gl.uniform1f(at('videoPx'), videoPx);
     gl.uniform1f(at('trails'), look.trails);
-    gl.uniform1i(at('hasTrueTrails'), look.trueTrails ? 1 : 0);
-    if (look.trueTrails) {
-      const { cellM, own: cell, nowTick, lifeTicks } = look.trueTrails.look(look.nowS, look.trailS);
+    if (trueTrails) {
+      const { cellM, own: cell, nowTick, lifeTicks } = trueTrails.look(look.nowS, look.trailS);
       const up = (view.upDeg * Math.PI) / 180, cells = 1 / (pixelsPerM * cellM);
       gl.uniform2f(at('eastward'), cells * Math.cos(up), cells * Math.sin(up));
       gl.uniform2f(at('northward'), -cells * Math.sin(up), cells * Math.cos(up));
@@ -209,7 +215,8 @@ export class PpiRenderer {
     gl.uniform3fv(at('trailColour'), look.palette.trail);
     gl.uniform3fv(at('sweepColour'), look.palette.sweep);
     this.#bind(at, {
-      disc: this.textures.disc, meta: this.textures.meta, echoColours: this.textures.colours, trueTrails: this.textures.trails,
+      disc: this.textures.disc, meta: this.textures.meta, echoColours: this.textures.colours,
+      ...(trueTrails ? { trueTrails: this.textures.trails } : {}),
     });
     gl.bindVertexArray(this.emptyArray);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

@@ -70,28 +70,35 @@ void main() {
 }
 `;
 
-// Disc -> screen: colours, afterglow by the row's age, the sweep.
-export const SCREEN_FRAGMENT = `#version 300 es
+// Disc -> screen: colours, afterglow by the row's age, the sweep. Each variant does only what it needs: software renderers work
+// through both sides of every branch. trueTrails: those, instead of the trails around own ship; videoLimit: the spokes end within
+// the picture.
+export const screenFragment = ({ trueTrails, videoLimit }) => `#version 300 es
+${trueTrails ? '#define TRUE_TRAILS' : ''}
+${videoLimit ? '#define VIDEO_LIMIT' : ''}
 precision highp float;
 precision highp int;
 uniform mediump sampler2D disc;
 uniform highp sampler2D meta;
 uniform mediump sampler2D echoColours;
-uniform highp usampler2D trueTrails;  // see true_trails.js
 uniform float halfSide, radius;   // pixels
 uniform vec2 own;                 // own ship, pixels from the centre, y up
-uniform float videoPx;            // no spoke reaches farther from own ship
-uniform float trails;             // brilliance; 0: none
-uniform bool hasTrueTrails;       // instead of those around own ship
-uniform vec2 eastward, northward; // screen to cells of the true trails
-uniform vec2 ownCell;
-uniform float nowTick, lifeTicks; // lifeTicks below 0: trails stay
+uniform float trails;             // brilliance, 0..1
 uniform float now, turnS;         // seconds
 uniform float afterglow;          // 0: even picture, 1: fades to a tenth within a turn
 uniform float sweepRow;           // newest row; below 0: no sweep
 uniform float brilliance;
 uniform vec3 sea, seaEdge, trailColour, sweepColour;
 out vec4 colour;
+
+#ifdef VIDEO_LIMIT
+uniform float videoPx;            // no spoke reaches farther from own ship
+#endif
+#ifdef TRUE_TRAILS
+uniform highp usampler2D trueTrails;  // see true_trails.js
+uniform vec2 eastward, northward; // screen to cells of the true trails
+uniform vec2 ownCell;
+uniform float nowTick, lifeTicks; // lifeTicks below 0: trails stay
 
 // How fresh the true trail is here, 0..1.
 float trueTrail(vec2 fromOwn) {
@@ -103,6 +110,7 @@ float trueTrail(vec2 fromOwn) {
   if (tick == 0u) return 0.0;
   return lifeTicks < 0.0 ? 0.8 : clamp(1.0 - (nowTick - float(tick)) / lifeTicks, 0.0, 1.0);
 }
+#endif
 
 void main() {
   vec2 p = gl_FragCoord.xy - vec2(halfSide);
@@ -110,10 +118,12 @@ void main() {
   float inside = clamp(radius + 0.5 - r, 0.0, 1.0);
   if (inside <= 0.0) { colour = vec4(0.0); return; }
   vec3 c = mix(sea, seaEdge, smoothstep(0.0, 1.0, r / radius));
+#ifdef VIDEO_LIMIT
   float fromOwn = length(p - own);
   // Beyond the video nothing is known: not sea, and a thin line where it ends.
   c = mix(c, seaEdge * 0.4, clamp(fromOwn - videoPx, 0.0, 1.0));
   c += sweepColour * 0.45 * clamp(1.0 - abs(fromOwn - videoPx), 0.0, 1.0);
+#endif
 
   ivec4 d = ivec4(texelFetch(disc, ivec2(gl_FragCoord.xy), 0) * 255.0 + 0.5);
   int rows = textureSize(meta, 0).x;
@@ -123,13 +133,17 @@ void main() {
     c += sweepColour * (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0));
   }
   vec4 m = texelFetch(meta, ivec2(row, 0), 0);
-  if (hasTrueTrails && d.a < 255) c = mix(c, trailColour, 0.8 * trails * trueTrail(p - own));
+#ifdef TRUE_TRAILS
+  if (d.a < 255) c = mix(c, trailColour, 0.8 * trails * trueTrail(p - own));
+#endif
   if (m.g > 0.0) {
     float age = max(0.0, now - m.r) / turnS;                   // turns
     float present = 1.0 - smoothstep(1.3, 2.6, age);           // a missing sector goes out
     float glow = mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
+#ifndef TRUE_TRAILS
     float trail = float(d.a) / 255.0;
-    if (!hasTrueTrails && d.a < 255) c = mix(c, trailColour, 0.8 * trails * trail * present);
+    if (d.a < 255) c = mix(c, trailColour, 0.8 * trails * trail * present);
+#endif
     vec4 echo = texelFetch(echoColours, ivec2(d.r, d.g >> 6), 0);
     c = mix(c, echo.rgb * brilliance, echo.a * present * glow);
   }

@@ -1,4 +1,5 @@
-// How large the picture may be, so that the data in its corners cover nothing of its circle.
+// How large the picture is and where it lies, so that the data in its corners cover nothing of its circle.
+import { ViewGeometry } from '../view_geometry.js';
 
 const SMALLEST = 0.55;  // of what there is room for; below it the data may cover what is left
 
@@ -14,4 +15,61 @@ export function fitSide(width, height, corners, marginOf) {
   });
   while (side > most * SMALLEST && !clear(side)) side -= 2;
   return Math.floor(side);
+}
+
+const marginOf = (side) => Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
+
+export class Layout {
+  // display: the area, with .corner boxes; ppi: the square in it. isAlone: there are no boxes. made(view): the size is another; a
+  // ViewGeometry that stands as the one before.
+  constructor(display, ppi, isAlone, made) {
+    Object.assign(this, { display, ppi, made });
+    this.view = new ViewGeometry(100, 10, 1);
+    // At their largest, so that a figure more or less does not resize the picture.
+    const corners = isAlone ? [] : [...display.querySelectorAll(':scope > .corner')];
+    this.boxes = corners.map((element) => ({ element, width: 0, height: 0 }));
+    this.narrow = isAlone ? { matches: false } : matchMedia('(max-width: 760px)');
+    new ResizeObserver(() => {
+      for (const box of this.boxes) box.width = box.height = 0;
+      this.#measure();
+      this.layOut();
+    }).observe(display);
+    const grown = new ResizeObserver(() => { if (this.#measure()) this.layOut(); });
+    for (const { element } of this.boxes) grown.observe(element);
+    this.#watchPixelRatio();
+    this.layOut();
+  }
+
+  // Whether a box has grown.
+  #measure() {
+    let grew = false;
+    for (const box of this.boxes) {
+      const { offsetWidth: width, offsetHeight: height } = box.element;
+      grew ||= width > box.width || height > box.height;
+      Object.assign(box, { width: Math.max(width, box.width), height: Math.max(height, box.height) });
+    }
+    return grew;
+  }
+
+  layOut() {
+    const { width, height: all } = this.display.getBoundingClientRect();
+    // On a narrow screen the data stand below the picture.
+    const height = this.narrow.matches ? width : all;
+    const side = fitSide(width, height, this.narrow.matches ? [] : this.boxes, marginOf);
+    const pixelRatio = window.devicePixelRatio || 1;
+    if (side !== this.view.side || pixelRatio !== this.view.pixelRatio) {
+      const { upDeg, rangeM, ownAt, jumps } = this.view;
+      this.view = Object.assign(new ViewGeometry(side, marginOf(side), pixelRatio), { upDeg, rangeM, ownAt, jumps });
+      this.made(this.view);
+    }
+    Object.assign(this.ppi.style, {
+      width: `${side}px`, height: `${side}px`, left: `${Math.floor((width - side) / 2)}px`, top: `${Math.floor((height - side) / 2)}px`,
+    });
+  }
+
+  // A change of the pixel ratio alone (zoom, another screen) resizes nothing but is told here.
+  #watchPixelRatio() {
+    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`)
+      .addEventListener('change', () => { this.layOut(); this.#watchPixelRatio(); }, { once: true });
+  }
 }

@@ -123,8 +123,10 @@ test('off-centre by hand: echoes, scale and rings are as seen from own ship, nev
   await page.keyboard.press('Shift+o');
   for (let i = 0; i < 9; ++i) await page.keyboard.press('Shift+ArrowLeft');
   await page.locator('.notice', { hasText: '75 %' }).waitFor();
-  const far = await ppi();
-  assert.ok(Math.abs(Math.hypot(far.own.x - far.centre.x, far.own.y - far.centre.y) / far.radiusPx - 0.75) < 1e-6);
+  await page.waitForFunction(() => {
+    const { own, centre, radiusPx } = window.skerry.ppi;
+    return Math.abs(Math.hypot(own.x - centre.x, own.y - centre.y) / radiusPx - 0.75) < 1e-6;
+  });
   await page.keyboard.press('Escape');
   await page.keyboard.press('PageUp');
   await page.waitForFunction(() => { const p = window.skerry.ppi; return p.own.y > p.centre.y + 0.4 * p.radiusPx; });
@@ -360,8 +362,9 @@ test('in true motion own ship sails over the picture, and begins anew at 75 % wi
   // East, 40 m at a time: 0.0864 of the radius.
   let at = begin, steps = 0;
   for (; steps < 40; ++steps) {
+    const { own } = await ppi();
     eastM += 40;
-    await page.waitForFunction((old) => window.skerry.ppi.own.x !== old, (await ppi()).own.x);
+    await page.waitForFunction((old) => window.skerry.ppi.own.x !== old, own.x);
     const next = await place();
     if (next.x < at.x) { at = next; break; }
     assert.ok(Math.abs(next.x - at.x - 40 / (0.25 * NM)) < 0.002 && next.x < 0.75, JSON.stringify([at, next]));
@@ -370,8 +373,9 @@ test('in true motion own ship sails over the picture, and begins anew at 75 % wi
   assert.equal(steps, Math.ceil((0.75 + 0.7) / (40 / (0.25 * NM))) - 1, 'it begins anew at 75 %');
   assert.ok(Math.abs(at.x - begin.x) < 0.001, 'where it began');
   await page.locator('.notice', { hasText: 'reset' }).first().waitFor();
+  const { own } = await ppi();
   eastM += 40;
-  await page.waitForFunction((old) => window.skerry.ppi.own.x !== old, (await ppi()).own.x);
+  await page.waitForFunction((old) => window.skerry.ppi.own.x !== old, own.x);
   await page.locator('#motion-reset').click();
   await page.waitForFunction(() => { const { own, centre, radiusPx } = window.skerry.ppi; return Math.abs((own.x - centre.x) / radiusPx + 0.7) < 1e-6; });
   // Relative trails are refused while she sails.
@@ -391,6 +395,8 @@ test('true and relative trails show where echoes were, and neither is lost by th
   await waitForScan(page);
   server.change({ gain: 5 });
   await waitForScan(page);
+  // No spoke is drawn any more, so that no sweep lights the sea.
+  await page.evaluate(() => window.skerry.holdAfter(window.skerry.state().scan - 1));
   const blue = async () => {
     const shot = await capture(page);
     const at = ({ x, y }) => shot.data[4 * (Math.floor(y) * shot.width + Math.floor(x)) + 2];
