@@ -443,7 +443,7 @@ test('an event is marked with place and time; without a position nothing is', as
   await page.waitForFunction(() => window.skerry.chart().place === null);
   await page.locator('#event-mark').click();
   await page.keyboard.press('o');
-  assert.match(await page.locator('#notices').textContent(), /event was not marked.*Man overboard was not marked/s);
+  assert.match(await page.locator('#notices').textContent(), /Man overboard was not marked.*event was not marked/s);
   assert.equal((await chart()).items.length, 1);
   assert.equal((await chart()).mob, null);
 });
