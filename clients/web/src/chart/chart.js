@@ -32,6 +32,7 @@ export class ChartPart {
     this.editor = new MapEditor($('ppi'), {
       items: this.items, painter: this.mapPainter, notify,
       now: () => ({ view: this.view, place: this.place }), form: () => this.panel.form, changed: () => this.#editorChanged(),
+      released: () => this.panel.keep(),
     });
     this.panel = new MapPanel({ items: this.items, editor: this.editor, store: new MapStore(localStorage), notify });
     this.panel.open(this.panel.store.current);
@@ -114,7 +115,7 @@ export class ChartPart {
 
   #itemsChanged() {
     if (!this.isOpen) return;
-    this.panel.keep();
+    if (!this.editor.drag) this.panel.keep();
     this.panel.show();
   }
 
@@ -129,6 +130,7 @@ export class ChartPart {
       : [objects.chart, objects.coastOnly ? 'coast only' : '', objects.marksLeftOut > 0 ? `${objects.marksLeftOut} marks left out` : '', 'not for navigation']
         .filter(Boolean).join(' · ');
     write('chart-note', text);
+    $('chart-note').title = text;
   }
 
   // The charted mark under the cursor.

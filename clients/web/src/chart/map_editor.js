@@ -7,7 +7,8 @@ const TWICE_MS = 400, TWICE_PX = 10;
 const REACH_PX = 12, COARSE_REACH_PX = 24;  // of a finger
 
 export class MapEditor {
-  // parts: items (MapItems), painter (MapPainter), now(): { view, place }, form(): { kind, text }, notify(text), changed().
+  // parts: items (MapItems), painter (MapPainter), now(): { view, place }, form(): { kind, text }, notify(text), changed(),
+  // released(): a drag has ended.
   constructor(element, parts) {
     Object.assign(this, parts, { element, mode: 'off', draft: null, selected: null, drag: null, lastPress: null });
     const listen = (type, handler) => element.addEventListener(type, handler, { capture: true });
@@ -125,6 +126,7 @@ export class MapEditor {
     if (this.drag?.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
     this.drag = null;
+    this.released();
   }
 
   #key(event) {

@@ -126,7 +126,7 @@ export class MapPanel {
     $('map-finish').disabled = $('map-drop').disabled = !editor.draft;
     $('map-change').disabled = !editor.selected;
     $('map-add').textContent = editor.mode === 'line' ? 'Add to line' : 'Add point';
-    $('map-remove').textContent = this.removing ? 'Press again' : 'Delete map';
+    $('map-remove').textContent = this.removing ? 'Sure?' : 'Delete';
     const names = store.names;
     if (names.join('\n') !== this.named) $('map-name').replaceChildren(...names.map((name) => new Option(name, name)));
     this.named = names.join('\n');

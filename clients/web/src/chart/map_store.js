@@ -12,14 +12,22 @@ export class MapStore {
     this.storage = storage;
     this.current = FIRST_NAME;
     this.maps = {};
+    const current = this.#read();
+    if (isName(current) && Object.hasOwn(this.maps, current)) this.current = current;
+  }
+
+  // The maps as they are now: another page of this browser may have written some. Gives the name of the one that was open last.
+  #read() {
     try {
-      const kept = JSON.parse(storage.getItem(KEY)) ?? {};
+      const kept = JSON.parse(this.storage.getItem(KEY)) ?? {};
+      const maps = {};
       for (const [name, text] of Object.entries(kept.maps ?? {}).slice(0, MOST_MAPS)) {
-        if (typeof text === 'string' && isName(name)) this.maps[name] = text;
+        if (typeof text === 'string' && isName(name)) maps[name] = text;
       }
-      if (isName(kept.current) && Object.hasOwn(this.maps, kept.current)) this.current = kept.current;
+      this.maps = maps;
+      return kept.current;
     } catch {
-      // Nothing kept, or not ours.
+      return null;  // nothing kept, or not ours
     }
   }
 
@@ -38,6 +46,7 @@ export class MapStore {
 
   // Whether the browser kept it.
   save(name, items) {
+    this.#read();
     if (!Object.hasOwn(this.maps, name) && Object.keys(this.maps).length >= MOST_MAPS) throw new MapFileError(`at most ${MOST_MAPS} maps are kept`);
     this.maps[name] = toGeoJson(name, items);
     this.current = name;
@@ -45,6 +54,7 @@ export class MapStore {
   }
 
   remove(name) {
+    this.#read();
     delete this.maps[name];
     this.current = Object.keys(this.maps).sort()[0] ?? FIRST_NAME;
     this.#write();

@@ -282,6 +282,10 @@ test('maps are kept by name, and what others wrote there does no harm', () => {
   assert.equal(again.current, 'Other');
   assert.deepEqual(again.names, ['Fjord', 'Other']);
   assert.deepEqual(again.load('Fjord'), ITEMS);
+  store.save('Third', []);  // by another page meanwhile
+  again.save('Fjord', ITEMS);
+  assert.deepEqual(new MapStore(storage).names, ['Fjord', 'Other', 'Third']);
+  again.remove('Third');
   again.remove('Fjord');
   assert.deepEqual(new MapStore(storage).names, ['Other']);
   for (const text of ['{', 'null', '7', '{"maps":7}', '{"maps":{"toString":"x","a":7," ":"y"},"current":{}}', '{"maps":null,"current":"__proto__"}']) {
