@@ -19,6 +19,7 @@ export async function open(options = {}, viewport) {
   const url = await server.start();
   page = await openConsole(browser, url, viewport);
   await page.locator('#afterglow').fill('0');
+  await page.evaluate(() => window.skerry.showTab('chart'));
   return url;
 }
 export async function openChart(options, viewport) {

@@ -15,6 +15,7 @@ export async function openTargets(browser, list, { settings = {}, context = { vi
     await page.reload();
     await page.waitForFunction(() => window.skerry !== undefined);
   }
+  await page.evaluate(() => window.skerry.showTab('targets'));
   await listed(page);
   return { server, page };
 }

@@ -62,6 +62,7 @@ async function truth() {
 
 test('ships are acquired by presses on their echoes, and their data are those of the exercise', { timeout: TRACKED_MS + 120000 }, async (t) => {
   page = await openConsole(browser, `http://127.0.0.1:${server.http}/`);
+  await page.evaluate(() => window.skerry.showTab('targets'));
   await page.waitForFunction(() => window.skerry.targets().list !== null, null, { timeout: 60000 });
   await page.locator('#targets-rules summary').click();
   await page.locator('#rule-acquire').selectOption('0');
