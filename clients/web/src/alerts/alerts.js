@@ -139,7 +139,7 @@ export class AlertConsole {
     return { calling: this.sound.calling, soundAllowed: this.sound.isAllowed, beeps: this.sound.beeps, history: this.history.entries.length };
   }
 
-  // Keys of the console, for bindKeys().
+  // For the table of keys (keys/key_table.js).
   get keys() {
     const group = 'Alerts';
     return [

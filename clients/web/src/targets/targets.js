@@ -177,7 +177,6 @@ export class TargetConsole {
     };
   }
 
-  // Keys of the console, for bindKeys().
   // For the table of keys (keys/key_table.js).
   get keys() {
     const group = 'Targets';
