@@ -116,7 +116,7 @@ class NativeSession final : public Connection,
   std::shared_ptr<const void> wanted_targets_;  // TargetPort::want()
   bool coastline_asked_ = false;                // and not yet told; the same of the next
   bool chart_asked_ = false;
-  std::uint64_t lost_before_ = 0;               // by earlier subscriptions
+  std::uint64_t lost_before_ = 0;  // by earlier subscriptions
 
   // As the log and other consoles name it.
   std::string origin() const { return "console " + client_->peer; }
