@@ -147,7 +147,7 @@ export class ToolsPanel {
     const { group, on, choice, frame, fields } = this.lineParts, line = tools.lines[this.line];
     group.setAttribute('aria-pressed', String(tools.areLinesOn && tools.lines.some((l) => l.on)));
     on.textContent = line.on ? 'On' : 'Off';
-    on.ariaLabel = `Line ${this.line + 1}`;
+    on.ariaLabel = `Line ${this.line + 1}: ${on.textContent}`;
     on.setAttribute('aria-pressed', String(line.on));
     choice.forEach((button, n) => {
       button.setAttribute('aria-pressed', String(n === this.line));

@@ -22,7 +22,7 @@ export class VectorPanel {
                                      ['target-names', 'names', 'Names']]) {
       boxes.append(toggle(id, words, (on) => this.change({ [name]: on })));
     }
-    this.joined = element('select', { id: 'target-joined' }, new Option('AIS symbol', 'ais'), new Option('Radar symbol', 'radar'));
+    this.joined = element('select', { id: 'target-joined' }, new Option('AIS', 'ais'), new Option('Radar', 'radar'));
     this.joined.addEventListener('change', () => this.change({ joined: this.joined.value }));
     this.element = element('div', {}, modes, element('div', { className: 'steps' }, this.less, this.minutes, this.more), boxes,
       element('label', { className: 'row' }, element('span', { textContent: 'Radar and AIS as one' }), this.joined));

@@ -60,7 +60,7 @@ const scrolled = () => page.evaluate(() => [scrollX, scrollY, ...[document.docum
 
 async function checkLayout(width, height, finger) {
   await page.waitForFunction((side) => document.getElementById('ppi').clientWidth >= side - 1, Math.min(width, height));
-  for (const tab of ['Radar', 'Tools', 'Set-up']) {
+  for (const tab of ['Radar', 'Targets', 'Tools', 'Chart', 'Set-up']) {
     await page.getByRole('tab', { name: tab }).click();
     const { found, count } = await faults(finger ? 44 : 0);
     assert.deepEqual(found, [], `${tab} at ${width}x${height}`);
@@ -107,7 +107,7 @@ test('no click and no focus on any control scrolls the page', async () => {
       await page.locator(`#${id} + span`).click();
       assert.deepEqual(await scrolled(), Array(8).fill(0), `${id} at ${width}x${height}`);
     }
-    for (const tab of ['Radar', 'Tools', 'Set-up']) {
+    for (const tab of ['Radar', 'Targets', 'Tools', 'Chart', 'Set-up']) {
       await page.getByRole('tab', { name: tab }).click();
       await everyControl(`${tab} at ${width}x${height}`);
     }
@@ -148,9 +148,11 @@ test('tabs are moved through by keys, are kept, and sections without a tab are i
   const tab = (name) => page.getByRole('tab', { name, exact: true });
   await tab('Radar').click();
   await page.keyboard.press('ArrowRight');
+  assert.equal(await tab('Targets').getAttribute('aria-selected'), 'true');
+  await page.keyboard.press('ArrowRight');
   assert.equal(await tab('Tools').getAttribute('aria-selected'), 'true');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'tab-tools');
-  assert.equal(await page.locator('#rings + span').isVisible(), true);
+  assert.equal(await page.locator('#measure').isVisible(), true);
   assert.equal(await page.locator('#pulse').isVisible(), false);
   await page.keyboard.press('End');
   assert.equal(await tab('Set-up').getAttribute('aria-selected'), 'true');
@@ -184,7 +186,7 @@ test('axe-core finds nothing serious on the console, the con and the instructor\
       await page.waitForFunction(() => window.skerry.state().connection === 'live');
       if (path.startsWith('?')) await page.waitForFunction(() => !document.documentElement.hasAttribute('data-off'));
       await page.evaluate(AXE);
-      for (const tab of path.startsWith('?') ? ['Radar', 'Tools', 'Set-up'] : [null]) {
+      for (const tab of path.startsWith('?') ? ['Radar', 'Targets', 'Tools', 'Chart', 'Set-up'] : [null]) {
         if (tab) await page.getByRole('tab', { name: tab }).click();
         await page.evaluate(() => { for (const each of document.querySelectorAll('details')) each.open = true; });
         const found = await page.evaluate(async () => (await window.axe.run()).violations
