@@ -158,11 +158,12 @@ TEST(Scenario, OneMistakeIsReportedOnce) {
       << "not that two ships of no name have the same";
   EXPECT_EQ(refusal(kOwnShip + "    length_m: long\n    beam_m: 80\n"),
             "6:15: own_ships[0].length_m: expected a number, given long; allowed: 2 to 500 m");
-  EXPECT_EQ(refusal(kTarget + "    waypoints: [{lat: 99, lon: 5}, {lat: 61, lon: 5}]\n"
-                              "    speed_kn: fast\n"),
-            "9:23: targets[0].waypoints[0].lat: 99 is out of range; allowed: -90 to 90 deg\n"
-            "test.yaml:10:15: targets[0].speed_kn: expected a number, given fast; allowed: 0 to 100 "
-            "kn\ntest.yaml: 2 errors");
+  EXPECT_EQ(
+      refusal(kTarget + "    waypoints: [{lat: 99, lon: 5}, {lat: 61, lon: 5}]\n"
+                        "    speed_kn: fast\n"),
+      "9:23: targets[0].waypoints[0].lat: 99 is out of range; allowed: -90 to 90 deg\n"
+      "test.yaml:10:15: targets[0].speed_kn: expected a number, given fast; allowed: 0 to 100 "
+      "kn\ntest.yaml: 2 errors");
   const std::string set = refusal(
       "name: s\nown_ships:\n  - name: F\n    position: {lat: 60, lon: 5}\n"
       "    radars: [{set: none, antenna_gain_db: 40, gain: 101}]\n");

@@ -235,7 +235,7 @@ test('a new target is made where the chart is clicked, with its form\'s values',
   await until('s.exercise.ships.some((x) => x.name === "Big Åse")');
   const second = await next('newTarget', () => page.locator('#tool-target [data-at-centre]').click());
   assert.equal(second.name, undefined, 'the next has a name of its own');
-  await page.locator('#new-speed').fill('99');
+  await page.locator('#new-speed').fill('101');
   await page.mouse.click(x + 80, y);
   await page.waitForTimeout(200);
   assert.equal(kit.orders().length, 2, 'out of range');
