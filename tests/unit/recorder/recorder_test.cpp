@@ -32,11 +32,13 @@ class Recording : public testing::Test {
   wire::Reply ask(wire::Record::Action action, const std::string& name = {}) {
     return recorder().record(record_of(action, name), "console 192.0.2.7:1");
   }
-  void begin(const std::string& name = "a") {
-    // Its spokes are later than the recorder's start, however long a loaded machine takes to start
-    // it.
+  // Spokes are later than the recorder's start, however long a loaded machine takes to start it.
+  void set_clock_ahead() {
     host_.begin_utc = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now()) +
                       std::chrono::seconds(5);
+  }
+  void begin(const std::string& name = "a") {
+    set_clock_ahead();
     before_ = host_.published(0) + host_.published(1);
     ASSERT_EQ(ask(wire::Record::START, name).code(), wire::Reply::OK);
     ASSERT_TRUE(reaches(recorder(), State::RECORDING));
@@ -144,6 +146,7 @@ TEST_F(Recording, OfOneRadarHasThatAlone) {
   wire::Record record = record_of(wire::Record::START, "one");
   record.add_radars(1);
   record.add_radars(1);
+  set_clock_ahead();
   ASSERT_EQ(recorder().record(record, "test").code(), wire::Reply::OK);
   ASSERT_TRUE(reaches(recorder(), State::RECORDING));
   host_.publish(0);
