@@ -118,6 +118,7 @@ test('layers are switched one by one, dimmed, and remembered', async () => {
   assert.equal(await page.evaluate(() => getComputedStyle(document.getElementById('chart')).opacity), '0.3');
   await page.goto(url);
   await page.waitForFunction(() => window.skerry?.chart().drawn > 0);
+  await page.evaluate(() => window.skerry.showTab('chart'));
   assert.equal(await page.locator('#chart-buoys').isChecked(), false);
   assert.equal(await page.locator('#chart-brilliance-value').textContent(), '30');
   await page.locator('#chart-coast').uncheck({ force: true });

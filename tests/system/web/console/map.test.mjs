@@ -221,6 +221,7 @@ test('a man overboard is marked by one key, stays in sight, and is cancelled by 
   assert.ok(alphaAt(await layer('map-lines'), edge.x, edge.y) > 200, 'an arrow at the edge');
   await page.goto(url);
   await page.waitForFunction(() => window.skerry && !document.getElementById('mob').hidden);
+  await page.evaluate(() => window.skerry.showTab('chart'));
   assert.deepEqual((await chart()).mob, mob, 'a page that is loaded again still has him');
   await page.locator('#mob-cancel').click();
   assert.equal(await page.locator('#mob-cancel').textContent(), 'Press again to cancel');
