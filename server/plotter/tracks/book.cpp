@@ -233,6 +233,7 @@ void Tracker::Book::find_plots_near(const Sight& sight) {
 bool Tracker::Book::find_rivals_of(std::size_t first, bool may_wait) {
   rivals_.targets.clear();
   rivals_.plots.clear();
+  choices_.resize(followed_.size());
   known_targets_.clear(followed_.size());
   known_plots_.clear(open_.size());
   waiting_.assign(1, first);
@@ -241,6 +242,7 @@ bool Tracker::Book::find_rivals_of(std::size_t first, bool may_wait) {
     const std::size_t who = waiting_[next];
     if (may_wait && !followed_[who].look.is_over()) return false;
     find_plots_near(sights_[who]);
+    choices_[who] = near_.size();
     rivals_.targets.push_back(who);
     for (const std::size_t p : near_) {
       if (!known_plots_.put(p)) continue;
@@ -274,12 +276,6 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
   }
   for (const std::size_t p : plots) placed.push_back(&open_[p].placed);
   const auto pairs = pair_up(targets, placed, {.false_per_m2 = density});
-  // Before any is taken.
-  std::vector<std::size_t> choices;
-  for (const std::size_t k : who) {
-    find_plots_near(sights_[k]);
-    choices.push_back(near_.size());
-  }
   const std::vector<std::size_t> shared = shared_plots(who, plots, pairs);
   for (std::size_t i = 0; i < who.size(); ++i) {
     Followed& followed = followed_[who[i]];
@@ -290,7 +286,7 @@ void Tracker::Book::decide(const std::vector<std::size_t>& who,
     } else if (pairs[i] != kUnpaired) {
       Open& open = open_[plots[pairs[i]]];
       open.taken = true;
-      take(followed, open.placed, density, choices[i]);
+      take(followed, open.placed, density, choices_[who[i]]);
     } else if (followed.look.could_see()) {
       followed.target.miss();
     }

@@ -151,6 +151,7 @@ class Tracker::Book {
   Marks known_targets_, known_plots_;
   std::vector<std::pair<double, std::size_t>> by_distance_;
   std::vector<std::size_t> waiting_, near_;  // near_: what find_plots_near() found
+  std::vector<std::size_t> choices_;         // of followed_: how many plots, as rivals_ were found
   double widest_gate_m_ = 0.0;
   FalsePlots false_plots_;
   SuspectEchoes suspects_;
