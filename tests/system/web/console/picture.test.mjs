@@ -160,9 +160,9 @@ test('beyond the video there is no sea, but a line where it ends', async () => {
 for (const viewport of [{ width: 1024, height: 768 }, { width: 1280, height: 800 }, { width: 1920, height: 1200 }]) {
   test(`EBL and VRM are right, and the data cover nothing of the circle, at ${viewport.width} x ${viewport.height}`, async (t) => {
     await open({}, { viewport });
-    for (const key of ['e', 'v', 'Shift+E', 'Shift+V', 'i']) await page.keyboard.press(key);
+    for (const key of ['e', 'v', 'Shift+E', 'Shift+V', 'Shift+I']) await page.keyboard.press(key);
     await page.waitForFunction(() => !document.querySelector('#lines-box').hidden);
-    await page.keyboard.press('Shift+i');
+    await page.keyboard.press('Shift+I');
     const shown = await ppi();
     const box = await page.locator('#ppi').boundingBox();
     const middle = { x: box.x + shown.centre.x, y: box.y + shown.centre.y };
