@@ -566,7 +566,8 @@ test('a browser without WebGL2 is told so', async () => {
   await page.locator('#alarm', { hasText: 'WebGL2' }).waitFor();
 });
 
-test('sixty seconds of 4096 spokes of 1024 cells keep the memory bounded', async (t) => {
+// The short form of soak.mjs, which goes on for hours.
+test('half a minute of 4096 spokes of 1024 cells keeps the memory bounded', async (t) => {
   await open({ headingDeg: 37, rpm: 24 });
   const client = await page.context().newCDPSession(page);
   const heapMiB = async () => {
@@ -576,13 +577,13 @@ test('sixty seconds of 4096 spokes of 1024 cells keep the memory bounded', async
   };
   const untilReceived = (n) => page.waitForFunction((want) => window.skerry.state().received + window.skerry.state().lost >= want, n, { timeout: 240000 });
   const perSecond = 4096 * 24 / 60;
-  await untilReceived(15 * perSecond);
+  await untilReceived(8 * perSecond);
   const early = await heapMiB();
-  await untilReceived(60 * perSecond);
+  await untilReceived(28 * perSecond);
   const late = await heapMiB();
   const { framesPerSecond, lost, rpm, spokesPerSecond } = await state(page);
-  t.diagnostic(`${early.toFixed(1)} MiB after 15 s, ${late.toFixed(1)} MiB after 60 s; ${framesPerSecond.toFixed(1)} frames/s at ` +
+  t.diagnostic(`${early.toFixed(1)} MiB after 8 s, ${late.toFixed(1)} MiB after 28 s; ${framesPerSecond.toFixed(1)} frames/s at ` +
     `1280x800, ${rpm.toFixed(2)} rpm, ${spokesPerSecond.toFixed(0)} spokes/s, ${lost} lost`);
-  assert.ok(late < early + 4, `${early} MiB, then ${late} MiB`);
+  assert.ok(late < early + 2, `${early} MiB, then ${late} MiB`);
   assert.deepEqual(page.problems, []);
 });
