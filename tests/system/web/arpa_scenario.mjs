@@ -37,7 +37,7 @@ export function scenario(groups) {
   const at = ({ latitudeDeg, longitudeDeg }) => `position: {lat: ${latitudeDeg.toFixed(6)}, lon: ${longitudeDeg.toFixed(6)}}`;
   groups.forEach(({ tcpaMin, shipClass }, n) => {
     const here = { latitudeDeg: 55.3 + n, longitudeDeg: 4.2 };
-    const motion = shipClass ? `ship_class: ${shipClass}` : 'max_rate_of_turn_deg_min: 120';
+    const motion = shipClass ? `ship_class: ${shipClass}` : 'max_rate_of_turn_deg_min: 180, turn_time_constant_s: 3';
     yaml.push(`  - {name: Own ${n}, ${at(here)}, course_deg: ${OWN.courseDeg}, speed_kn: ${OWN.speedKn}, ${motion},`,
       `     radars: [{name: X ${n}, spokes: 2048, cells: 1024, rpm: 30, range_nm: 6}]}`);
     for (const [name, bearingDeg, rangeNm, courseDeg, speedKn] of [crossing(tcpaMin), ...CLEAR]) {
