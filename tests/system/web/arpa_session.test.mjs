@@ -287,14 +287,14 @@ class Session {
   async acknowledge() {
     const key = this.keys.get(DANGEROUS);
     await this.hands.acknowledge();
-    await this.page.waitForFunction(() => /3044.*acknowledged/.test(document.getElementById('alert-list').textContent) && !/3044[^]*not acknowledged/.test(document.getElementById('alert-list').textContent));
+    await this.page.waitForFunction(() => /3044.*(?<!not )acknowledged/.test(document.getElementById('alert-list').textContent));
     assert.match(await this.text('alert-worst'), /^△ Alarm/);
     await this.page.waitForFunction((k) => !window.skerry.targets().shown.find((shown) => shown.key === k).calls, key);
     const end = Date.now() + 1500;
     while (Date.now() < end) assert.ok((await this.redOf(key)) > 20, 'it flashes still');
   }
 
-  // The course, by tens of degrees to starboard, on which nobody is dangerous and she passes a mile off.
+  // The course, by tens of degrees to starboard, on which nobody is dangerous and she passes well off: the trial turns at once, own ship does not.
   async tryManoeuvres() {
     const { page, hands } = this, row = page.locator('#target-list tbody tr', { has: page.locator(`#list-${this.keys.get(DANGEROUS)}`) });
     const sign = async () => {
@@ -312,7 +312,7 @@ class Session {
       await page.waitForFunction((deg) => window.skerry.targets().list.trial?.order.courseDeg === deg, course);
       await until(async () => figure(await row.locator('td.trial').first().textContent()) >= 0, 'no outcome');
       const cpaNm = figure((await row.locator('td.trial').first().textContent()).replace('!', ''));
-      if (cpaNm >= 1.2 && /no target is dangerous/.test(await this.text('trial-state'))) clear = { course, cpaNm };
+      if (cpaNm >= 1.5 && /no target is dangerous/.test(await this.text('trial-state'))) clear = { course, cpaNm };
     }
     assert.ok(clear, 'no course is clear');
     assert.ok((await sign()) > 40, 'no T');
