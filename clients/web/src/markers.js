@@ -5,6 +5,7 @@
 //   'off-centre'  own ship shall be there
 //   'measure'     from there to the next press
 //   'origin'      the active EBL and VRM begin there
+// In the mode 'cursor' presses mean what they do without a mode: it is keys that move the cursor then.
 import { grabbed, shapesOf } from './picture/tool_geometry.js';
 import { inFrame, originFrom, trueBearing } from './picture/tools.js';
 import { placeAt } from './picture/places.js';
@@ -33,7 +34,8 @@ export class Markers {
       this.#press(event);
     });
     for (const type of ['pointerup', 'pointercancel']) element.addEventListener(type, (event) => this.#release(event));
-    element.addEventListener('pointerleave', () => { this.pointer = null; });
+    // A finger that is lifted leaves the cursor where it was: beneath it nobody sees what is read.
+    element.addEventListener('pointerleave', (event) => { if (event.pointerType !== 'touch') this.pointer = null; });
   }
 
   setMode(mode) {
@@ -66,7 +68,7 @@ export class Markers {
     }
     const at = this.at();
     if (!at) return;
-    if (this.mode) { this.#choose(at); return; }
+    if (this.mode && this.mode !== 'cursor') { this.#choose(at); return; }
     const { tools } = this;
     this.before = structuredClone({ ebls: tools.ebls, vrms: tools.vrms, lines: tools.lines });
     const reachPx = event.pointerType === 'touch' ? TOUCH_PX : MOUSE_PX;
@@ -195,6 +197,16 @@ export class Markers {
       from: this.view.toPixel(from.bearingDeg, from.rangeM), to: this.view.toPixel(to.bearingDeg, to.rangeM),
       bearingDeg: wrapDeg(Math.atan2(east, north) / RAD), rangeM: Math.hypot(east, north),
     };
+  }
+
+  // By keys: so many pixels to the right and down, from own ship if there is no cursor; not beyond the picture.
+  moveCursor({ x, y }) {
+    const { view } = this;
+    if (!view) return;
+    const from = this.pointer ?? view.own;
+    const off = { x: from.x + x - view.centre, y: from.y + y - view.centre };
+    const least = Math.min(1, (view.radius - 1) / Math.hypot(off.x, off.y));
+    this.pointer = { x: view.centre + off.x * least, y: view.centre + off.y * least };
   }
 
   // By keys: the active ones.

@@ -209,6 +209,7 @@ test('by keyboard: wheel, engine, modes, and fields that are typed in keep their
   assert.equal((await state(page)).con.enginePercent, 26);
   await page.keyboard.press('Enter');
   await until(page, 'con.steering === 1 && con.headingOrderDeg === 12');
+  assert.ok(await page.locator('#heading-entry').evaluate((field) => field.value === '' && !field.matches(':user-invalid')), 'the field is empty, and not marked as wrong');
   await page.keyboard.press('?');
   assert.equal(await page.locator('#help').isVisible(), true);
   await page.keyboard.press('Escape');

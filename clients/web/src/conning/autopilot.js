@@ -10,7 +10,9 @@ export function bindEntry(form, order) {
   const field = $(form).querySelector('input');
   $(form).addEventListener('submit', (event) => {
     event.preventDefault();
-    if (order(field.valueAsNumber) !== null) { field.value = ''; field.blur(); }
+    if (order(field.valueAsNumber) === null) return;
+    field.blur();
+    $(form).reset();  // not only emptied: it would be marked as missing what it needs
   });
 }
 

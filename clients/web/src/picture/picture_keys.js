@@ -8,13 +8,21 @@ const choose = (name, value) => document.querySelector(`input[name=${name}][valu
 // view(): the ViewGeometry of now.
 export function pictureKeys({ picture, picturePanel, stage, markers, tools, toolsPanel, view }) {
   const look = 'Picture', marks = 'Bearing lines, range markers, lines';
-  // In the off-centre mode Shift and an arrow move own ship, else the active EBL and VRM.
+  // Arrows move the cursor in its mode, with Shift own ship in the off-centre mode, else the active EBL and VRM.
   const arrow = (x, y, otherwise) => (event) => {
-    if (markers.mode === 'off-centre' && event.shiftKey) stage.moveOwn({ x: x * 0.05, y: y * 0.05 });
+    if (markers.mode === 'cursor') markers.moveCursor({ x: x * fine(event, 10), y: -y * fine(event, 10) });
+    else if (markers.mode === 'off-centre' && event.shiftKey) stage.moveOwn({ x: x * 0.05, y: y * 0.05 });
     else otherwise(event);
   };
   const turn = (by) => arrow(by, 0, (event) => markers.turnEbl(by * fine(event, 1)));
   const move = (by) => arrow(0, by, (event) => markers.moveVrm(by * fine(event, 0.01)));
+  // Into the picture: what has the focus in the panel would want the arrows for itself.
+  const byKeys = () => {
+    markers.setMode('cursor');
+    if (markers.mode !== 'cursor') return;
+    markers.moveCursor({ x: 0, y: 0 });
+    $('ppi').focus({ preventScroll: true });
+  };
   document.addEventListener('keydown', (event) => { if (event.key === 'Escape') markers.setMode(null); });
   return [
     { id: 'north-up', key: 'n', words: 'north up', group: look, run: () => choose('orientation', 'north') },
@@ -37,6 +45,7 @@ export function pictureKeys({ picture, picturePanel, stage, markers, tools, tool
     { id: 'ebl-right', key: 'ArrowRight', also: ['Shift+ArrowRight'], words: 'active bearing line 1° to the right, with Shift 0.1°', group: marks, run: turn(1) },
     { id: 'vrm-out', key: 'ArrowUp', also: ['Shift+ArrowUp'], words: 'active range marker out by 1 % of the range, with Shift 0.1 %', group: marks, run: move(1) },
     { id: 'vrm-in', key: 'ArrowDown', also: ['Shift+ArrowDown'], words: 'active range marker in by 1 % of the range, with Shift 0.1 %', group: marks, run: move(-1) },
+    { id: 'cursor', key: 'Shift+c', words: 'cursor by arrows, 10 pixels each, with Shift 1; again: done', group: marks, run: byKeys },
     { id: 'parallel', key: 'Shift+i', words: 'parallel index lines', group: marks, run: () => toolsPanel.toggleLines() },
     { id: 'measure', key: 'b', words: 'measure between two points', group: marks, run: click('measure') },
   ];

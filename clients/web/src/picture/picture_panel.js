@@ -8,6 +8,7 @@ const MODES = {
   'off-centre': 'Press where own ship shall be · Esc leaves',
   measure: 'Press two points to measure · Esc leaves',
   origin: 'Press where EBL and VRM shall begin · Esc leaves',
+  cursor: 'Arrows move the cursor · Esc leaves',
 };
 
 // Binds them all. changed(): after each change. Gives { show(), setOrientation(name), isLineHeld() }.

@@ -13,7 +13,7 @@ export class AcquirePanel {
     this.acquiring = button('acquire', 'Acquire', () => this.toggleMode(), { title: 'Then press on an echo (Shift+A); at the cursor: A' });
     this.cancelled = button('cancel-target', 'Cancel', () => this.cancelSelected(), { title: 'Cancel the selected targets (Delete)' });
     this.all = button('cancel-all', 'Cancel all', () => this.#askAll());
-    this.number = element('input', { id: 'target-number', type: 'text', inputMode: 'numeric', autocomplete: 'off', placeholder: 'Number or MMSI' });
+    this.number = element('input', { id: 'target-number', type: 'text', inputMode: 'numeric', autocomplete: 'off', placeholder: 'No. or MMSI' });
     this.number.setAttribute('aria-label', 'Number of a target, or MMSI');
     const form = element('form', { id: 'target-call', className: 'call' }, this.number,
       element('button', { type: 'submit', id: 'target-select', textContent: 'Select' }),

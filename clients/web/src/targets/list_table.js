@@ -84,8 +84,9 @@ export class ListTable {
     row.classList.toggle('trial-dangerous', outcome?.isDangerous ?? false);
     say(choose, headingOf(shown.entry));
     const { track } = shown.entry;
-    say(words, [shown.isDangerous ? '!' : '', track ? (nameOf(shown.entry) === NONE ? '' : nameOf(shown.entry)) : 'AIS',
-      stateOf(shown).replace(/^(TRACKED|ACTIVATED) ?/, '')].filter(Boolean).join(' '));
+    // The end is cut off where there is no room: of the name, not of the state.
+    say(words, [shown.isDangerous ? '!' : '', stateOf(shown).replace(/^(TRACKED|ACTIVATED) ?/, ''),
+      track ? (nameOf(shown.entry) === NONE ? '' : nameOf(shown.entry)) : 'AIS'].filter(Boolean).join(' '));
     const holds = isValid(shown);
     const texts = [rangeText(shown), holds ? cpaText(shown.from.cpaNm) : NONE, holds ? tcpaText(shown.from.tcpaMin) : NONE,
       outcome ? `${outcome.isDangerous ? '! ' : ''}${cpaText(outcome.cpaNm)}` : NONE, outcome ? tcpaText(outcome.tcpaMin) : NONE];

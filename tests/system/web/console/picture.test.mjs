@@ -548,3 +548,39 @@ test('with fingers: a marker is taken from 20 pixels away, and two fingers move 
   await showTab('tools');
   assert.ok(await page.locator('#measure').isVisible());
 });
+
+test('the cursor goes by arrows in its mode, and stays where a finger was lifted', async () => {
+  await open({}, { viewport: { width: 1280, height: 800 }, hasTouch: true });
+  await page.keyboard.press('e');
+  const ebl = (await tools()).ebls[0].bearingDeg, { own, radiusPx, rangeM } = await ppi();
+  const pxM = rangeM / radiusPx;
+  const reads = (dx, dy) => page.waitForFunction(([deg, nm]) => {
+    const at = (id) => parseFloat(document.getElementById(id).textContent);
+    return Math.abs(((at('cursor-true') - deg + 540) % 360) - 180) < 0.3 && Math.abs(at('cursor-range') - nm) < 0.003;
+  }, [(Math.atan2(dx, -dy) * 180 / Math.PI + 360) % 360, (Math.hypot(dx, dy) * pxM) / NM]);
+  await page.locator('#orders input').first().focus();
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Shift+C');
+  assert.match(await text('picture-mode'), /Arrows move the cursor/);
+  for (let i = 0; i < 12; ++i) await page.keyboard.press('ArrowRight');
+  for (let i = 0; i < 7; ++i) await page.keyboard.press('ArrowUp');
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('Shift+ArrowDown');
+  await reads(117, -69);
+  assert.equal((await tools()).ebls[0].bearingDeg, ebl);
+  // Not out of the picture.
+  for (let i = 0; i < 60; ++i) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((nm) => Math.abs(parseFloat(document.getElementById('cursor-range').textContent) - nm) < 0.05, rangeM / NM);
+  await page.keyboard.press('Escape');
+  assert.ok(await page.locator('#picture-mode').isHidden());
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((deg) => Math.abs(window.skerry.tools().ebls[0].bearingDeg - deg - 1) < 0.01, ebl);
+  // A press means what it did, in the mode, too.
+  await page.keyboard.press('Shift+C');
+  const there = await onPage({ x: own.x - 120, y: own.y + 50 });
+  await page.touchscreen.tap(there.x, there.y);
+  await reads(-120, 50);
+  assert.ok(angleBetween((await tools()).ebls[0].bearingDeg, (Math.atan2(-120, -50) * 180 / Math.PI + 360) % 360) < 0.3);
+  assert.deepEqual(page.problems, []);
+});
