@@ -1,4 +1,5 @@
 // Locks: which controls only the instructor may change, and what that does to the panel.
+import { t } from './language/language.js';
 import { showRefusal } from './panel/refusal.js';
 import { PendingRequests } from './shared_setting.js';
 import { $ } from './widgets.js';
@@ -79,8 +80,9 @@ export class Locks {
   #show(element, name) {
     const locked = this.locked.has(name);
     element.classList.toggle('locked', locked);
-    if (locked) element.title = 'Locked by the instructor';
-    else if (element.title === 'Locked by the instructor') element.removeAttribute('title');
+    const words = t('Locked by the instructor');
+    if (locked) element.title = words;
+    else if (element.title === words) element.removeAttribute('title');
     // The tuning and a ship that is driven from outside have a say of their own in when they serve.
     const idle = (name === 'tune' && this.tuneAuto) || (this.driven && (name === 'course_deg' || name === 'speed_kn'));
     element.disabled = (locked && !this.isInstructor) || idle;
