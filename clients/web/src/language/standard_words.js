@@ -3,7 +3,7 @@
 const WORDS = new Set([
   'AIS', 'BCR', 'BCT', 'C', 'CPA', 'E', 'EBL', 'GAIN', 'GND', 'H', 'HDG', 'MMSI', 'MOB', 'N', 'NO', 'PI', 'R', 'RAIN', 'RM', 'S', 'SEA', 'SPD', 'STAB',
   'T', 'TCPA', 'TM', 'TTG', 'TUNE', 'UP', 'UTC', 'VECT', 'VRM', 'W', 'WATER',
-  'NM', 'dB', 'deg', 'h', 'kn', 'm', 'min', 'mm', 'rpm', 's',
+  'B', 'GB', 'Hz', 'MB', 'NM', 'TB', 'dB', 'deg', 'h', 'kB', 'kn', 'm', 'min', 'mm', 'rpm', 's', '\u00b5s',
   'Skerry',
 ]);
 

@@ -7,7 +7,7 @@ import { cpaText, headingOf, isValid, nameOf, rangeText, tcpaText, unusualStateO
 // Each: heading, unit, and what is sorted by; what has no value comes last.
 const COLUMNS = [
   ['number', later('Target'), '', ({ entry: { track, ais } }) => (track ? track.number : 1e7 + ais.mmsi)],
-  ['range', later('Range'), 'NM', (shown) => shown.rangeM],
+  ['range', later('column|Range'), 'NM', (shown) => shown.rangeM],
   ['cpa', later('CPA'), 'NM', (shown) => (isValid(shown) ? shown.from.cpaNm : undefined)],
   // What is past comes after what is to come.
   ['tcpa', later('TCPA'), 'min', (shown) => { const t = isValid(shown) ? shown.from.tcpaMin : undefined; return t < 0 ? 1e9 - t : t; }],
