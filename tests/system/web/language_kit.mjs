@@ -8,7 +8,7 @@ export const textsOfPage = (page) => page.evaluate(() => {
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walker.nextNode()) if (!walker.currentNode.parentElement.closest('script, style, noscript')) found.add(walker.currentNode.data);
   for (const element of document.querySelectorAll('*')) {
-    for (const name of ['title', 'aria-label', 'placeholder', 'aria-valuetext']) if (element.hasAttribute(name)) found.add(element.getAttribute(name));
+    for (const name of ['title', 'aria-label', 'placeholder', 'aria-valuetext', 'data-changed']) if (element.hasAttribute(name)) found.add(element.getAttribute(name));
   }
   return [...found].map((text) => text.replace(/\s+/g, ' ').trim());
 });
@@ -17,13 +17,17 @@ export const textsOfPage = (page) => page.evaluate(() => {
 // taken out, only numbers, abbreviations and single letters (keys, categories) are left.
 export function speaker(code, outside) {
   const pieces = Object.values(file(code)).flatMap(formsOf).flatMap((form) => form.split(/\{\w+\}/)).map((piece) => piece.trim()).filter((piece) => /\p{L}/u.test(piece));
-  const known = [...pieces, ...pieces.map((piece) => piece[0].toUpperCase() + piece.slice(1)), ...outside].sort((a, b) => b.length - a.length);
-  const patterns = known.map((piece) => {
+  const all = [...pieces, ...pieces.map((piece) => piece[0].toUpperCase() + piece.slice(1)), ...outside].sort((a, b) => b.length - a.length);
+  const patterns = all.map((piece) => {
     const plain = piece.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
     return `${/^\p{L}/u.test(piece) ? '(?<!\\p{L})' : ''}${plain}${/\p{L}$/u.test(piece) ? '(?!\\p{L})' : ''}`;
   });
   const taken = new RegExp(patterns.join('|'), 'gu');
-  return (text) => isStandard(text.replace(taken, '\u0000').replace(/(?<!\p{L})\p{L}(?!\p{L})/gu, ''));
+  const known = new Map();  // texts come again with every look
+  return (text) => {
+    if (!known.has(text)) known.set(text, isStandard(text.replace(taken, '\u0000').replace(/(?<!\p{L})\p{L}(?!\p{L})/gu, '')));
+    return known.get(text);
+  };
 }
 
 // What is shown but cut off, off the screen, or lies on another, in each part of the page that scrolls by itself.
@@ -47,7 +51,7 @@ export const faultsOfPage = (page) => page.evaluate(() => {
     const boxes = [];
     const put = (each, rect) => { const box = clipped(rect, each, part); if (box) boxes.push({ each, ...box }); };
     for (const each of [...part.querySelectorAll('*')].filter(isShown)) {
-      const box = each.getBoundingClientRect(), isButton = each.matches('button, .button, summary, label span');
+      const box = each.getBoundingClientRect(), isButton = each.matches('button, .button, summary, kbd, label span');
       if ((isButton || each.matches('select, input')) && (box.left < -0.5 || box.right > innerWidth + 0.5)) found.add(`${nameOf(each)} is off the screen`);
       // Names and files from outside are cut by intent, and so is a telephone's row of a target.
       const isOutside = each.matches('#server, #record-file, #playback-file, #target-list tbody th, #target-list tbody th *, input, select');
@@ -62,6 +66,7 @@ export const faultsOfPage = (page) => page.evaluate(() => {
         if (alone.getBoundingClientRect().width > box.width + 0.5) found.add(`${each.id} shows "${each.selectedOptions[0]?.text}" cut off`);
         alone.remove();
       }
+      if (each.matches('input[type=range]') && box.width < 40) found.add(`${each.id} has no length: ${box.width}`);
       if (each.matches('input[type=range], select, button, meter')) put(each, box);
       for (const node of each.matches('select, button') ? [] : each.childNodes) {
         if (node.nodeType !== Node.TEXT_NODE || node.data.trim() === '') continue;

@@ -45,6 +45,7 @@ export class KeyHelp {
     const keys = key ? writtenKey(key) : [t('key|none')];
     const button = element('button', { type: 'button', className: 'key' }, ...keys.map((part) => element('kbd', { textContent: part })));
     button.dataset.action = action.id;
+    button.dataset.changed = t('changed');  // shown by style.css
     button.classList.toggle('changed', key !== action.key);
     const named = { words: action.words, key: keys.join(' ') };
     button.ariaLabel = key === action.key ? t('{words}: key {key}; press to change it', named) : t('{words}: key {key}, changed; press to change it', named);

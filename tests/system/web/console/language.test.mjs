@@ -103,9 +103,21 @@ test('in German nothing is cut off, off the screen or on another at any size', a
       for (const tab of TABS) {
         await page.evaluate((name) => window.skerry.showTab(name), tab);
         await check(tab);
+        if (process.env.SHOTS) await page.screenshot({ path: `/tmp/l10n/de-${width}-${finger}-${tab}.png` });
       }
-      await withDialogs(check);
+      await withDialogs(async (where) => { await check(where); if (process.env.SHOTS) await page.screenshot({ path: `/tmp/l10n/de-${width}-${finger}-${where}.png` }); });
     }
+    // What has no room is found.
+    await page.evaluate(() => {
+      window.skerry.showTab('radar');
+      document.getElementById('latitude').style.cssText = 'position: relative; left: 5rem';
+      document.getElementById('off-centre').style.cssText = 'min-width: 0; max-width: 2rem';
+      document.querySelector('label:has(#gain) span').textContent = 'Wievielverstärkungsregelungsbezeichnung';
+    });
+    const found = (await faultsOfPage(page)).join('\n');
+    assert.match(found, /latitude .* lies on longitude/);
+    assert.match(found, /gain has no length/);
+    assert.match(found, /off-centre "Dezentriert" is cut off/);
     await page.context().close();
     await server.stop();
   }

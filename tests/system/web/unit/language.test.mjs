@@ -95,7 +95,7 @@ test('another language has its words, plurals and contexts; what it lacks is Eng
   assert.equal(t('Range'), 'Entfernung');
   assert.match(t('{n} more AIS targets are too far to be shown.', { n: 1 }), /^1 weiteres AIS-Ziel ist/);
   assert.match(t('{n} more AIS targets are too far to be shown.', { n: 2 }), /^2 weitere AIS-Ziele sind/);
-  assert.deepEqual(writtenKey('Shift+Delete'), ['Umschalt', 'Entf']);
+  assert.deepEqual(writtenKey('Shift+Delete'), ['Umsch', 'Entf']);
   assert.equal(told.mock.callCount(), 0);
   speak('de', wordsOf({ 'Picture held': 'Bild', Radar: 7, Chart: { one: 'Karte' }, Rings: '' }));
   assert.deepEqual(['Picture held', 'Radar', 'Chart', 'Rings', 'x|Rings', 'Rings', 'N UP'].map((text) => t(text)), ['Bild', 'Radar', 'Chart', 'Rings', 'Rings', 'Rings', 'N UP']);
