@@ -57,6 +57,12 @@ export const faultsOfPage = (page) => page.evaluate(() => {
       const isOutside = each.matches('#server, #record-file, #playback-file, #target-list tbody th, #target-list tbody th *, input, select');
       const cuts = isButton || getComputedStyle(each).overflowX !== 'visible';
       if (cuts && !isOutside && each.clientWidth > 0 && each.scrollWidth > each.clientWidth + 1) found.add(`${nameOf(each)} is cut off: ${each.scrollWidth} in ${each.clientWidth}`);
+      if (each.placeholder) {
+        const { font, paddingLeft, paddingRight } = getComputedStyle(each);
+        const pen = Object.assign(document.createElement('canvas').getContext('2d'), { font });
+        const room = each.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight), needs = pen.measureText(each.placeholder).width;
+        if (needs > room + 1) found.add(`${each.id} has "${each.placeholder}" cut off: ${Math.round(needs)} in ${Math.round(room)}`);
+      }
       if (each.matches('select')) {
         const alone = each.cloneNode(false);
         alone.removeAttribute('id');
