@@ -1,8 +1,8 @@
 // Abbreviations that are the same in every language: IEC 62288 has them in English, and mariners read them so; units and hemispheres
 // likewise. They are not in the files of languages.
 const WORDS = new Set([
-  'AIS', 'BCR', 'BCT', 'C', 'CPA', 'E', 'EBL', 'GAIN', 'GND', 'H', 'HDG', 'MMSI', 'MOB', 'N', 'NO', 'PI', 'R', 'RAIN', 'RM', 'S', 'SEA', 'SPD', 'STAB',
-  'T', 'TCPA', 'TM', 'TTG', 'TUNE', 'UP', 'UTC', 'VECT', 'VRM', 'W', 'WATER',
+  'AIS', 'BCR', 'BCT', 'C', 'CPA', 'E', 'EBL', 'GAIN', 'GND', 'H', 'HDG', 'IR', 'MMSI', 'MOB', 'N', 'NO', 'PI', 'POS', 'R', 'RAIN', 'RM', 'S', 'SEA', 'SPD', 'STAB', 'STBY',
+  'T', 'TCPA', 'TM', 'TTG', 'TUNE', 'TX', 'UP', 'UTC', 'VECT', 'VRM', 'W', 'WATER',
   'B', 'GB', 'Hz', 'MB', 'NM', 'TB', 'dB', 'deg', 'h', 'kB', 'kn', 'm', 'min', 'mm', 'rpm', 's', '\u00b5s',
   'Skerry',
 ]);
