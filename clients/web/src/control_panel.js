@@ -2,6 +2,7 @@
 // <div data-panel="receiver">, or <div data-controls="gain gainAuto"> for some of them by name, wherever they are wanted.
 // A control's element has its name as id.
 import { widgetOf } from './controls_table.js';
+import { t } from './language/language.js';
 
 function element(name, properties = {}, ...children) {
   const made = Object.assign(document.createElement(name), properties);
@@ -18,21 +19,21 @@ function input({ name, min, max }, type, step) {
 }
 
 const label = (control, className, ...children) =>
-  element('label', { className, title: control.title ?? '' }, ...children);
-const text = (control) => element('span', { textContent: control.label });
+  element('label', { className, title: control.title ? t(control.title) : '' }, ...children);
+const text = (control) => element('span', { textContent: t(control.label) });
 
 const WIDGETS = {
   slider: (control) => label(control, 'slider', text(control), input(control, 'range', control.step ?? 1),
     element('output', { id: `${control.name}-value`, textContent: '\u2013' })),
   switch: (control) => label(control, 'switch', element('input', { id: control.name, type: 'checkbox' }), text(control)),
   choice: (control) => label(control, 'row', text(control), element('select', { id: control.name },
-    ...control.choices.map((choice) => new Option(choice.label, String(choice.value))))),
+    ...control.choices.map((choice) => new Option(t(choice.label), String(choice.value))))),
   number: (control) => label(control, 'row', text(control), input(control, 'number', 'any')),
 };
 
 // In a part of class "fields" a number stands under its label, and before what the part has.
 function addToFields(part, control) {
-  part.insertBefore(label(control, '', control.label, input(control, 'number', 'any')), part.querySelector('.wide'));
+  part.insertBefore(label(control, '', t(control.label), input(control, 'number', 'any')), part.querySelector('.wide'));
 }
 
 // A switch stands beside what its row has; a choice beside a choice, or what a pair has already.

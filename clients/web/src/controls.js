@@ -1,4 +1,5 @@
 // Controls: the panel's elements and the keys, joined to what they do.
+import { capital, t } from './language/language.js';
 import { PALETTE_ORDER } from './picture/picture_settings.js';
 import { $ } from './widgets.js';
 
@@ -8,8 +9,8 @@ export { PictureSettings } from './picture/picture_settings.js';
 export function showPalette(palette) {
   const next = nextPalette(palette);
   document.documentElement.dataset.palette = palette;
-  $('palette').textContent = next[0].toUpperCase() + next.slice(1);
-  $('palette').ariaLabel = `Colours: ${palette}; press for ${next}`;
+  $('palette').textContent = capital(t(next));
+  $('palette').ariaLabel = t('Colours: {now}; press for {next}', { now: t(palette), next: t(next) });
 }
 
 export function nextPalette(palette) {

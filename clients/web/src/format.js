@@ -1,4 +1,5 @@
 // Numbers as a mariner reads them. A value that is not known is a dash.
+import { t } from './language/language.js';
 import { NAUTICAL_MILE_M, wrapDeg } from './view_geometry.js';
 
 export const NONE = '–';
@@ -48,7 +49,7 @@ export function count(value) {
 export function rateOfTurn(degMin) {
   if (!Number.isFinite(degMin)) return NONE;
   const size = Math.abs(degMin).toFixed(1);
-  return size === '0.0' ? '0.0' : `${size} ${degMin < 0 ? 'port' : 'stbd'}`;
+  return size === '0.0' ? '0.0' : `${size} ${degMin < 0 ? t('port') : t('stbd')}`;
 }
 
 // 0:00, 1:02:03; whole seconds.

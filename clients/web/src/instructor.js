@@ -1,5 +1,6 @@
 // Instructor: sea, air, rain and artefacts of the whole world, for all radars.
 import { bearing, fixed } from './format.js';
+import { capital, later, t } from './language/language.js';
 import { showRefusal } from './panel/refusal.js';
 import { PendingRequests } from './shared_setting.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
@@ -7,7 +8,8 @@ import { $, bindNumber, bindSlider, bindSwitch } from './widgets.js';
 
 const NUMBERS = ['windFromDeg', 'swellHeightM', 'swellPeriodS', 'swellFromDeg', 'waveHeightM', 'kFactor'];
 // RainKind of the schema by name, in the order of the list.
-const RAIN_KINDS = new Map([[0, 'Cell'], [2, 'Showers'], [3, 'Squall line'], [1, 'Even']]);
+const RAIN_KINDS = new Map([[0, later('cell')], [2, later('showers')], [3, later('squall line')], [1, later('even')]]);
+const RAIN = later('rain');  // of another kind
 const EARTH_M = 6371000;
 
 // A place that far from another, on a sphere: a rain cell need not be put more exactly.
@@ -33,7 +35,7 @@ export class Instructor {
     settings.ducting = bindSlider('ducting', send('ducting'), (value) => fixed(value, 2));
     for (const name of NUMBERS) settings[name] = bindNumber(name, send(name));
     for (const { name } of artefacts) settings[name] = bindSwitch(name, send(name));
-    $('rain-kind').replaceChildren(...[...RAIN_KINDS].map(([kind, name]) => new Option(name, kind)));
+    $('rain-kind').replaceChildren(...[...RAIN_KINDS].map(([kind, name]) => new Option(capital(t(name)), kind)));
     $('rain-add').addEventListener('submit', (event) => { event.preventDefault(); this.#addRain(); });
   }
 
@@ -62,12 +64,12 @@ export class Instructor {
   #rainItem(cell) {
     const item = document.createElement('li');
     const text = document.createElement('span');
-    text.textContent = `${cell.id}: ${(RAIN_KINDS.get(cell.kind) ?? 'Rain').toLowerCase()}, ` +
-      `${fixed(cell.rateMmH, 0)} mm/h, ${fixed(cell.radiusNm, 1)} NM, to ${bearing(cell.driftDeg, 0)}° at ${fixed(cell.driftKn, 0)} kn`;
+    text.textContent = `${cell.id}: ${t(RAIN_KINDS.get(cell.kind) ?? RAIN)}, ${fixed(cell.rateMmH, 0)} mm/h, ${fixed(cell.radiusNm, 1)} NM, ` +
+      t('to {course}° at {speed} kn', { course: bearing(cell.driftDeg, 0), speed: fixed(cell.driftKn, 0) });
     const remove = document.createElement('button');
     remove.type = 'button';
-    remove.textContent = 'Remove';
-    remove.ariaLabel = `Remove rain cell ${cell.id}`;
+    remove.textContent = t('Remove');
+    remove.ariaLabel = t('Remove rain cell {id}', { id: cell.id });
     remove.addEventListener('click', () => this.set({ world: { removeRain: [cell.id] } }));
     item.append(text, remove);
     return item;

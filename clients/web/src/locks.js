@@ -1,4 +1,5 @@
 // Locks: which controls only the instructor may change, and what that does to the panel.
+import { later, t } from './language/language.js';
 import { showRefusal } from './panel/refusal.js';
 import { PendingRequests } from './shared_setting.js';
 import { $ } from './widgets.js';
@@ -10,8 +11,9 @@ const ELEMENTS = {
 
 // The boxes of the instructor's panel, by the lock of the table of controls; orders and world are no controls.
 const BOXES = {
-  range: 'Range', gain: 'Gain', sea: 'Sea', rain: 'Rain', mode: 'Mode, Doppler', processing: 'Processing', transmitter: 'Transmitter',
-  antenna: 'Antenna', orders: 'Course, speed', world: 'World',
+  range: later('scale|Range'), gain: later('Gain'), sea: later('Sea'), rain: later('Rain'), mode: later('Mode, Doppler'),
+  processing: later('Processing'), transmitter: later('Transmitter'), antenna: later('Antenna'), orders: later('Course, speed'),
+  world: later('World'),
 };
 
 // The controls that the instructor locks with one box, by their names in radar.proto, and the elements of each.
@@ -34,7 +36,7 @@ export class Locks {
     $('locks').append(...Object.entries(BOXES).map(([lock, text]) => {
       const label = document.createElement('label'), box = document.createElement('input'), span = document.createElement('span');
       Object.assign(box, { id: `lock-${lock}`, type: 'checkbox' });
-      span.textContent = text;
+      span.textContent = t(text);
       label.append(box, span);
       return label;
     }));
@@ -92,8 +94,9 @@ export class Locks {
   #show(element, name) {
     const locked = this.locked.has(name);
     element.classList.toggle('locked', locked);
-    if (locked) element.title = 'Locked by the instructor';
-    else if (element.title === 'Locked by the instructor') element.removeAttribute('title');
+    const words = t('Locked by the instructor');
+    if (locked) element.title = words;
+    else if (element.title === words) element.removeAttribute('title');
     // The tuning and a ship that is driven from outside have a say of their own in when they serve.
     const idle = (name === 'tune' && this.tuneAuto) || (this.driven && (name === 'course_deg' || name === 'speed_kn'));
     element.disabled = (locked && !this.isInstructor) || idle;

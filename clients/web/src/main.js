@@ -12,6 +12,8 @@ import { consoleKeys, showKeyHints } from './keys/console_keys.js';
 import { KeyHelp } from './keys/key_help.js';
 import { listenToKeys } from './keys/key_listener.js';
 import { KeyTable } from './keys/key_table.js';
+import { openLanguage } from './language/language_choice.js';
+import { t } from './language/language.js';
 import { Locks } from './locks.js';
 import { Markers } from './markers.js';
 import { useControls } from './messages.js';
@@ -51,6 +53,7 @@ import { $ } from './widgets.js';
 const READOUTS_MS = 100;
 const seconds = () => performance.now() / 1000;
 
+const languageProblem = await openLanguage();  // before any text is made
 const health = new PictureHealth($('echoes'), (canvas) => new PpiRenderer(canvas));
 const { renderer } = health;
 const tabs = new Tabs($('tabs'), $('tab-sections'));
@@ -58,13 +61,14 @@ const availability = new Availability();
 
 const table = await loadControls(new URL('controls.json', location.href), () => {
   $('alarm').hidden = false;
-  $('alarm').textContent = 'No connection to the server';
+  $('alarm').textContent = t('No connection to the server');
 });
 useControls(table);
 buildPanel(table);
 status.buildTools();
 
 const notices = new Notices($('notices'));
+if (languageProblem) notices.show(languageProblem);
 const picture = new PictureSettings();
 const tools = new Tools();
 const stage = new Stage(picture, (text, kind) => notices.show(text, kind));
@@ -90,7 +94,7 @@ const set = (values) => {
   if (isWatching) return null;
   const ours = locks.isInstructor ? { ...values, instructor: true } : values;
   const request = connection.set(radar.radar, radar.view, ours, token);
-  if (request === null) notices.show('Not connected: the change was not sent');
+  if (request === null) notices.show(t('Not connected: the change was not sent'));
   return request;
 };
 const notify = (text, kind) => notices.show(text, kind);
@@ -166,7 +170,7 @@ function showView() {
   const { own } = subscription;
   $('con-page').href = `conning?radar=${radar.radar}`;
   document.querySelector(`input[name=view][value=${own ? 'own' : 'shared'}]`).checked = true;
-  $('receiver-note').textContent = own ? 'this console\u2019s own' : 'shared by all consoles';
+  $('receiver-note').textContent = own ? t('this console\u2019s own') : t('shared by all consoles');
 }
 for (const input of document.querySelectorAll('input[name=view]')) {
   input.addEventListener('change', () => subscription.choose(input.value === 'own'));
@@ -179,7 +183,7 @@ url.search = url.hash = '';
 connection = new Connection(url, {
   state: (state) => { if (state !== 'live') isTold = false; showAvailability(); },
   messages: (messages) => { radar.takeAll(messages, seconds()); chart.takeAll(messages); },
-  garbage: (error) => notify(`The server sent what is no radar message (${error.kind ?? 'text'})`),
+  garbage: (error) => notify(t('The server sent what is no radar message ({kind})', { kind: error.kind ?? 'text' })),
 });
 
 // Called by the connection's maker already.
@@ -235,13 +239,13 @@ function frame() {
 
 function alarmText() {
   if (connection.state === 'waiting' || connection.state === 'connecting') {
-    return radar.hello ? 'Connection lost' : 'No connection to the server';
+    return radar.hello ? t('Connection lost') : t('No connection to the server');
   }
-  if (radar.inStandby) return 'Standby';
+  if (radar.inStandby) return t('Standby');
   if (connection.state === 'live' && playback.isPaused) return '';
   const turns = (seconds() - radar.lastSpokeS) / Math.max(0.5, radar.turnS() / playback.rate);
-  if (connection.state === 'live' && radar.spoke && turns > 0.75) return 'No video';
-  if (radar.heldAfter !== null && radar.spoke && turns > 0.1) return 'Picture held';
+  if (connection.state === 'live' && radar.spoke && turns > 0.75) return t('No video');
+  if (radar.heldAfter !== null && radar.spoke && turns > 0.1) return t('Picture held');
   return '';
 }
 
@@ -269,7 +273,7 @@ function showReadouts() {
   $('alarm').hidden = alarm === '';
   $('alarm').classList.toggle('calm', radar.inStandby && connection.state === 'live' && health.text === '');
   if ($('alarm').textContent !== alarm) $('alarm').textContent = alarm;
-  const summary = `Range ${formatRange(rangeNm)} nautical miles, ${stage.standing.words}.`;
+  const summary = t('Range {range} nautical miles, {standing}.', { range: formatRange(rangeNm), standing: stage.standing.words });
   if ($('ppi-summary').textContent !== summary) $('ppi-summary').textContent = summary;
 }
 
@@ -302,7 +306,7 @@ $('token').value = token;
 // Keys and hands.
 const keys = new KeyTable();
 const help = new KeyHelp($('help'), keys, () => showKeyHints(keys));
-const orders = (run) => () => (availability.on ? run() : notify(playback.on ? 'A recording is played: the radar takes no orders' : 'Not connected: the change was not sent'));
+const orders = (run) => () => (availability.on ? run() : notify(playback.on ? t('A recording is played: the radar takes no orders') : t('Not connected: the change was not sent')));
 keys.register(...consoleKeys({ receiver, playback, recording, screens, help, inStandby: () => radar.inStandby, orders }));
 keys.register(...pictureKeys({ picture, picturePanel, stage, markers, tools, toolsPanel, view: () => view }));
 keys.register(...targets.keys, ...alerts.keys, ...chart.keys);

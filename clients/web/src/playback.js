@@ -1,5 +1,6 @@
 // Playback: what comes was recorded; where in it we are, and how it is played. Of the console and the instructor's
 // page.
+import { t } from './language/language.js';
 import { $ } from './widgets.js';
 import { duration, utcClock } from './format.js';
 
@@ -69,7 +70,7 @@ export class Playback {
 
   #ask(change) {
     this.pending = this.send(change);
-    if (this.pending === null) this.notify('Not connected: nothing was sent to the playback', 'error');
+    if (this.pending === null) this.notify(t('Not connected: nothing was sent to the playback'), 'error');
   }
 
   // Whether the reply is ours. What was refused is shown by others; the server's state rules again.
@@ -109,7 +110,7 @@ export class Playback {
 
   #show() {
     const state = this.state;
-    $('playback-play').textContent = state.playing ? 'Pause' : 'Play';
+    $('playback-play').textContent = state.playing ? t('Pause') : t('Play');
     if (this.pending === null) {
       const rates = RATES.includes(state.rate) ? RATES : [...RATES, state.rate].sort((a, b) => a - b);
       if ($('playback-rate').options.length !== rates.length) {
@@ -121,7 +122,7 @@ export class Playback {
     write('playback-file', state.file);
     $('playback-file').title = state.file;
     write('playback-length', duration(state.lengthS));
-    write('playback-sign', `Playback${state.playing ? (state.rate === 1 ? '' : ` ${rateText(state.rate)}`) : ' · paused'}`);
+    write('playback-sign', `${t('Playback')}${state.playing ? (state.rate === 1 ? '' : ` ${rateText(state.rate)}`) : ` · ${t('paused')}`}`);
     write('playback-problem', state.problem);
     $('playback-problem').hidden = state.problem === '';
     this.#showMarks();
@@ -133,7 +134,7 @@ export class Playback {
     if (this.marksShown === text) return;
     this.marksShown = text;
     const marks = this.state.marks;
-    $('playback-mark').replaceChildren(new Option(marks.length > 0 ? 'Go to a mark' : 'No marks', ''),
+    $('playback-mark').replaceChildren(new Option(marks.length > 0 ? t('Go to a mark') : t('No marks'), ''),
       ...marks.map((mark, i) => new Option(`${duration(mark.positionS)}  ${mark.name}`, i)));
     $('playback-mark').disabled = marks.length === 0;
     $('playback-ticks').replaceChildren(...marks.slice(0, 200).map((mark) => new Option(mark.name, mark.positionS)));

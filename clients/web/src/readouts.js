@@ -1,13 +1,14 @@
 // Readouts: the numbers beside the picture. Written a few times a second, and only where they changed.
+import { later, t } from './language/language.js';
 import { $, write } from './widgets.js';
 import * as format from './format.js';
 
-const LINK_TEXT = { connecting: 'Connecting', greeting: 'Connecting', live: 'Connected', waiting: 'Disconnected' };
+const LINK_TEXT = { connecting: later('Connecting'), greeting: later('Connecting'), live: later('Connected'), waiting: later('Disconnected') };
 
 export function showLink(state, retryInS) {
   $('link').dataset.state = state;
   document.documentElement.dataset.link = state;
-  write('link-text', state === 'waiting' && retryInS >= 1 ? `Retry in ${Math.ceil(retryInS)} s` : LINK_TEXT[state]);
+  write('link-text', state === 'waiting' && retryInS >= 1 ? t('Retry in {seconds} s', { seconds: Math.ceil(retryInS) }) : t(LINK_TEXT[state]));
 }
 
 export function showOwnShip(ship, headingDeg) {
@@ -28,9 +29,9 @@ export function showOwnShip(ship, headingDeg) {
 
 // What the sensors do not tell: its dash alone might be overlooked.
 export function missingSensors(ship) {
-  const names = { noHeading: 'heading', noPosition: 'position', noLog: 'log', noWind: 'wind', noAis: 'AIS' };
+  const names = { noHeading: t('heading'), noPosition: t('position'), noLog: t('log'), noWind: t('wind'), noAis: 'AIS' };
   const missing = Object.entries(names).filter(([flag]) => ship?.[flag]).map(([, name]) => name);
-  return missing.length > 0 ? `No ${missing.join(', ')}` : '';
+  return missing.length > 0 ? t('No {sensors}', { sensors: missing.join(', ') }) : '';
 }
 
 export function showSensors(ship) {
@@ -46,6 +47,6 @@ export function showStream({ scan, rpm, spokeRate, lost, spoke }) {
   write('lost', format.count(lost));
   $('lost').style.color = lost > 0 ? 'var(--warn)' : '';
   write('format', spoke
-    ? `${spoke.spokesPerTurn} × ${spoke.cellCount} × ${spoke.bits} bit, cells of ${spoke.cellSizeM.toPrecision(3)} m`
+    ? t('{format} bit, cells of {size} m', { format: `${spoke.spokesPerTurn} × ${spoke.cellCount} × ${spoke.bits}`, size: spoke.cellSizeM.toPrecision(3) })
     : format.NONE);
 }

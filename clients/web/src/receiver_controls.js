@@ -1,10 +1,13 @@
 // ReceiverControls: the controls of the view and of the radar behind it, joined to what they do.
 import { widgetOf } from './controls_table.js';
 import { rangeNm as formatRange } from './format.js';
+import { later, t } from './language/language.js';
 import { showRefusal } from './panel/refusal.js';
 import { PendingRequests, SharedSetting } from './shared_setting.js';
 import { $, bindChoice, bindNumber, bindSlider, bindSwitch } from './widgets.js';
 
+// What keys step, as it is said.
+const NAMES = { gain: later('gain'), sea: later('sea'), rain: later('rain'), tune: later('tune') };
 const BIND = { slider: bindSlider, switch: bindSwitch, choice: bindChoice, number: bindNumber };
 
 // "350-10, 120-150" or "" as sectors; null if it is neither.
@@ -56,7 +59,7 @@ export class ReceiverControls {
   #changeSectors() {
     const field = $('blankedSectors');
     const sectors = sectorsOf(field.value);
-    field.setCustomValidity(sectors ? '' : 'Up to four sectors from-to in degrees from the bow, as 350-10');
+    field.setCustomValidity(sectors ? '' : t('Up to four sectors from-to in degrees from the bow, as 350-10'));
     if (sectors) this.pending.add(this.set({ blankedSectors: sectors }), { settle: () => {}, refused: (why) => showRefusal(field, why) });
     else field.reportValidity();
   }
@@ -102,13 +105,14 @@ export class ReceiverControls {
 
   stepRange(by) {
     const at = this.scales.indexOf(this.settings.rangeNm.value());
-    if ($('range').disabled) { this.notify('Locked by the instructor: range', 'info'); return; }
+    if ($('range').disabled) { this.notify(t('Locked by the instructor: {name}', { name: t('range') }), 'info'); return; }
     if (at < 0) return;
     const next = this.scales[at + by];
     if (next === undefined) {
-      this.notify(`${formatRange(this.scales[at])} NM is the ${by > 0 ? 'longest' : 'shortest'} range of this radar`, 'info');
+      this.notify(by > 0 ? t('{range} NM is the longest range of this radar', { range: formatRange(this.scales[at]) })
+        : t('{range} NM is the shortest range of this radar', { range: formatRange(this.scales[at]) }), 'info');
     } else if (this.longestNm && next > this.longestNm) {
-      this.notify(`Own views reach as far as the radar\u2019s range, ${formatRange(this.longestNm)} NM`, 'info');
+      this.notify(t('Own views reach as far as the radar\u2019s range, {range} NM', { range: formatRange(this.longestNm) }), 'info');
     } else {
       this.settings.rangeNm.change(next);
     }
@@ -117,7 +121,7 @@ export class ReceiverControls {
   // name: of a control of 0 to 100.
   step(name, by) {
     const value = this.settings[name]?.value() ?? null;
-    if ($(name)?.disabled) this.notify($(name).classList.contains('locked') ? `Locked by the instructor: ${name}` : `Set by itself: ${name}`, 'info');
+    if ($(name)?.disabled) this.notify($(name).classList.contains('locked') ? t('Locked by the instructor: {name}', { name: t(NAMES[name]) }) : t('Set by itself: {name}', { name: t(NAMES[name]) }), 'info');
     else if (value !== null) this.settings[name].change(Math.min(100, Math.max(0, Math.round(value) + by)));
   }
 }

@@ -1,10 +1,11 @@
 // Recording: the server's recorder, as this console shows and drives it.
+import { later, t } from './language/language.js';
 import { $ } from './widgets.js';
 import { bytes, duration } from './format.js';
 
 const OFF = 0, RECORDING = 1, DISK_FULL = 2, FAILED = 3;
 const START = 0, STOP = 1, MARK = 2;
-const WORDS = ['Off', 'Recording', 'Disk full', 'Failed'];
+const WORDS = [later('Off'), later('Recording'), later('Disk full'), later('Failed')];
 
 function write(id, text) {
   if ($(id).textContent !== text) $(id).textContent = text;
@@ -27,18 +28,18 @@ export class Recording {
 
   toggle() {
     const stops = this.isRunning;
-    this.#ask({ action: stops ? STOP : START }, stops ? 'Recording ends' : 'Recording begins');
+    this.#ask({ action: stops ? STOP : START }, stops ? t('Recording ends') : t('Recording begins'));
   }
 
   mark(name) {
     if (!this.isRunning) return;
-    this.#ask({ action: MARK, name }, name ? `Marked: ${name}` : 'Marked');
+    this.#ask({ action: MARK, name }, name ? t('Marked: {name}', { name }) : t('Marked'));
     $('record-mark').value = '';
   }
 
   #ask(record, done) {
     const request = this.send(record);
-    if (request === null) this.notify('Not connected: nothing was sent to the recorder', 'error');
+    if (request === null) this.notify(t('Not connected: nothing was sent to the recorder'), 'error');
     else this.asked.set(request, done);
   }
 
@@ -69,10 +70,10 @@ export class Recording {
     const state = this.state;
     const phase = state?.phase ?? OFF;
     $('recording').dataset.phase = String(phase);
-    $('record').textContent = this.isRunning ? 'Stop' : 'Record';
+    $('record').textContent = this.isRunning ? t('Stop') : t('Record');
     $('record').setAttribute('aria-pressed', String(this.isRunning));
     $('record-mark').disabled = $('record-marking').querySelector('button').disabled = !this.isRunning;
-    write('record-phase', (WORDS[phase] ?? '?') + (state?.inputsOnly ? ', inputs only' : '') + (state?.allViews ? ', all views' : ''));
+    write('record-phase', [WORDS[phase] ? t(WORDS[phase]) : '?', state?.inputsOnly ? t('inputs only') : '', state?.allViews ? t('all views') : ''].filter(Boolean).join(', '));
     write('record-time', state ? duration(state.seconds) : '–');
     write('record-size', state ? bytes(state.fileBytes) : '–');
     write('record-rate', state && this.isRunning ? `${bytes(state.bytesPerSecond)}/s` : '–');
@@ -82,11 +83,11 @@ export class Recording {
     $('record-lost').classList.toggle('bad', (state?.spokesLost ?? 0) > 0);
     write('record-file', state?.file ?? '');
     $('record-file').title = state?.folder ? `${state.folder}/${state.file}` : '';
-    const problem = state?.problem || (phase === DISK_FULL ? 'The disk is full: recording goes on when there is room' : '');
+    const problem = state?.problem || (phase === DISK_FULL ? t('The disk is full: recording goes on when there is room') : '');
     write('record-problem', problem);
     $('record-problem').hidden = problem === '';
     $('record-sign').hidden = !this.isRunning;
     $('record-sign').classList.toggle('bad', phase === DISK_FULL);
-    write('record-sign', phase === DISK_FULL ? 'Disk full' : `Rec ${state ? duration(state.seconds) : ''}`);
+    write('record-sign', phase === DISK_FULL ? t('Disk full') : `${t('Rec')} ${state ? duration(state.seconds) : ''}`);
   }
 }

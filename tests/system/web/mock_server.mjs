@@ -25,7 +25,7 @@ export const ClientMessage = schema.lookupType('skerry.wire.ClientMessage');
 export const CONTROLS = controlsDocument(schema);
 
 export const RANGES_NM = [0.125, 0.25, 0.5, 0.75, 1.5, 3, 6, 12, 24, 48, 72, 96];
-const MIME = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml' };
+const MIME = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml', '.json': 'application/json' };
 const BATCH = 16;
 
 export class MockServer {

@@ -1,17 +1,21 @@
 // Alerts by IEC 62923-1 as words and symbols: a priority is told by shape and word, and by colour besides.
+import { later, t } from '../language/language.js';
 import { ACKNOWLEDGED, ACTIVE, ALARM, CAUTION, RECTIFIED, SILENCED, WARNING } from '../targets/wire.js';
 
 // Full: not acknowledged; hollow: acknowledged.
 const PRIORITIES = {
-  [ALARM]: { word: 'Alarm', name: 'alarm', full: '\u25b2', hollow: '\u25b3' },
-  [WARNING]: { word: 'Warning', name: 'warning', full: '\u25cf', hollow: '\u25cb' },
-  [CAUTION]: { word: 'Caution', name: 'caution', full: '\u25a0', hollow: '\u25a1' },
+  [ALARM]: { word: later('Alarm'), name: 'alarm', full: '\u25b2', hollow: '\u25b3' },
+  [WARNING]: { word: later('Warning'), name: 'warning', full: '\u25cf', hollow: '\u25cb' },
+  [CAUTION]: { word: later('Caution'), name: 'caution', full: '\u25a0', hollow: '\u25a1' },
 };
-const STATES = { [ACTIVE]: 'not acknowledged', [SILENCED]: 'silenced', [ACKNOWLEDGED]: 'acknowledged', [RECTIFIED]: 'rectified, not acknowledged' };
+const STATES = {
+  [ACTIVE]: later('not acknowledged'), [SILENCED]: later('silenced'), [ACKNOWLEDGED]: later('acknowledged'), [RECTIFIED]: later('rectified, not acknowledged'),
+};
 
 // A priority that is not known is taken as a caution.
 export const priorityOf = ({ priority }) => PRIORITIES[priority] ?? PRIORITIES[CAUTION];
-export const stateWord = ({ state }) => STATES[state] ?? `state ${state}`;
+export const wordOf = (alert) => t(priorityOf(alert).word);
+export const stateWord = ({ state }) => (STATES[state] ? t(STATES[state]) : t('state {state}', { state }));
 export const keyOf = ({ number, instance }) => `${number}.${instance}`;
 export const symbolOf = (alert) => (alert.state === ACKNOWLEDGED ? priorityOf(alert).hollow : priorityOf(alert).full);
 // Cautions are not acknowledged, nor is anything of category C.

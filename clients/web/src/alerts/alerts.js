@@ -1,10 +1,11 @@
 // AlertConsole: the alerts of the view's plotter: banner, list, history and sound. The one door of this folder.
+import { t } from '../language/language.js';
 import { button, details, element, refusal, say } from '../targets/dom.js';
 import { ACTIVE } from '../targets/wire.js';
 import { $ } from '../widgets.js';
 import { AlertHistory } from './alert_history.js';
 import { AlertSound } from './alert_sound.js';
-import { byUrgency, clockOf, isUnacknowledged, keyOf, mayBeAcknowledged, priorityOf, stateWord, symbolOf } from './alert_words.js';
+import { byUrgency, clockOf, isUnacknowledged, keyOf, mayBeAcknowledged, priorityOf, stateWord, symbolOf, wordOf } from './alert_words.js';
 
 export class AlertConsole {
   // orders: TargetOrders; notify(text, kind); choose(alert): the operator asks which target it is about.
@@ -23,24 +24,24 @@ export class AlertConsole {
     this.count = element('span', { id: 'alert-count' });
     // Only what is new is spoken: the text, not the counts around it.
     const spoken = element('span', { id: 'alert-spoken', role: 'alert' }, this.worst);
-    this.first = button('alert-acknowledge', 'Ack', () => this.acknowledgeFirst(), { title: 'Acknowledge this alert (Q)', ariaLabel: 'Acknowledge this alert' });
+    this.first = button('alert-acknowledge', t('Ack'), () => this.acknowledgeFirst(), { title: `${t('Acknowledge this alert')} (Q)`, ariaLabel: t('Acknowledge this alert') });
     this.banner.append(spoken, this.count, this.first);
     this.problem = refusal('alert-refusal');
-    this.silences = button('alert-silence', 'Silence', () => this.silence(), { title: 'Silence for 30 s (Shift+Q)' });
-    this.all = button('alert-acknowledge-all', 'Acknowledge all', () => this.acknowledgeAll());
-    this.sounds = button('alert-sound', 'Sound on', () => this.#allowSound(), { ariaPressed: 'false' });
+    this.silences = button('alert-silence', t('Silence'), () => this.silence(), { title: t('Silence for 30 s (Shift+Q)') });
+    this.all = button('alert-acknowledge-all', t('Acknowledge all'), () => this.acknowledgeAll());
+    this.sounds = button('alert-sound', t('Sound on'), () => this.#allowSound(), { ariaPressed: 'false' });
     this.list = element('ul', { id: 'alert-list' });
-    this.none = element('p', { className: 'hint', textContent: 'No alerts.' });
+    this.none = element('p', { className: 'hint', textContent: t('No alerts.') });
     this.past = element('ol', { id: 'alert-history' });
-    $('alerts').append(element('h2', { textContent: 'Alerts' }), element('div', { className: 'actions' }, this.all, this.silences, this.sounds),
-      this.problem, this.none, this.list, details('alert-history-part', 'History', false, this.past));
+    $('alerts').append(element('h2', { textContent: t('Alerts') }), element('div', { className: 'actions' }, this.all, this.silences, this.sounds),
+      this.problem, this.none, this.list, details('alert-history-part', t('History'), false, this.past));
   }
 
   #allowSound() {
     const on = !this.sound.isAllowed;
-    if (!this.sound.allow(on)) this.notify('This browser plays no sound');
+    if (!this.sound.allow(on)) this.notify(t('This browser plays no sound'));
     this.sounds.ariaPressed = String(this.sound.isAllowed);
-    say(this.sounds, this.sound.isAllowed ? 'Sound off' : 'Sound on');
+    say(this.sounds, this.sound.isAllowed ? t('Sound off') : t('Sound on'));
     this.#call();
   }
 
@@ -81,13 +82,13 @@ export class AlertConsole {
   show() {
     const urgent = this.#urgent();
     const [worst] = urgent;
-    const words = worst ? `${symbolOf(worst)} ${priorityOf(worst).word}: ${worst.title}: ${worst.text}` : 'No alerts';
+    const words = worst ? `${symbolOf(worst)} ${wordOf(worst)}: ${worst.title}: ${worst.text}` : t('No alerts');
     say(this.worst, words);
     this.banner.dataset.priority = worst ? priorityOf(worst).name : '';
     this.banner.toggleAttribute('data-calls', worst !== undefined && isUnacknowledged(worst));
     const calling = urgent.filter(isUnacknowledged).length;
-    say(this.count, urgent.length === 0 ? '' : `${calling} of ${urgent.length}`);
-    this.count.title = `${calling} not acknowledged, of ${urgent.length}`;
+    say(this.count, urgent.length === 0 ? '' : t('{n} of {all}', { n: calling, all: urgent.length }));
+    this.count.title = t('{n} not acknowledged, of {all}', { n: calling, all: urgent.length });
     this.first.hidden = !urgent.some(mayBeAcknowledged);
     this.all.disabled = this.first.hidden;
     this.silences.disabled = !urgent.some((alert) => alert.state === ACTIVE);
@@ -110,10 +111,10 @@ export class AlertConsole {
       row.alert = alert;
       row.item.dataset.priority = priorityOf(alert).name;
       row.item.dataset.state = String(alert.state);
-      say(row.head, `${symbolOf(alert)} ${priorityOf(alert).word} ${alert.number}.${alert.instance} ${alert.title}`);
+      say(row.head, `${symbolOf(alert)} ${wordOf(alert)} ${alert.number}.${alert.instance} ${alert.title}`);
       say(row.text, alert.text);
-      say(row.more, `${clockOf(alert.utcNs)} UTC \u00b7 category ${alert.category || '\u2013'} \u00b7 ${stateWord(alert)}` +
-        (alert.escalations > 0 ? ` \u00b7 escalated ${alert.escalations}\u00d7` : ''));
+      say(row.more, `${clockOf(alert.utcNs)} UTC \u00b7 ${t('category {category}', { category: alert.category || '\u2013' })} \u00b7 ${stateWord(alert)}` +
+        (alert.escalations > 0 ? ` \u00b7 ${t('escalated {n}\u00d7', { n: alert.escalations })}` : ''));
       row.acknowledges.hidden = !mayBeAcknowledged(alert);
       row.chooses.hidden = alert.target === 0 && alert.mmsi === 0;
       if (this.list.children[i] !== row.item) this.list.insertBefore(row.item, this.list.children[i] ?? null);
@@ -122,8 +123,8 @@ export class AlertConsole {
 
   #row(key) {
     const row = { head: element('strong'), text: element('span', { className: 'text' }), more: element('span', { className: 'dim' }) };
-    row.acknowledges = button(`acknowledge-${key}`, 'Acknowledge', () => this.acknowledge([row.alert]), { ariaLabel: `Acknowledge ${key}` });
-    row.chooses = button(`show-${key}`, 'Show', () => this.choose(row.alert), { ariaLabel: `Select the target of ${key}` });
+    row.acknowledges = button(`acknowledge-${key}`, t('Acknowledge'), () => this.acknowledge([row.alert]), { ariaLabel: t('Acknowledge {alert}', { alert: key }) });
+    row.chooses = button(`show-${key}`, t('Show'), () => this.choose(row.alert), { ariaLabel: t('Select the target of {alert}', { alert: key }) });
     row.item = element('li', {}, row.head, row.text, row.more, element('div', { className: 'actions' }, row.acknowledges, row.chooses));
     this.rows.set(key, row);
     return row;
@@ -131,7 +132,7 @@ export class AlertConsole {
 
   #showHistory() {
     this.past.replaceChildren(...this.history.entries.map(({ alert, gone }) => element('li', { dataset: { priority: priorityOf(alert).name } },
-      `${clockOf(alert.utcNs)} ${priorityOf(alert).word} ${keyOf(alert)} ${alert.title}: ${alert.text} (${gone ? 'gone' : stateWord(alert)})`)));
+      `${clockOf(alert.utcNs)} ${wordOf(alert)} ${keyOf(alert)} ${alert.title}: ${alert.text} (${gone ? t('gone') : stateWord(alert)})`)));
   }
 
   // For tests.
@@ -141,10 +142,10 @@ export class AlertConsole {
 
   // For the table of keys (keys/key_table.js).
   get keys() {
-    const group = 'Alerts';
+    const group = t('Alerts');
     return [
-      { id: 'acknowledge', key: 'q', words: 'acknowledge the alert', group, run: () => this.acknowledgeFirst() },
-      { id: 'silence', key: 'Shift+q', words: 'silence alerts', group, run: () => this.silence() },
+      { id: 'acknowledge', key: 'q', words: t('acknowledge the alert'), group, run: () => this.acknowledgeFirst() },
+      { id: 'silence', key: 'Shift+q', words: t('silence alerts'), group, run: () => this.silence() },
     ];
   }
 }

@@ -1,5 +1,6 @@
 // ChartPart: the chart under the picture, lines of one's own and the man overboard, joined to the console.
 import { bearing, distance } from '../format.js';
+import { t } from '../language/language.js';
 import { $, write } from '../widgets.js';
 import { CHART_COLOURS } from './chart_colours.js';
 import { LoadedChart } from './chart_objects.js';
@@ -92,11 +93,11 @@ export class ChartPart {
 
   // For the table of keys (keys/key_table.js).
   get keys() {
-    const group = 'Chart';
+    const group = t('Chart');
     return [
-      { id: 'chart', key: 'j', words: 'chart on, off', group, run: () => this.toggle() },
-      { id: 'mob', key: 'o', words: 'man overboard (MOB)', group, run: () => this.mob.mark() },
-      { id: 'event-mark', key: 'x', words: 'event mark', group, run: () => this.markEvent() },
+      { id: 'chart', key: 'j', words: t('chart on, off'), group, run: () => this.toggle() },
+      { id: 'mob', key: 'o', words: t('man overboard (MOB)'), group, run: () => this.mob.mark() },
+      { id: 'event-mark', key: 'x', words: t('event mark'), group, run: () => this.markEvent() },
     ];
   }
 
@@ -106,11 +107,11 @@ export class ChartPart {
 
   // An event: own ship's place and the time, in the list and in the picture.
   markEvent() {
-    if (!this.place) return this.notify('The event was not marked: own ship\u2019s position is not known');
+    if (!this.place) return this.notify(t('The event was not marked: own ship\u2019s position is not known'));
     const utc = new Date(this.utcMs()).toISOString();
     const item = this.items.add({ type: 'point', kind: 'event', text: this.panel.form.text, places: [this.place], utc });
     if (!item) return this.notify(this.items.refusal(1));
-    return this.notify(`Event marked: ${utc.slice(11, 19)} UTC`, 'info');
+    return this.notify(t('Event marked: {time} UTC', { time: utc.slice(11, 19) }), 'info');
   }
 
   #itemsChanged() {
@@ -126,8 +127,8 @@ export class ChartPart {
 
   #showNote() {
     const { objects } = this.loaded ?? {};
-    const text = !this.settings.on ? '' : !this.canAsk ? 'this server tells no chart' : !objects ? 'is asked for'
-      : [objects.chart, objects.coastOnly ? 'coast only' : '', objects.marksLeftOut > 0 ? `${objects.marksLeftOut} marks left out` : '', 'not for navigation']
+    const text = !this.settings.on ? '' : !this.canAsk ? t('this server tells no chart') : !objects ? t('is asked for')
+      : [objects.chart, objects.coastOnly ? t('coast only') : '', objects.marksLeftOut > 0 ? t('{n} marks left out', { n: objects.marksLeftOut }) : '', t('not for navigation')]
         .filter(Boolean).join(' · ');
     write('chart-note', text);
     $('chart-note').title = text;
@@ -148,7 +149,8 @@ export class ChartPart {
     if (!best.mark) return '';
     const { mark } = best;
     const to = bearingRange(place, mark);
-    return [mark.name || MARK_NAMES[mark.kind] || 'mark', mark.name ? MARK_NAMES[mark.kind] : '', mark.light, mark.racon ? 'racon' : '',
+    const kind = t(MARK_NAMES[mark.kind] ?? MARK_NAMES[0]);
+    return [mark.name || kind, mark.name ? kind : '', mark.light, mark.racon ? t('racon') : '',
             mark.depthM === undefined ? '' : `${Number(mark.depthM.toFixed(1))} m`, `${bearing(to.bearingDeg)}° ${distance(to.rangeM)}`].filter(Boolean).join(' · ');
   }
 

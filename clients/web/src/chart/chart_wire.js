@@ -1,4 +1,5 @@
 // The messages of protocol/wire/chart.proto.
+import { later } from '../language/language.js';
 import { message, Writer } from '../protobuf.js';
 
 export const COAST = 0, CONTOUR = 1;
@@ -9,9 +10,9 @@ export const MARK = {
   ROCK: 15, RACON: 16, LIGHT_VESSEL: 17,
 };
 export const MARK_NAMES = [
-  'mark', 'port hand', 'starboard hand', 'preferred channel to starboard', 'preferred channel to port', 'north cardinal',
-  'east cardinal', 'south cardinal', 'west cardinal', 'isolated danger', 'safe water', 'special', 'light', 'wreck', 'obstruction',
-  'rock', 'racon', 'light vessel',
+  later('mark'), later('port hand'), later('starboard hand'), later('preferred channel to starboard'), later('preferred channel to port'), later('north cardinal'),
+  later('east cardinal'), later('south cardinal'), later('west cardinal'), later('isolated danger'), later('safe water'), later('special'), later('light'), later('wreck'), later('obstruction'),
+  later('rock'), later('racon'), later('light vessel'),
 ];
 
 const ChartLine = message({ 1: ['kind', 'uint32'], 2: ['depthM', 'double'], 3: ['points', ['sint32']] });

@@ -1,5 +1,6 @@
 // MapEditor: lines and points drawn in the picture, by mouse, pen or finger. While a mode is on, what is pressed in the picture is
 // its own and reaches nobody else; while none is, nothing is taken.
+import { t } from '../language/language.js';
 import { LocalPlane } from './earth.js';
 
 const RAD = Math.PI / 180;
@@ -87,7 +88,7 @@ export class MapEditor {
     if (this.mode === 'line' && isTwice && this.draft) { this.lastPress = null; this.finish(); return; }
     const place = this.#placeOf(event);
     if (place) this.put(place);
-    else if (!this.now().place) this.notify('Own ship\u2019s position is not known: nothing can be drawn');
+    else if (!this.now().place) this.notify(t('Own ship\u2019s position is not known: nothing can be drawn'));
   }
 
   // The nearest point within reach is dragged.

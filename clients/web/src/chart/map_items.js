@@ -1,7 +1,9 @@
 // Lines and points of one's own. An item: { id, type: 'line' | 'point', kind, text, places: [{ latitudeDeg, longitudeDeg }], utc }; utc
 // is the instant of an event as an ISO text, or ''. Items are never changed, but replaced.
+import { later, t } from '../language/language.js';
+
 export const KINDS = ['note', 'track', 'limit', 'danger', 'event'];
-export const KIND_NAMES = { note: 'Note', track: 'Track', limit: 'Limit', danger: 'Danger', event: 'Event' };
+export const KIND_NAMES = { note: later('Note'), track: later('line|Track'), limit: later('line|Limit'), danger: later('Danger'), event: later('Event') };
 export const MOST_ITEMS = 500, MOST_PLACES = 5000, LONGEST_TEXT = 80;
 
 // Text without control characters, cut to length; whole characters.
@@ -21,9 +23,9 @@ export class MapItems {
 
   // Why no more can be taken, or ''.
   refusal(places) {
-    if (this.items.length >= MOST_ITEMS) return `A map has at most ${MOST_ITEMS} lines and points`;
+    if (this.items.length >= MOST_ITEMS) return t('A map has at most {n} lines and points', { n: MOST_ITEMS });
     const all = this.items.reduce((sum, item) => sum + item.places.length, places);
-    return all > MOST_PLACES ? `A map has at most ${MOST_PLACES} points in all` : '';
+    return all > MOST_PLACES ? t('A map has at most {n} points in all', { n: MOST_PLACES }) : '';
   }
 
   // The new item, or null where there is no room for it.

@@ -1,5 +1,6 @@
 // MapPanel: the panel's part for lines and points of one's own: modes, fields, list, maps by name, files.
 import { position } from '../format.js';
+import { t } from '../language/language.js';
 import { $ } from '../widgets.js';
 import { fromGeoJson, MapFileError, MOST_BYTES, toGeoJson } from './geojson.js';
 import { cleanText, KIND_NAMES, KINDS } from './map_items.js';
@@ -13,7 +14,7 @@ export class MapPanel {
   // parts: items, editor, store (MapStore), notify(text, kind).
   constructor(parts) {
     Object.assign(this, parts);
-    $('map-kind').replaceChildren(...KINDS.map((kind) => new Option(KIND_NAMES[kind], kind)));
+    $('map-kind').replaceChildren(...KINDS.map((kind) => new Option(t(KIND_NAMES[kind]), kind)));
     for (const input of document.querySelectorAll('input[name=map-mode]')) {
       input.addEventListener('change', () => this.editor.setMode(input.value));
     }
@@ -40,7 +41,7 @@ export class MapPanel {
       this.items.replaceAll(this.store.load(name));
     } catch (error) {
       if (!(error instanceof MapFileError)) throw error;
-      this.notify(`The map ${name} cannot be read: ${error.message}`);
+      this.notify(t('The map {name} cannot be read: {why}', { name, why: error.message }));
       this.items.replaceAll([]);
     }
     this.editor.select(null);
@@ -48,7 +49,7 @@ export class MapPanel {
 
   // The items have changed: they are kept.
   keep() {
-    if (!this.store.save(this.store.current, this.items.items)) this.notify('This browser keeps no maps: export what is to last');
+    if (!this.store.save(this.store.current, this.items.items)) this.notify(t('This browser keeps no maps: export what is to last'));
   }
 
   #enter(put) {
@@ -70,11 +71,11 @@ export class MapPanel {
   }
 
   #saveAs(name) {
-    if (!isName(name)) return this.notify('A map needs a name, of at most 60 letters');
+    if (!isName(name)) return this.notify(t('A map needs a name, of at most 60 letters'));
     try {
       this.store.save(name, this.items.items);
     } catch (error) {
-      return this.notify(`The map was not kept: ${error.message}`);
+      return this.notify(t('The map was not kept: {why}', { why: error.message }));
     }
     $('map-save-name').value = '';
     return this.show();
@@ -101,18 +102,18 @@ export class MapPanel {
   async #import(file) {
     if (!file) return;
     try {
-      if (file.size > MOST_BYTES) throw new MapFileError(`it is larger than ${MOST_BYTES / (1 << 20)} MB`);
+      if (file.size > MOST_BYTES) throw new MapFileError(t('it is larger than {size} MB', { size: MOST_BYTES / (1 << 20) }));
       const items = fromGeoJson(await file.text());
       const stem = cleanText(file.name.replace(/\.(geo)?json$/i, '')).slice(0, 50);
-      const base = isName(stem) ? stem : FIRST_NAME;
+      const base = isName(stem) ? stem : t(FIRST_NAME);
       let name = base;
       for (let i = 2; this.store.names.includes(name); ++i) name = `${base} ${i}`;
       this.store.save(name, items);
       this.open(name);
-      this.notify(`${items.length} lines and points from ${file.name}`, 'info');
+      this.notify(t('{n} lines and points from {file}', { n: items.length, file: file.name }), 'info');
     } catch (error) {
       if (!(error instanceof MapFileError)) throw error;
-      this.notify(`The file ${file.name} is refused: ${error.message}`);
+      this.notify(t('The file {file} is refused: {why}', { file: file.name, why: error.message }));
     } finally {
       $('map-file').value = '';
     }
@@ -125,8 +126,8 @@ export class MapPanel {
     $('map-finish').hidden = $('map-drop').hidden = editor.mode !== 'line';
     $('map-finish').disabled = $('map-drop').disabled = !editor.draft;
     $('map-change').disabled = !editor.selected;
-    $('map-add').textContent = editor.mode === 'line' ? 'Add to line' : 'Add point';
-    $('map-remove').textContent = this.removing ? 'Sure?' : 'Delete';
+    $('map-add').textContent = editor.mode === 'line' ? t('Add to line') : t('Add point');
+    $('map-remove').textContent = this.removing ? t('Sure?') : t('Delete');
     const names = store.names;
     if (names.join('\n') !== this.named) $('map-name').replaceChildren(...names.map((name) => new Option(name, name)));
     this.named = names.join('\n');
@@ -143,12 +144,12 @@ export class MapPanel {
       const row = document.createElement('li');
       const choose = document.createElement('button'), remove = document.createElement('button');
       choose.type = remove.type = 'button';
-      const what = item.type === 'line' ? `line of ${item.places.length}` : 'point';
-      choose.textContent = [KIND_NAMES[item.kind], what, item.text || item.utc].filter(Boolean).join(' · ');
+      const what = item.type === 'line' ? t('line of {n}', { n: item.places.length }) : t('point');
+      choose.textContent = [t(KIND_NAMES[item.kind]), what, item.text || item.utc].filter(Boolean).join(' · ');
       choose.ariaPressed = String(editor.selected?.id === item.id);
       choose.addEventListener('click', () => this.#choose(item));
-      remove.textContent = 'Delete';
-      remove.ariaLabel = `Delete ${choose.textContent}`;
+      remove.textContent = t('Delete');
+      remove.ariaLabel = t('Delete {what}', { what: choose.textContent });
       remove.addEventListener('click', () => { editor.select(null); items.remove(item.id); });
       row.append(choose, remove);
       return row;

@@ -1,16 +1,17 @@
 // Maps kept in this browser by their names, as GeoJSON. What is kept may have been written by anybody who had this browser: it is read
 // as a file is.
+import { later, t } from '../language/language.js';
 import { fromGeoJson, MapFileError, toGeoJson } from './geojson.js';
 
 const KEY = 'skerry.maps';
-export const FIRST_NAME = 'My map';
+export const FIRST_NAME = later('My map');
 const MOST_MAPS = 30;
 
 export class MapStore {
   // storage: localStorage, or one like it.
   constructor(storage) {
     this.storage = storage;
-    this.current = FIRST_NAME;
+    this.current = t(FIRST_NAME);
     this.maps = {};
     const current = this.#read();
     if (isName(current) && Object.hasOwn(this.maps, current)) this.current = current;
@@ -47,7 +48,7 @@ export class MapStore {
   // Whether the browser kept it.
   save(name, items) {
     this.#read();
-    if (!Object.hasOwn(this.maps, name) && Object.keys(this.maps).length >= MOST_MAPS) throw new MapFileError(`at most ${MOST_MAPS} maps are kept`);
+    if (!Object.hasOwn(this.maps, name) && Object.keys(this.maps).length >= MOST_MAPS) throw new MapFileError(t('at most {n} maps are kept', { n: MOST_MAPS }));
     this.maps[name] = toGeoJson(name, items);
     this.current = name;
     return this.#write();
@@ -56,7 +57,7 @@ export class MapStore {
   remove(name) {
     this.#read();
     delete this.maps[name];
-    this.current = Object.keys(this.maps).sort()[0] ?? FIRST_NAME;
+    this.current = Object.keys(this.maps).sort()[0] ?? t(FIRST_NAME);
     this.#write();
   }
 

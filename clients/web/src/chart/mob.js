@@ -1,6 +1,7 @@
 // Mob: a man overboard. His place is marked, with bearing, range and the time since, until that is cancelled twice over. Kept in this
 // browser, so that a page that is loaded again still has it.
 import { bearing, distance, duration, position } from '../format.js';
+import { t } from '../language/language.js';
 import { $, write } from '../widgets.js';
 import { bearingRange } from './earth.js';
 
@@ -18,8 +19,8 @@ export class Mob {
 
   mark() {
     const { place, utcMs } = this.now();
-    if (this.at) return this.notify('Man overboard is marked already; cancel that first');
-    if (!place) return this.notify('Man overboard was not marked: own ship\u2019s position is not known');
+    if (this.at) return this.notify(t('Man overboard is marked already; cancel that first'));
+    if (!place) return this.notify(t('Man overboard was not marked: own ship\u2019s position is not known'));
     this.at = { ...place, utcMs };
     this.#keep();
     return this.show();
@@ -48,7 +49,7 @@ export class Mob {
   // A few times a second.
   show() {
     $('mob').hidden = this.at === null;
-    write('mob-alert', this.at ? 'Man overboard is marked' : '');
+    write('mob-alert', this.at ? t('Man overboard is marked') : '');
     if (!this.at) return;
     const { place, utcMs } = this.now();
     const to = place ? bearingRange(place, this.at) : { bearingDeg: NaN, rangeM: NaN };
@@ -56,7 +57,7 @@ export class Mob {
     write('mob-range', distance(to.rangeM));
     write('mob-since', duration((utcMs - this.at.utcMs) / 1000));
     write('mob-place', `${position(this.at.latitudeDeg, 'N', 'S', 2)} ${position(this.at.longitudeDeg, 'E', 'W', 3)}`);
-    write('mob-cancel', performance.now() <= this.sureUntilMs ? 'Press again to cancel' : 'Cancel');
+    write('mob-cancel', performance.now() <= this.sureUntilMs ? t('Press again to cancel') : t('mark|Cancel'));
   }
 }
 

@@ -1,4 +1,5 @@
 // The dialog of keys: the table of keys by group, each key a button that takes another one.
+import { t } from '../language/language.js';
 import { keyOf, writtenKey } from './key_names.js';
 
 function element(name, properties = {}, ...children) {
@@ -14,7 +15,7 @@ export class KeyHelp {
     this.table = table;
     this.changed = changed;
     this.asking = null;  // { id, button, taken: the key that was pressed though another action has it }
-    dialog.querySelector('.key-reset').addEventListener('click', () => { table.reset(); changed(); this.#show(); this.#say('All keys are as delivered'); });
+    dialog.querySelector('.key-reset').addEventListener('click', () => { table.reset(); changed(); this.#show(); this.#say(t('All keys are as delivered')); });
     dialog.addEventListener('keydown', (event) => this.#press(event), true);
     dialog.addEventListener('close', () => { this.asking = null; });
   }
@@ -41,11 +42,13 @@ export class KeyHelp {
 
   #row(action) {
     const key = this.table.keyOf(action.id);
-    const keys = key ? writtenKey(key) : ['none'];
+    const keys = key ? writtenKey(key) : [t('key|none')];
     const button = element('button', { type: 'button', className: 'key' }, ...keys.map((part) => element('kbd', { textContent: part })));
     button.dataset.action = action.id;
+    button.dataset.changed = t('changed');  // shown by style.css
     button.classList.toggle('changed', key !== action.key);
-    button.ariaLabel = `${action.words}: key ${keys.join(' ')}${key === action.key ? '' : ', changed'}; press to change it`;
+    const named = { words: action.words, key: keys.join(' ') };
+    button.ariaLabel = key === action.key ? t('{words}: key {key}; press to change it', named) : t('{words}: key {key}, changed; press to change it', named);
     button.addEventListener('click', () => this.#ask(action, button));
     return element('li', {}, button, element('span', { textContent: action.words }));
   }
@@ -55,7 +58,7 @@ export class KeyHelp {
     this.asking = { id: action.id, taken: null };
     this.#button(action.id).classList.add('asking');
     this.#button(action.id).focus();
-    this.#say(`Press the new key for: ${action.words}. Delete takes its key away, Escape leaves it.`);
+    this.#say(t('Press the new key for: {words}. Delete takes its key away, Escape leaves it.', { words: action.words }));
   }
 
   #button(id) {
@@ -65,8 +68,8 @@ export class KeyHelp {
   #press(event) {
     if (!this.asking || event.key === 'Tab') return;
     const { id, taken } = this.asking;
-    if (event.key === 'Escape') { event.preventDefault(); this.#done('Nothing was changed'); return; }
-    if (event.key === 'Delete') { event.preventDefault(); this.table.change(id, ''); this.#done('It has no key now'); return; }
+    if (event.key === 'Escape') { event.preventDefault(); this.#done(t('Nothing was changed')); return; }
+    if (event.key === 'Delete') { event.preventDefault(); this.table.change(id, ''); this.#done(t('It has no key now')); return; }
     const key = keyOf(event);
     if (key === null) return;
     event.preventDefault();
@@ -75,7 +78,7 @@ export class KeyHelp {
     const other = this.table.change(id, key, taken === key);
     if (other === null) { this.#done(`${written}: ${this.table.actions.get(id).words}`); return; }
     this.asking.taken = key;
-    this.#say(`${written} is the key for: ${other.words}. Press it again to take it from there, or press another key.`);
+    this.#say(t('{key} is the key for: {words}. Press it again to take it from there, or press another key.', { key: written, words: other.words }));
   }
 
   #done(text) {

@@ -1,4 +1,5 @@
 // What a server says of itself when it answers, and what that means for a page that may have been opened on another one.
+import { t } from '../language/language.js';
 import { shortName } from '../names.js';
 
 // Hello.protocol_version that this page speaks (protocol/SPEC.md, section 5).
@@ -17,22 +18,23 @@ export class Greeting {
     const { last } = this;
     this.last = hello;
     if (!last) return;
-    if (hello.scenario !== last.scenario) this.notify(`Another scenario: ${shortName(hello.scenario) || 'without a name'}`, 'info');
+    if (hello.scenario !== last.scenario) this.notify(t('Another scenario: {name}', { name: shortName(hello.scenario) || t('without a name') }), 'info');
     if (last.radars.some((each) => each.radar === radar) && !hello.radars.some((each) => each.radar === radar)) {
       const [first] = hello.radars;
-      const now = first ? `${shortName(first.ownShip || first.name)} is shown` : 'the server has none';
-      this.notify(`Radar ${radar} is there no more: ${now}`);
+      const now = first ? t('{ship} is shown', { ship: shortName(first.ownShip || first.name) }) : t('the server has none');
+      this.notify(t('Radar {radar} is there no more: {now}', { radar, now }));
     }
   }
 
   #problemOf({ protocolVersion, server }) {
     if (protocolVersion !== PROTOCOL_VERSION) {
-      const age = protocolVersion > PROTOCOL_VERSION ? 'newer' : 'older';
-      return `This server is ${age} than this page: it speaks version ${protocolVersion} of the protocol, the page version ` +
-        `${PROTOCOL_VERSION}. What is shown may be wrong. Reload the page.`;
+      const versions = { server: protocolVersion, page: PROTOCOL_VERSION };
+      return protocolVersion > PROTOCOL_VERSION
+        ? t('This server is newer than this page: it speaks version {server} of the protocol, the page version {page}. What is shown may be wrong. Reload the page.', versions)
+        : t('This server is older than this page: it speaks version {server} of the protocol, the page version {page}. What is shown may be wrong. Reload the page.', versions);
     }
     if (this.first !== undefined && server !== this.first) {
-      return `The server is now ${shortName(server)}; this page is of ${shortName(this.first)}. Reload the page.`;
+      return t('The server is now {now}; this page is of {before}. Reload the page.', { now: shortName(server), before: shortName(this.first) });
     }
     this.first ??= server;
     return '';

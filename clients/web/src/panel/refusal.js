@@ -1,5 +1,6 @@
 // Why a value was refused, beside the control that it was given to, for some seconds. The notice over the picture says the
 // same, and is what a screen reader speaks.
+import { t } from '../language/language.js';
 import { shortName } from '../names.js';
 
 const SHOWN_MS = 8000;
@@ -12,7 +13,7 @@ export function showRefusal(element, why) {
   clearRefusal(row);
   const note = document.createElement('p');
   note.className = 'refusal';
-  note.textContent = `refused: ${shortName(why, 160)}`;
+  note.textContent = t('refused: {why}', { why: shortName(why, 160) });
   row.after(note);
   notes.set(row, { note, timer: setTimeout(() => clearRefusal(row), SHOWN_MS) });
 }

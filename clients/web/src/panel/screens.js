@@ -2,6 +2,7 @@
 //
 // A second picture is a console in a frame that shows the picture and the range buttons alone (?bare): in a view of its
 // own, so that it has another range, or of another radar. ?beside=N in the address is radar N's.
+import { t } from '../language/language.js';
 import { isolated, shortName } from '../names.js';
 import { $ } from '../widgets.js';
 
@@ -31,7 +32,7 @@ export class Screens {
       try {
         await document.documentElement.requestFullscreen();
       } catch {
-        this.host.notify('This browser gives no full screen: the picture has the page', 'info');
+        this.host.notify(t('This browser gives no full screen: the picture has the page'), 'info');
       }
     }
     document.body.toggleAttribute('data-alone', !alone);
@@ -51,17 +52,22 @@ export class Screens {
   popOut() {
     const { radar } = this.host;
     const side = Math.round(Math.min(screen.availWidth, screen.availHeight) * 0.8);
-    const opened = open(`?watch&radar=${radar.radar}&view=${radar.view}`, '_blank', `popup,width=${side},height=${side}`);
-    if (!opened) this.host.notify('The browser opened no window: allow pop-ups of this page');
+    const opened = open(`?watch&radar=${radar.radar}&view=${radar.view}${this.#language()}`, '_blank', `popup,width=${side},height=${side}`);
+    if (!opened) this.host.notify(t('The browser opened no window: allow pop-ups of this page'));
+  }
+
+  // What the address says of it goes for further pictures, too.
+  #language() {
+    return this.choices.has('lang') ? `&lang=${encodeURIComponent(this.choices.get('lang'))}` : '';
   }
 
   // The radars that a second picture may show.
   greet(radars) {
     const named = (r) => isolated([r.ownShip, r.name].filter(Boolean).join(' · '));
     const own = this.host.radar.radar;
-    $('beside').replaceChildren(new Option('None', ''), ...radars.map((r) => new Option(r.radar === own ? `${named(r)}, other range` : named(r), r.radar)));
+    $('beside').replaceChildren(new Option(t('None'), ''), ...radars.map((r) => new Option(r.radar === own ? t('{radar}, other range', { radar: named(r) }) : named(r), r.radar)));
     if (this.asked !== null && !radars.some(({ radar }) => String(radar) === this.asked)) {
-      this.host.notify(`There is no radar ${shortName(this.asked, 12)} to show beside`);
+      this.host.notify(t('There is no radar {radar} to show beside', { radar: shortName(this.asked, 12) }));
       this.asked = null;
     }
     this.#beside(this.asked ?? '', false);
@@ -75,11 +81,11 @@ export class Screens {
       this.frame?.remove();
       this.frame = null;
     } else {
-      const address = `?bare&view=own&radar=${radar}`;
+      const address = `?bare&view=own&radar=${radar}${this.#language()}`;
       if (!this.frame) {
         this.frame = document.createElement('iframe');
         this.frame.id = 'second';
-        this.frame.title = 'Second radar picture';
+        this.frame.title = t('Second radar picture');
         $('display').after(this.frame);
       }
       if (this.frame.getAttribute('src') !== address) this.frame.src = address;

@@ -5,6 +5,12 @@ const COUNT_MS = 1000;
 // A browser's word for "the layout is still settling", which is no fault.
 const HARMLESS = /^ResizeObserver loop/;
 
+// In the page's language once it has one: inLanguage().
+let t = (text, values = {}) => text.replace(/\{(\w+)\}/g, (_, name) => values[name]);
+export function inLanguage(translate) {
+  t = translate;
+}
+
 let bar = null, more = 0, counting = null;
 
 function button(text, run) {
@@ -21,7 +27,7 @@ function show(what) {
     // Written once a second, and not spoken again.
     counting ??= setTimeout(() => {
       counting = null;
-      if (bar) bar.querySelector('.more').textContent = ` (and ${more} more)`;
+      if (bar) bar.querySelector('.more').textContent = ` ${t('(and {n} more)', { n: more })}`;
     }, COUNT_MS);
     return;
   }
@@ -29,19 +35,19 @@ function show(what) {
   bar.id = 'script-error';
   bar.setAttribute('role', 'alert');
   const text = document.createElement('p'), count = document.createElement('span');
-  text.textContent = `Fault in this page: ${what.slice(0, 200)}. What is shown may be wrong; reload it.`;
+  text.textContent = t('Fault in this page: {what}. What is shown may be wrong; reload it.', { what: what.slice(0, 200) });
   count.className = 'more';
   count.setAttribute('aria-hidden', 'true');
   text.append(count);
-  bar.append(text, button('Reload', () => location.reload()), button('Close', () => { bar.remove(); bar = null; more = 0; }));
+  bar.append(text, button(t('Reload'), () => location.reload()), button(t('Close'), () => { bar.remove(); bar = null; more = 0; }));
   document.body.append(bar);
 }
 
 addEventListener('error', (event) => {
   if (event.target instanceof HTMLElement) {
-    if (event.target.matches('script, link')) show(`${event.target.src ?? event.target.href} could not be loaded`);
+    if (event.target.matches('script, link')) show(t('{file} could not be loaded', { file: event.target.src ?? event.target.href }));
   } else if (!HARMLESS.test(event.message)) {
-    show(event.error?.message ?? event.message ?? 'unknown');
+    show(event.error?.message ?? event.message ?? t('unknown'));
   }
 }, true);
 addEventListener('unhandledrejection', ({ reason }) => show(String(reason?.message ?? reason)));

@@ -3,6 +3,8 @@
 // A set-up is { name, parts: { part: values } }. Each part of the console gives one and takes one:
 //   store.addPart('picture', { take: () => values, put: (values) => ... });
 // values are plain JSON; put() is given what some version of the same part once gave, and takes what it knows of it.
+import { t } from '../language/language.js';
+
 const REMEMBERED = 'skerry.setups';
 const KIND = 'skerry set-up', VERSION = 1;
 const MOST_BYTES = 1 << 20;
@@ -57,11 +59,11 @@ export class SetupStore {
 
   // Error: throws with what is wrong of a text that is no set-up.
   fromFile(text) {
-    if (text.length > MOST_BYTES) throw new Error('the file is too large for a set-up');
+    if (text.length > MOST_BYTES) throw new Error(t('the file is too large for a set-up'));
     let read;
-    try { read = JSON.parse(text); } catch { throw new Error('the file is no set-up: not JSON'); }
-    if (!isObject(read) || read.kind !== KIND || !isObject(read.parts)) throw new Error('the file is no set-up of this console');
-    if (read.version !== VERSION) throw new Error(`the file is a set-up of version ${Number(read.version)}, this console reads ${VERSION}`);
-    return { name: String(read.name ?? '').slice(0, 60) || 'Unnamed', parts: read.parts };
+    try { read = JSON.parse(text); } catch { throw new Error(t('the file is no set-up: not JSON')); }
+    if (!isObject(read) || read.kind !== KIND || !isObject(read.parts)) throw new Error(t('the file is no set-up of this console'));
+    if (read.version !== VERSION) throw new Error(t('the file is a set-up of version {version}, this console reads {own}', { version: Number(read.version), own: VERSION }));
+    return { name: String(read.name ?? '').slice(0, 60) || t('Unnamed'), parts: read.parts };
   }
 }

@@ -1,4 +1,5 @@
 // The part of the panel that keeps set-ups by name: save, load, delete, as a file and from one.
+import { t } from '../language/language.js';
 import { shortName } from '../names.js';
 import { $ } from '../widgets.js';
 
@@ -19,7 +20,7 @@ export class Setups {
 
   #show(chosen) {
     const { names } = this.store;
-    $('setup-list').replaceChildren(...(names.length > 0 ? names.map((name) => new Option(shortName(name), name)) : [new Option('None yet', '')]));
+    $('setup-list').replaceChildren(...(names.length > 0 ? names.map((name) => new Option(shortName(name), name)) : [new Option(t('None yet'), '')]));
     if (chosen) $('setup-list').value = chosen;
     for (const id of ['setup-list', 'setup-load', 'setup-delete', 'setup-download']) $(id).disabled = names.length === 0;
   }
@@ -39,16 +40,16 @@ export class Setups {
   #keep(setup) {
     try {
       this.store.save(setup);
-      this.notify(`Set-up kept in this browser: ${setup.name}`, 'info');
+      this.notify(t('Set-up kept in this browser: {name}', { name: setup.name }), 'info');
     } catch {
-      this.notify('This browser keeps no set-ups (its storage is full or switched off)');
+      this.notify(t('This browser keeps no set-ups (its storage is full or switched off)'));
     }
     this.#show(setup.name);
   }
 
   #put(setup) {
     this.store.put(setup);
-    this.notify(`Set-up in force: ${setup.name}`, 'info');
+    this.notify(t('Set-up in force: {name}', { name: setup.name }), 'info');
   }
 
   #download(setup) {

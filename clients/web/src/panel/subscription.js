@@ -1,6 +1,7 @@
 // Subscription: which radar and view this console looks at: the shared view, a view of its own, or a further one of
 // another's (?view=2). After a break an own view is asked for again with the settings that it had, for a view ends some
 // seconds after its last console left.
+import { t } from '../language/language.js';
 import { REFUSED } from '../messages.js';
 
 const VIEW_PANELS = ['receiver', 'processing'];
@@ -63,7 +64,7 @@ export class Subscription {
     this.asked = null;
     if (reply.code === 0) {
       radar.view = reply.view;
-      if (own && reply.view === 0) { this.own = false; notify('This server has no views of one\u2019s own'); }
+      if (own && reply.view === 0) { this.own = false; notify(t('This server has no views of one\u2019s own')); }
     } else if (own) {
       this.own = like !== 0;
       radar.view = 0;
@@ -99,7 +100,7 @@ export class Subscription {
   // Gives the view such values: those that it has not, but for what is locked, and no farther than the radar reaches.
   give(wanted) {
     const { settings } = this.host.radar;
-    if (!settings) { this.host.notify('Nothing is known of the radar yet: range and receiver stay as they are'); return; }
+    if (!settings) { this.host.notify(t('Nothing is known of the radar yet: range and receiver stay as they are')); return; }
     const values = {};
     for (const name of this.names) {
       if (typeof wanted[name] !== typeof settings[name] || settings.locked.includes(this.fields.get(name))) continue;

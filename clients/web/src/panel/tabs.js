@@ -2,8 +2,12 @@
 // the file; one without a tab that is known goes into the last. Tabs without a section are left out.
 // By mouse, touch and keys: Left, Right, Home and End in the list of tabs (WAI-ARIA, tabs with automatic activation).
 // The chosen tab is kept in this browser.
+import { later, t } from '../language/language.js';
+
 const REMEMBERED = 'skerry.tab';
-export const TABS = [['radar', 'Radar'], ['targets', 'Targets'], ['tools', 'Tools'], ['chart', 'Chart'], ['set-up', 'Set-up']];
+export const TABS = [
+  ['radar', later('Radar')], ['targets', later('Targets')], ['tools', later('Tools')], ['chart', later('Chart')], ['set-up', later('Set-up')],
+];
 
 function kept() {
   try { return localStorage.getItem(REMEMBERED); } catch { return null; }
@@ -27,7 +31,7 @@ export class Tabs {
 
   #add(place, name, title, sections) {
     const tab = document.createElement('button');
-    Object.assign(tab, { type: 'button', id: `tab-${name}`, role: 'tab', textContent: title });
+    Object.assign(tab, { type: 'button', id: `tab-${name}`, role: 'tab', textContent: t(title) });
     tab.setAttribute('aria-controls', `sections-${name}`);
     tab.addEventListener('click', () => this.show(name, true));
     const panel = document.createElement('div');

@@ -1,4 +1,6 @@
 // NumberField: a number typed by hand, with its range. What is out of range is refused beside the field, and the old value stands.
+import { t } from '../language/language.js';
+
 let fields = 0;
 
 export class NumberField {
@@ -17,7 +19,7 @@ export class NumberField {
       const value = this.field.value === '' && !this.field.validity.badInput ? null : this.field.valueAsNumber;
       const isGood = value === null ? isOptional : value >= least && value <= most;
       this.refusal.hidden = isGood;
-      this.refusal.textContent = isGood ? '' : `Allowed: ${this.range}`;
+      this.refusal.textContent = isGood ? '' : t('Allowed: {range}', { range: this.range });
       this.field.classList.toggle('refused', !isGood);
       if (isGood) enter(value);
       else this.#write();
@@ -25,7 +27,8 @@ export class NumberField {
   }
 
   get range() {
-    return `${this.least} to ${this.most} ${this.unit}${this.isOptional ? ', or empty' : ''}`;
+    const range = `${t('{min} to {max}', { min: this.least, max: this.most })} ${this.unit}`;
+    return this.isOptional ? t('{range}, or empty', { range }) : range;
   }
 
   #write() {

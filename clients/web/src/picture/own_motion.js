@@ -1,5 +1,6 @@
 // OwnMotion: how far own ship has gone over ground or through the water, by what the spokes carry. True motion and true
 // trails stand on it.
+import { t } from '../language/language.js';
 import { NAUTICAL_MILE_M } from '../view_geometry.js';
 import { offsetM } from './places.js';
 
@@ -11,11 +12,11 @@ const MOST_STEP_M = 60, MOST_MPS = 60;
 // chosen, or ''. Over ground by own ship's position; through the water by log and heading.
 export function stabilisation(chosen, ship, headingKnown) {
   const ground = ship && !ship.noPosition, water = ship && !ship.noLog && !ship.noMotion && headingKnown;
-  if (chosen === 'ground' && ground) return { kind: 'ground', source: 'position', lost: '' };
-  if (chosen === 'water' && water) return { kind: 'water', source: 'log, heading', lost: '' };
-  const lost = !ship ? 'no own ship' : chosen === 'ground' ? 'position lost' : headingKnown ? 'log lost' : 'heading lost';
-  if (ground) return { kind: 'ground', source: 'position', lost };
-  if (water) return { kind: 'water', source: 'log, heading', lost };
+  if (chosen === 'ground' && ground) return { kind: 'ground', source: t('position'), lost: '' };
+  if (chosen === 'water' && water) return { kind: 'water', source: t('log, heading'), lost: '' };
+  const lost = !ship ? t('no own ship') : chosen === 'ground' ? t('position lost') : headingKnown ? t('log lost') : t('heading lost');
+  if (ground) return { kind: 'ground', source: t('position'), lost };
+  if (water) return { kind: 'water', source: t('log, heading'), lost };
   return { kind: 'none', source: '', lost };
 }
 

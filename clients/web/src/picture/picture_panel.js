@@ -1,14 +1,15 @@
 // The panel's settings of the picture, joined to PictureSettings and the Stage.
 import { nextPalette, showPalette } from '../controls.js';
+import { later, t } from '../language/language.js';
 import { $, showSlider } from '../widgets.js';
 import { LAYERS } from './picture_settings.js';
 
 const radios = (name) => document.querySelectorAll(`input[name=${name}]`);
 const MODES = {
-  'off-centre': 'Press where own ship shall be · Esc leaves',
-  measure: 'Press two points to measure · Esc leaves',
-  origin: 'Press where EBL and VRM shall begin · Esc leaves',
-  cursor: 'Arrows move the cursor · Esc leaves',
+  'off-centre': later('Press where own ship shall be · Esc leaves'),
+  measure: later('Press two points to measure · Esc leaves'),
+  origin: later('Press where EBL and VRM shall begin · Esc leaves'),
+  cursor: later('Arrows move the cursor · Esc leaves'),
 };
 
 // Binds them all. changed(): after each change. Gives { show(), setOrientation(name), isLineHeld() }.
@@ -17,7 +18,7 @@ export function bindPicture({ picture, stage, markers, notify, headingDeg, setDe
   const brilliance = Object.entries(LAYERS).map(([name, { label, least }]) => {
     const slider = Object.assign(document.createElement('input'), { type: 'range', min: least, max: 100, step: 5, id: `brilliance-${name}` });
     const value = document.createElement('output');
-    const text = Object.assign(document.createElement('span'), { textContent: label });
+    const text = Object.assign(document.createElement('span'), { textContent: t(label) });
     const row = Object.assign(document.createElement('label'), { className: 'slider' });
     row.append(text, slider, value);
     slider.addEventListener('input', () => change({ brilliance: { ...picture.brilliance, [name]: Number(slider.value) } }));
@@ -49,11 +50,11 @@ export function bindPicture({ picture, stage, markers, notify, headingDeg, setDe
   const setOrientation = (name) => {
     const heading = headingDeg();
     if (name === 'course' && heading === null) {
-      notify('Course up needs the heading');
+      notify(t('Course up needs the heading'));
       show();
     } else {
       change({ orientation: name, ...(name === 'course' ? { courseDeg: heading } : {}) });
-      if (name === 'head' && picture.motion === 'true') notify('Head up is in relative motion', 'info');
+      if (name === 'head' && picture.motion === 'true') notify(t('Head up is in relative motion'), 'info');
     }
   };
   for (const input of radios('orientation')) input.addEventListener('change', () => setOrientation(input.value));
@@ -61,13 +62,13 @@ export function bindPicture({ picture, stage, markers, notify, headingDeg, setDe
     input.addEventListener('change', () => {
       // True motion has true trails only.
       change(input.value === 'true' ? { motion: 'true', trailMode: 'true' } : { motion: 'relative' });
-      if (input.value === 'true' && picture.orientation === 'head') notify('True motion needs north up or course up', 'info');
+      if (input.value === 'true' && picture.orientation === 'head') notify(t('True motion needs north up or course up'), 'info');
     });
   }
   for (const input of radios('trail-mode')) {
     input.addEventListener('change', () => {
       if (input.value === 'relative' && stage.standing.isTrue) {
-        notify('True motion has true trails only', 'info');
+        notify(t('True motion has true trails only'), 'info');
         show();
       } else {
         change({ trailMode: input.value });
@@ -111,7 +112,7 @@ export function bindPicture({ picture, stage, markers, notify, headingDeg, setDe
 // Says what a press in the picture means now.
 export function showMode(mode) {
   $('picture-mode').hidden = mode === null;
-  $('picture-mode').textContent = mode === null ? '' : MODES[mode];
+  $('picture-mode').textContent = mode === null ? '' : t(MODES[mode]);
   $('off-centre').setAttribute('aria-pressed', String(mode === 'off-centre'));
   $('measure').setAttribute('aria-pressed', String(mode === 'measure'));
 }

@@ -1,15 +1,16 @@
 // PictureSettings: how this screen shows its picture, kept in this browser.
+import { later } from '../language/language.js';
 import { isSwitch, keep, oneOf, read, sound, within } from './kept.js';
 import { FARTHEST } from './own_place.js';
 
 const KEY = 'skerry.picture';
-export const PALETTE_ORDER = ['day', 'dusk', 'night'];
+export const PALETTE_ORDER = [later('day'), later('dusk'), later('night')];
 // Seconds; 0: off, -1: permanent.
 export const TRAILS_S = [0, 15, 30, 60, 180, 360, 720, 1800, -1];
 // Layers whose brilliance is set by itself, percent, and the least of each: echoes and the scale never vanish by it.
 export const LAYERS = {
-  echo: { label: 'Echoes', least: 20 }, trails: { label: 'Trails', least: 10 }, rings: { label: 'Rings', least: 10 },
-  heading: { label: 'Head line', least: 20 }, marks: { label: 'EBL, VRM, PI', least: 20 }, scale: { label: 'Scale', least: 20 },
+  echo: { label: later('Echoes'), least: 20 }, trails: { label: later('Trails'), least: 10 }, rings: { label: later('Rings'), least: 10 },
+  heading: { label: later('Head line'), least: 20 }, marks: { label: 'EBL, VRM, PI', least: 20 }, scale: { label: later('Scale'), least: 20 },
 };
 
 const RULES = {

@@ -1,5 +1,6 @@
 // Stage: what moves the picture as time goes: which way is up, where own ship stands in it, how she sails over it in true motion,
 // and her true trails.
+import { t } from '../language/language.js';
 import { OwnMotion } from './own_motion.js';
 import { clampPlace, lookAhead, resetPlace, sailed } from './own_place.js';
 import { standingOf } from './standing.js';
@@ -65,7 +66,7 @@ export class Stage {
     Object.assign(this.sailing, { at, eastM, northM });
     if (reset) {
       this.reset();
-      this.notify('True motion reset: own ship had come to 75 % of the radius', 'info');
+      this.notify(t('True motion reset: own ship had come to 75 % of the radius'), 'info');
     }
     view.ownAt = { x: this.sailing.at.x, y: this.sailing.at.y };
   }
@@ -100,7 +101,7 @@ export class Stage {
   // Own ship at `at`, as of own_place.js; not beyond what is allowed, which is told.
   putOwn(at) {
     const { x, y, clamped } = clampPlace(at);
-    if (clamped) this.notify('Own ship stands at most 75 % of the radius from the centre', 'info');
+    if (clamped) this.notify(t('Own ship stands at most 75 % of the radius from the centre'), 'info');
     if (this.standing.isTrue) this.#begin({ x, y });
     else this.picture.change({ ownX: x, ownY: y });
   }

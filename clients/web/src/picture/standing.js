@@ -1,9 +1,10 @@
 // How the picture stands: what is up, what moves, and how both are called on the screen.
+import { later, t } from '../language/language.js';
 import { wrapDeg } from '../view_geometry.js';
 import { stabilisation } from './own_motion.js';
 
 const LABELS = { north: 'N UP', course: 'C UP', head: 'H UP' };
-const WORDS = { north: 'north up', course: 'course up', head: 'head up' };
+const WORDS = { north: later('north up'), course: later('course up'), head: later('head up') };
 
 // picture: PictureSettings. headingDeg: true, or null if not known. bowDeg: what the spokes take for the bow's bearing
 // (the last heading that was known). ship: OwnShip message or null.
@@ -23,8 +24,8 @@ export function standingOf(picture, { headingDeg, bowDeg, ship }) {
   return {
     orientation, upDeg, isTrue, trailMode, stabilisation: held, lost,
     scaleUpDeg: orientation === 'head' ? 0 : upDeg,
-    label: LABELS[orientation] + (lost ? ' · heading lost' : ''),
-    words: WORDS[orientation] + (lost ? ', heading lost' : ''),
+    label: LABELS[orientation] + (lost ? ` · ${t('heading lost')}` : ''),
+    words: t(WORDS[orientation]) + (lost ? `, ${t('heading lost')}` : ''),
     motionLabel: isTrue ? 'TM' : `RM${suffix}`,
   };
 }
@@ -35,10 +36,10 @@ export function stabilisationText({ kind, source, lost }) {
 }
 
 export function durationText(seconds) {
-  if (seconds < 0) return 'permanent';
+  if (seconds < 0) return t('permanent');
   return seconds < 60 ? `${seconds} s` : `${seconds / 60} min`;
 }
 
 export function trailText(mode, trailS) {
-  return mode === 'off' ? 'off' : `${mode === 'true' ? 'T' : 'R'} ${durationText(trailS)}`;
+  return mode === 'off' ? t('off') : `${mode === 'true' ? 'T' : 'R'} ${durationText(trailS)}`;
 }

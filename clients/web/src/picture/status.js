@@ -1,5 +1,6 @@
 // What always stands beside the picture: how it stands, the cursor, the measuring tools, the receiver, the clock.
 import * as format from '../format.js';
+import { t } from '../language/language.js';
 import { NAUTICAL_MILE_M, ringsFor, wrapDeg } from '../view_geometry.js';
 import { $, write } from '../widgets.js';
 import { stabilisationText, trailText } from './standing.js';
@@ -17,10 +18,10 @@ export function showStanding({ standing, picture, view, videoM }) {
   write('trail-state', trailText(standing.trailMode, picture.trailS));
   const off = Math.hypot(view.ownAt.x, view.ownAt.y);
   $('own-place').hidden = off === 0;
-  write('own-place', `Off-centre ${Math.round(off * 100)} %`);
+  write('own-place', t('Off-centre {percent} %', { percent: Math.round(off * 100) }));
   const short = videoM > 0 && videoM < view.rangeM * (1 + off) * 0.995;
   $('video-limit').hidden = !short;
-  write('video-limit', short ? `Video to ${format.rangeNm(videoM / NAUTICAL_MILE_M)} NM` : '');
+  write('video-limit', short ? t('Video to {range} NM', { range: format.rangeNm(videoM / NAUTICAL_MILE_M) }) : '');
 }
 
 // speedKn: of own ship, over what the picture is stabilised to; NaN if not known.
@@ -82,11 +83,11 @@ export function showTools(tools, markers, headingDeg) {
     $(`ebl${suffix}-true`).classList.toggle('dim', ebl.frame !== 'true');
     $(`ebl${suffix}-relative`).classList.toggle('dim', ebl.frame === 'true');
     write(`vrm${suffix}-range`, format.distance(vrm.rangeM) + (vrm.rangeM < NAUTICAL_MILE_M ? `  ${Math.round(vrm.rangeM)} m` : '') +
-      (ebl.origin !== null ? ' off' : ''));
+      (ebl.origin !== null ? ` ${t('origin|off')}` : ''));
   }
   const on = tools.lines.flatMap((line, n) => (line.on ? [n + 1] : []));
   $('lines-box').hidden = on.length === 0;
-  write('lines-on', on.join(' ') + (tools.areLinesOn ? '' : ' hidden'));
+  write('lines-on', on.join(' ') + (tools.areLinesOn ? '' : ` ${t('hidden')}`));
 }
 
 // A after a number: set by itself.

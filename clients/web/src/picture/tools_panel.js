@@ -1,4 +1,5 @@
 // ToolsPanel: the measuring tools in the panel: switches, numbers, true or relative, origins.
+import { t } from '../language/language.js';
 import { NAUTICAL_MILE_M } from '../view_geometry.js';
 import { $ } from '../widgets.js';
 import { NumberField } from './number_field.js';
@@ -11,7 +12,7 @@ const element = (tag, properties = {}, ...children) => {
   return made;
 };
 const bearingField = (name, enter) =>
-  new NumberField({ label: 'Bearing', name, unit: '°', least: 0, most: 359.9, digits: 1 }, enter);
+  new NumberField({ label: t('Bearing'), name, unit: '°', least: 0, most: 359.9, digits: 1 }, enter);
 const rangeField = (label, name, enter, more = {}) =>
   new NumberField({ label, name, unit: 'NM', least: 0, most: MOST_NM, digits: 3, ...more }, enter);
 const nm = (metres) => (metres === null ? null : metres / NAUTICAL_MILE_M);
@@ -43,15 +44,15 @@ export class ToolsPanel {
   #bearingTool(n) {
     const { tools, markers } = this;
     const number = n + 1;
-    const bearing = bearingField(`Bearing of EBL ${number}`, (deg) => { tools.set('ebls', n, { bearingDeg: deg }); tools.activate(n); });
+    const bearing = bearingField(t('Bearing of EBL {n}', { n: number }), (deg) => { tools.set('ebls', n, { bearingDeg: deg }); tools.activate(n); });
     const frame = element('button', { type: 'button', id: `ebl${number}-frame` });
     frame.addEventListener('click', () => this.#turnFrame('ebls', n));
-    const range = rangeField('Range', `Range of VRM ${number}`, (value) => { tools.set('vrms', n, { rangeM: metres(value) }); tools.activate(n); });
-    const origin = element('select', { id: `origin${number}`, ariaLabel: `Origin of EBL and VRM ${number}` },
-      new Option('From own ship', 'own'), new Option('From a place', 'place'), new Option('From off own ship', 'off'));
-    const choose = element('button', { type: 'button', id: `origin${number}-choose`, textContent: 'Choose in picture' });
-    const originBearing = bearingField(`Bearing of origin ${number}`, (deg) => this.#moveOrigin(n, { bearingDeg: deg }));
-    const originRange = rangeField('Range', `Range of origin ${number}`, (value) => this.#moveOrigin(n, { rangeM: metres(value) }));
+    const range = rangeField(t('Range'), t('Range of VRM {n}', { n: number }), (value) => { tools.set('vrms', n, { rangeM: metres(value) }); tools.activate(n); });
+    const origin = element('select', { id: `origin${number}`, ariaLabel: t('Origin of EBL and VRM {n}', { n: number }) },
+      new Option(t('From own ship'), 'own'), new Option(t('From a place'), 'place'), new Option(t('From off own ship'), 'off'));
+    const choose = element('button', { type: 'button', id: `origin${number}-choose`, textContent: t('Choose in picture') });
+    const originBearing = bearingField(t('Bearing of origin {n}', { n: number }), (deg) => this.#moveOrigin(n, { bearingDeg: deg }));
+    const originRange = rangeField(t('Range'), t('Range of origin {n}', { n: number }), (value) => this.#moveOrigin(n, { rangeM: metres(value) }));
     origin.addEventListener('change', () => this.#setOrigin(n, origin.value));
     choose.addEventListener('click', () => { tools.activate(n); markers.setMode('origin'); });
     const eblName = element('span', { className: 'name', textContent: `EBL ${number}` });
@@ -66,7 +67,7 @@ export class ToolsPanel {
     const at = originFrom(tools.ebls[n].origin, markers.now.ownPlace) ?? { bearingDeg: 0, rangeM: 0 };
     const carried = { bearingDeg: at.bearingDeg, rangeM: at.rangeM };
     const place = markers.placeOf(carried);
-    if (kind === 'place' && place === null) markers.events.told('No position: the origin goes with own ship');
+    if (kind === 'place' && place === null) markers.events.told(t('No position: the origin goes with own ship'));
     tools.set('ebls', n, { origin: kind === 'own' ? null : kind === 'place' && place ? place : carried });
   }
 
@@ -82,14 +83,14 @@ export class ToolsPanel {
   #lineTools() {
     const { tools } = this;
     const set = (values) => tools.set('lines', this.line, values);
-    const group = element('button', { type: 'button', id: 'lines-all', textContent: 'All lines', title: 'All on or off (I)' });
-    const reset = element('button', { type: 'button', id: 'lines-reset', textContent: 'Reset' });
+    const group = element('button', { type: 'button', id: 'lines-all', textContent: t('All lines'), title: t('All on or off (I)') });
+    const reset = element('button', { type: 'button', id: 'lines-reset', textContent: t('Reset') });
     const on = element('button', { type: 'button', id: 'line-on' });
     group.addEventListener('click', () => this.toggleLines());
     reset.addEventListener('click', () => tools.resetLines());
     on.addEventListener('click', () => tools.toggle('lines', this.line, this.markers.view, this.markers.now.bowDeg));
     const choice = Array.from({ length: LINES }, (_, n) => {
-      const button = element('button', { type: 'button', textContent: String(n + 1), ariaLabel: `Line ${n + 1}` });
+      const button = element('button', { type: 'button', textContent: String(n + 1), ariaLabel: t('Line {n}', { n: n + 1 }) });
       button.addEventListener('click', () => { this.line = n; this.show(true); });
       return button;
     });
@@ -97,17 +98,17 @@ export class ToolsPanel {
     frame.addEventListener('click', () => this.#turnFrame('lines', this.line));
     const signed = { least: -MOST_NM, most: MOST_NM };
     const fields = {
-      bearing: bearingField('Bearing of the line', (deg) => set({ bearingDeg: deg })),
-      offset: rangeField('Offset', 'Offset of the line, to port negative', (value) => set({ offsetM: metres(value) }), signed),
-      from: rangeField('From', 'Line from, astern negative', (value) => set({ fromM: metres(value) }), { ...signed, isOptional: true }),
-      to: rangeField('To', 'Line to, astern negative', (value) => set({ toM: metres(value) }), { ...signed, isOptional: true }),
+      bearing: bearingField(t('Bearing of the line'), (deg) => set({ bearingDeg: deg })),
+      offset: rangeField(t('Offset'), t('Offset of the line, to port negative'), (value) => set({ offsetM: metres(value) }), signed),
+      from: rangeField(t('From'), t('Line from, astern negative'), (value) => set({ fromM: metres(value) }), { ...signed, isOptional: true }),
+      to: rangeField(t('To'), t('Line to, astern negative'), (value) => set({ toM: metres(value) }), { ...signed, isOptional: true }),
     };
     const name = (text) => element('span', { className: 'name', textContent: text });
     $('parallel-tools').append(
       element('div', { className: 'actions' }, group, reset),
       element('div', { className: 'line-choice' }, ...choice),
-      element('div', { className: 'tool' }, name('Bearing'), fields.bearing.element, frame, name('Offset'), fields.offset.element, on,
-        name('From'), fields.from.element, element('span'), name('To'), fields.to.element, element('span')));
+      element('div', { className: 'tool' }, name(t('Bearing')), fields.bearing.element, frame, name(t('Offset')), fields.offset.element, on,
+        name(t('From')), fields.from.element, element('span'), name(t('To')), fields.to.element, element('span')));
     this.lineParts = { group, on, choice, frame, fields };
   }
 
@@ -146,14 +147,14 @@ export class ToolsPanel {
     });
     const { group, on, choice, frame, fields } = this.lineParts, line = tools.lines[this.line];
     group.setAttribute('aria-pressed', String(tools.areLinesOn && tools.lines.some((l) => l.on)));
-    on.textContent = line.on ? 'On' : 'Off';
-    on.ariaLabel = `Line ${this.line + 1}: ${on.textContent}`;
+    on.textContent = line.on ? t('On') : t('Off');
+    on.ariaLabel = `${t('Line {n}', { n: this.line + 1 })}: ${on.textContent}`;
     on.setAttribute('aria-pressed', String(line.on));
     choice.forEach((button, n) => {
       button.setAttribute('aria-pressed', String(n === this.line));
       button.textContent = `${n + 1}${tools.lines[n].on ? ' •' : ''}`;
     });
-    showFrame(frame, line.frame, 'line');
+    showFrame(frame, line.frame, t('line'));
     fields.bearing.show(line.bearingDeg);
     fields.offset.show(nm(line.offsetM));
     fields.from.show(nm(line.fromM));
@@ -163,5 +164,5 @@ export class ToolsPanel {
 
 function showFrame(button, frame, of) {
   button.textContent = frame === 'true' ? 'T' : 'R';
-  button.ariaLabel = `Bearing of ${of}: ${frame}; press for ${frame === 'true' ? 'relative' : 'true'}`;
+  button.ariaLabel = frame === 'true' ? t('Bearing of {tool}: true; press for relative', { tool: of }) : t('Bearing of {tool}: relative; press for true', { tool: of });
 }

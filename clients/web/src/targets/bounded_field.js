@@ -1,10 +1,11 @@
 // BoundedField: a number within bounds. What is out of them is refused beside the field, and goes nowhere.
+import { t } from '../language/language.js';
 import { element, refusal, sayProblem } from './dom.js';
 
 // An ordered value that the server has not confirmed by then gives way to the server's.
 const WAIT_MS = 1600;
 
-export const boundsText = ({ label, min, max, unit }) => `${label}: ${min} to ${max}${unit ? ` ${unit}` : ''}`;
+export const boundsText = ({ label, min, max, unit }) => `${t(label)}: ${t('{min} to {max}', { min, max })}${unit ? ` ${unit}` : ''}`;
 
 export class BoundedField {
   // rule: { label, min, max, unit }. send(value), if there is one, is called for every sound change.
@@ -15,7 +16,7 @@ export class BoundedField {
     this.input = element('input', { id, type: 'number', step: 'any', inputMode: 'decimal', min: rule.min, max: rule.max, autocomplete: 'off' });
     this.problem = refusal(`${id}-refusal`);
     this.input.setAttribute('aria-describedby', this.problem.id);
-    this.label = element('label', { title: rule.help ?? '' }, `${rule.label}${rule.unit ? ` ${rule.unit}` : ''}`, this.input);
+    this.label = element('label', { title: rule.help ? t(rule.help) : '' }, `${t(rule.label)}${rule.unit ? ` ${rule.unit}` : ''}`, this.input);
     this.element = element('div', { className: 'bounded' }, this.label, this.problem);
     this.input.addEventListener('change', () => this.#change());
     // What was refused is taken back while it is put right: not when the field is left, which would move the button from

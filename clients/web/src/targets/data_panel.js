@@ -1,4 +1,5 @@
 // DataPanel: the selected targets side by side, at most four.
+import { t } from '../language/language.js';
 import { button, element, say } from './dom.js';
 import { headingOf, readings, stateOf } from './readings.js';
 
@@ -9,9 +10,9 @@ export class DataPanel {
     this.head = element('tr');
     this.body = element('tbody');
     this.foot = element('tr');
-    this.table = element('table', { id: 'target-data', ariaLabel: 'Selected targets' },
+    this.table = element('table', { id: 'target-data', ariaLabel: t('Selected targets') },
       element('thead', {}, this.head), this.body, element('tfoot', {}, this.foot));
-    this.none = element('p', { className: 'hint', textContent: 'Press on a symbol to see its data.' });
+    this.none = element('p', { className: 'hint', textContent: t('Press on a symbol to see its data.') });
     this.element = element('div', {}, this.none, this.table);
     this.shape = null;
   }
@@ -37,7 +38,7 @@ export class DataPanel {
 
   #build(columns, rows) {
     this.head.replaceChildren(element('td'), ...columns.map(({ shown }) => element('th', { scope: 'col' }, element('span'),
-      button(`unselect-${shown.key}`, '\u00d7', () => { this.store.toggle(shown.key); this.changed(); }, { ariaLabel: `Unselect ${headingOf(shown.entry)}` }))));
+      button(`unselect-${shown.key}`, '\u00d7', () => { this.store.toggle(shown.key); this.changed(); }, { ariaLabel: t('Unselect {target}', { target: headingOf(shown.entry) }) }))));
     this.body.replaceChildren(...rows.map(([label, unit]) => element('tr', {}, element('th', { scope: 'row' }, label,
       unit ? element('span', { className: 'unit', textContent: unit }) : null), ...columns.map(() => element('td', { className: unit ? '' : 'words' })))));
     this.table.dataset.columns = String(columns.length);
@@ -48,9 +49,9 @@ export class DataPanel {
   #choices({ entry: { track, ais } }) {
     const choices = [];
     if (track && !track.isTest) {
-      choices.push(track.isReference ? ['unset-reference', 'Not ref.', { reference: 0 }] : ['set-reference', 'Ref.', { reference: track.number }]);
+      choices.push(track.isReference ? ['unset-reference', t('Not ref.'), { reference: 0 }] : ['set-reference', t('Ref.'), { reference: track.number }]);
     }
-    if (ais && !track) choices.push(ais.isActivated ? ['sleep', 'Sleep', { letSleep: [ais.mmsi] }] : ['activate', 'Activate', { activate: [ais.mmsi] }]);
+    if (ais && !track) choices.push(ais.isActivated ? ['sleep', t('Sleep'), { letSleep: [ais.mmsi] }] : ['activate', t('Activate'), { activate: [ais.mmsi] }]);
     return choices;
   }
 }

@@ -1,4 +1,6 @@
 // Elements of the panels, made here so that text from outside is text and nothing else.
+import { t } from '../language/language.js';
+
 export function element(name, properties = {}, ...children) {
   const { dataset, ...rest } = properties;
   const made = Object.assign(document.createElement(name), rest);
@@ -59,7 +61,7 @@ export class Question {
   constructor(id) {
     this.words = element('p', { id: `${id}-words` });
     this.yes = element('button', { id: `${id}-yes`, value: 'yes' });
-    const no = element('button', { id: `${id}-no`, value: 'no', textContent: 'No', autofocus: true });
+    const no = element('button', { id: `${id}-no`, value: 'no', textContent: t('No'), autofocus: true });
     this.dialog = element('dialog', { id }, element('form', { method: 'dialog' }, this.words, this.yes, no));
     this.dialog.setAttribute('aria-labelledby', this.words.id);
     this.dialog.addEventListener('close', () => { if (this.dialog.returnValue === 'yes') this.then?.(); });

@@ -1,15 +1,16 @@
 // ListTable: all targets, sorted by a column; a row's number selects it.
 import { NONE } from '../format.js';
+import { later, t } from '../language/language.js';
 import { button, element, say } from './dom.js';
-import { cpaText, headingOf, isValid, nameOf, rangeText, stateOf, tcpaText } from './readings.js';
+import { cpaText, headingOf, isValid, nameOf, rangeText, tcpaText, unusualStateOf } from './readings.js';
 
 // Each: heading, unit, and what is sorted by; what has no value comes last.
 const COLUMNS = [
-  ['number', 'Target', '', ({ entry: { track, ais } }) => (track ? track.number : 1e7 + ais.mmsi)],
-  ['range', 'Range', 'NM', (shown) => shown.rangeM],
-  ['cpa', 'CPA', 'NM', (shown) => (isValid(shown) ? shown.from.cpaNm : undefined)],
+  ['number', later('Target'), '', ({ entry: { track, ais } }) => (track ? track.number : 1e7 + ais.mmsi)],
+  ['range', later('column|Range'), 'NM', (shown) => shown.rangeM],
+  ['cpa', later('CPA'), 'NM', (shown) => (isValid(shown) ? shown.from.cpaNm : undefined)],
   // What is past comes after what is to come.
-  ['tcpa', 'TCPA', 'min', (shown) => { const t = isValid(shown) ? shown.from.tcpaMin : undefined; return t < 0 ? 1e9 - t : t; }],
+  ['tcpa', later('TCPA'), 'min', (shown) => { const t = isValid(shown) ? shown.from.tcpaMin : undefined; return t < 0 ? 1e9 - t : t; }],
 ];
 
 export class ListTable {
@@ -20,16 +21,16 @@ export class ListTable {
     this.falls = false;
     this.rows = new Map();  // by key
     this.heads = COLUMNS.map(([name, words, unit]) => {
-      const head = element('th', { scope: 'col' }, button(`sort-${name}`, words, () => this.#sortBy(name), { title: unit }));
+      const head = element('th', { scope: 'col' }, button(`sort-${name}`, t(words), () => this.#sortBy(name), { title: unit }));
       head.dataset.sort = name;
       return head;
     });
     this.trialHeads = ['CPA', 'TCPA'].map((words) =>
-      element('th', { scope: 'col', textContent: `T ${words}`, ariaLabel: `${words} of the trial`, className: 'trial' }));
+      element('th', { scope: 'col', textContent: `T ${words}`, ariaLabel: t('{value} of the trial', { value: words }), className: 'trial' }));
     this.body = element('tbody');
-    this.table = element('table', { id: 'target-list', ariaLabel: 'All targets' },
+    this.table = element('table', { id: 'target-list', ariaLabel: t('All targets') },
       element('thead', {}, element('tr', {}, ...this.heads, ...this.trialHeads)), this.body);
-    this.element = element('div', { className: 'list', tabIndex: 0, role: 'region', ariaLabel: 'List of targets' }, this.table);
+    this.element = element('div', { className: 'list', tabIndex: 0, role: 'region', ariaLabel: t('List of targets') }, this.table);
     this.#showSort();
   }
 
@@ -85,7 +86,7 @@ export class ListTable {
     say(choose, headingOf(shown.entry));
     const { track } = shown.entry;
     // The end is cut off where there is no room: of the name, not of the state.
-    say(words, [shown.isDangerous ? '!' : '', stateOf(shown).replace(/^(TRACKED|ACTIVATED) ?/, ''),
+    say(words, [shown.isDangerous ? '!' : '', unusualStateOf(shown),
       track ? (nameOf(shown.entry) === NONE ? '' : nameOf(shown.entry)) : 'AIS'].filter(Boolean).join(' '));
     const holds = isValid(shown);
     const texts = [rangeText(shown), holds ? cpaText(shown.from.cpaNm) : NONE, holds ? tcpaText(shown.from.tcpaMin) : NONE,

@@ -1,17 +1,25 @@
 // What panel and list say of a target, as texts. What is not known, or not valid any more, is a dash.
 import { bearing, fixed, NONE } from '../format.js';
+import { later, t } from '../language/language.js';
 import { NAUTICAL_MILE_M } from '../view_geometry.js';
 import { bowCrossing, courseAndSpeed } from './motion.js';
 import { labelOf } from './target_store.js';
 import { ACQUIRING, FROZEN, LOST } from './wire.js';
 
-const STATES = ['ACQUIRING', 'TREND', 'TRACKED', 'LOST', 'FROZEN'];
+const STATES = [later('ACQUIRING'), later('TREND'), later('TRACKED'), later('LOST'), later('FROZEN')];
 
-export function stateOf({ entry: { track, ais }, byAis, isLost }) {
-  const words = track ? [byAis && track.state === LOST ? 'TRACK LOST' : STATES[track.state] ?? NONE] : [isLost ? 'LOST' : ais.isActivated ? 'ACTIVATED' : 'SLEEPING'];
-  if (byAis && track && isLost) words.push('AIS LOST');
-  if (track?.isReference) words.push('REF');
-  return words.join(' ');
+function statesOf({ entry: { track, ais }, byAis, isLost }) {
+  const tracked = track && (byAis && track.state === LOST ? t('TRACK LOST') : STATES[track.state] ? t(STATES[track.state]) : NONE);
+  const words = [tracked ?? (isLost ? t('LOST') : ais.isActivated ? t('ACTIVATED') : t('SLEEPING'))];
+  if (byAis && track && isLost) words.push(t('AIS LOST'));
+  if (track?.isReference) words.push(t('REF'));
+  return words;
+}
+export const stateOf = (shown) => statesOf(shown).join(' ');
+// The same without what goes without saying in a list.
+export function unusualStateOf(shown) {
+  const usual = [t('TRACKED'), t('ACTIVATED')];
+  return statesOf(shown).filter((words) => !usual.includes(words)).join(' ');
 }
 
 export const nameOf = ({ track, ais }) => track?.name || ais?.name || String(track?.mmsi || ais?.mmsi || NONE);
@@ -35,24 +43,24 @@ export function readings(shown, headingDeg, trialOutcome) {
   const relative = courseAndSpeed(shown.relative);
   const bow = holds ? bowCrossing(shown.at, shown.relative, headingDeg) : null;
   const rows = [
-    ['Name', '', nameOf(shown.entry)],
+    [t('Name'), '', nameOf(shown.entry)],
     ['MMSI', '', String(ais?.mmsi || track?.mmsi || NONE)],
-    ['Source', '', shown.source],
-    ['State', '', stateOf(shown)],
-    ['Range', 'NM', rangeText(shown)],
-    ['Bearing', '\u00b0T', bearing(shown.bearingDeg)],
+    [t('Source'), '', shown.source],
+    [t('State'), '', stateOf(shown)],
+    [t('Range'), 'NM', rangeText(shown)],
+    [t('Bearing'), '\u00b0T', bearing(shown.bearingDeg)],
     ['CPA', 'NM', of(from.cpaNm, cpaText)],
     ['TCPA', 'min', of(from.tcpaMin, tcpaText)],
-    ['Course', '\u00b0T', of(from.courseDeg, bearing)],
-    ['Speed', 'kn', of(from.speedKn, (kn) => fixed(kn, 1))],
-    ['Rel. course', '\u00b0T', of(relative.courseDeg, bearing)],
-    ['Rel. speed', 'kn', of(relative.speedKn, (kn) => fixed(kn, 1))],
+    [t('Course'), '\u00b0T', of(from.courseDeg, bearing)],
+    [t('Speed'), 'kn', of(from.speedKn, (kn) => fixed(kn, 1))],
+    [t('Rel. course'), '\u00b0T', of(relative.courseDeg, bearing)],
+    [t('Rel. speed'), 'kn', of(relative.speedKn, (kn) => fixed(kn, 1))],
     ['BCR', 'NM', fixed(bow ? bow.rangeM / NAUTICAL_MILE_M : NaN, 2)],
     ['BCT', 'min', fixed(bow ? bow.seconds / 60 : NaN, 1)],
-    ['Hits', '', track && !track.isTest ? `${track.hits}/${track.looks}` : NONE],
+    [t('Hits'), '', track && !track.isTest ? `${track.hits}/${track.looks}` : NONE],
   ];
   if (trialOutcome !== undefined) {
-    rows.push(['Trial CPA', 'NM', cpaText(trialOutcome?.cpaNm)], ['Trial TCPA', 'min', tcpaText(trialOutcome?.tcpaMin)]);
+    rows.push([t('Trial CPA'), 'NM', cpaText(trialOutcome?.cpaNm)], [t('Trial TCPA'), 'min', tcpaText(trialOutcome?.tcpaMin)]);
   }
   return rows;
 }

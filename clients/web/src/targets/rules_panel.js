@@ -1,10 +1,11 @@
 // RulesPanel: how the plotter works, for all who look at this view.
+import { later, t } from '../language/language.js';
 import { BoundedField } from './bounded_field.js';
 import { button, element, follow, following, refusal, toggle } from './dom.js';
 import { RULES, withBounds } from './rules.js';
 
-const ACQUIRE = [[0, 'By hand and in zones'], [1, 'What moves'], [2, 'All']];
-const STABILISATION = [[0, 'Ground'], [1, 'Water']];
+const ACQUIRE = [[0, later('By hand and in zones')], [1, later('What moves')], [2, later('acquires|All')]];
+const STABILISATION = [[0, later('Ground')], [1, later('Water')]];
 
 export class RulesPanel {
   // table: of /controls.json.
@@ -14,20 +15,20 @@ export class RulesPanel {
     const order = (rules) => this.orders.give({ rules }, this.problem);
     this.fields = withBounds(RULES, table.targetRules).map((rule) => new BoundedField(`rule-${rule.name}`, rule, (value) => order({ [rule.name]: value })));
     const select = (id, choices, name) => {
-      const made = following(element('select', { id }, ...choices.map(([value, words]) => new Option(words, value))));
+      const made = following(element('select', { id }, ...choices.map(([value, words]) => new Option(t(words), value))));
       made.addEventListener('change', () => order({ [name]: Number(made.value) }));
       return made;
     };
     this.acquire = select('rule-acquire', ACQUIRE, 'acquire');
     this.stabilisation = select('rule-stabilisation', STABILISATION, 'stabilisation');
-    const lost = toggle('rule-lostWarnings', 'Lost warnings', (on) => order({ lostWarnings: on }));
-    const associate = toggle('rule-associate', 'Join radar and AIS', (on) => order({ associate: on }));
+    const lost = toggle('rule-lostWarnings', t('Lost warnings'), (on) => order({ lostWarnings: on }));
+    const associate = toggle('rule-associate', t('Join radar and AIS'), (on) => order({ associate: on }));
     this.boxes = { lostWarnings: following(lost.firstElementChild), associate: following(associate.firstElementChild) };
     const row = (words, control) => element('label', { className: 'row' }, element('span', { textContent: words }), control);
-    this.element = element('div', { className: 'rules' }, row('Acquires', this.acquire), row('Motion over', this.stabilisation),
+    this.element = element('div', { className: 'rules' }, row(t('Acquires'), this.acquire), row(t('Motion over'), this.stabilisation),
       element('div', { className: 'toggles two' }, lost, associate), element('div', { className: 'fields two' }, ...this.fields.map((field) => field.element)),
-      this.problem, element('div', { className: 'actions' }, button('rules-default', 'As at the start', () => this.orders.give({ defaultRules: true }, this.problem),
-        { title: 'All rules as they were; zones go' })));
+      this.problem, element('div', { className: 'actions' }, button('rules-default', t('As at the start'), () => this.orders.give({ defaultRules: true }, this.problem),
+        { title: t('All rules as they were; zones go') })));
   }
 
   show(rules) {

@@ -1,9 +1,10 @@
 // ScreenSize: how long a line of 100 CSS pixels is on this screen, so that symbols have their sizes in mm.
+import { later, t } from '../language/language.js';
 import { BoundedField } from './bounded_field.js';
 import { button, element, say } from './dom.js';
 
 const BAR_PX = 300;
-const RULE = { label: 'Length of the bar', min: 15, max: 300, unit: 'mm' };
+const RULE = { label: later('Length of the bar'), min: 15, max: 300, unit: 'mm' };
 
 export class ScreenSize {
   constructor(settings, changed) {
@@ -13,11 +14,11 @@ export class ScreenSize {
     const bar = element('div', { id: 'screen-bar' });
     bar.style.width = `${BAR_PX}px`;
     this.dialog = element('dialog', { id: 'screen-size' }, element('form', { method: 'dialog' },
-      element('h2', { textContent: 'Size of this screen' }),
-      element('p', { textContent: 'Hold a ruler to the bar. Symbols of targets then have the sizes that mariners expect.' }), bar, this.field.element,
-      element('div', { className: 'actions' }, button('screen-size-save', 'Save', () => this.#save()),
-        button('screen-size-default', 'As 96 dpi', () => this.#keep(100 / (96 / 25.4))), element('button', { value: 'no', textContent: 'Not now' }))));
-    this.dialog.ariaLabel = 'Size of this screen';
+      element('h2', { textContent: t('Size of this screen') }),
+      element('p', { textContent: t('Hold a ruler to the bar. Symbols of targets then have the sizes that mariners expect.') }), bar, this.field.element,
+      element('div', { className: 'actions' }, button('screen-size-save', t('Save'), () => this.#save()),
+        button('screen-size-default', t('As 96 dpi'), () => this.#keep(100 / (96 / 25.4))), element('button', { value: 'no', textContent: t('Not now') }))));
+    this.dialog.ariaLabel = t('Size of this screen');
     this.dialog.addEventListener('keydown', (event) => event.stopPropagation());
     this.dialog.querySelector('form').addEventListener('submit', (event) => {
       if (event.submitter?.value === 'no') return;
@@ -27,7 +28,7 @@ export class ScreenSize {
     document.body.append(this.dialog);
     this.opens = button('screen-size-open', '', () => this.open());
     this.question = element('p', { id: 'screen-size-question', className: 'hint',
-      textContent: 'Symbols are drawn as for a screen of 96 dpi. Measure this one once:' });
+      textContent: t('Symbols are drawn as for a screen of 96 dpi. Measure this one once:') });
     this.element = element('div', {}, this.question, this.opens);
     this.#show();
   }
@@ -52,6 +53,6 @@ export class ScreenSize {
   #show() {
     const { mmOf100px } = this.settings;
     this.question.hidden = mmOf100px !== null;
-    say(this.opens, mmOf100px === null ? 'Measure the screen' : `Screen: 100 px are ${mmOf100px.toFixed(1)} mm`);
+    say(this.opens, mmOf100px === null ? t('Measure the screen') : t('Screen: 100 px are {size} mm', { size: mmOf100px.toFixed(1) }));
   }
 }

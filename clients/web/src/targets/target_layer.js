@@ -1,4 +1,5 @@
 // TargetLayer: targets, vectors, past positions, zones and the trial on a canvas of their own.
+import { t } from '../language/language.js';
 import { Layer } from '../overlay.js';
 import { minus, moved, polar, trialPath } from './motion.js';
 import { aisSymbol, dot, radarSymbol, selection, SIZES_MM, text, thick, tick, vector } from './symbols.js';
@@ -144,7 +145,7 @@ export function outcomeOf(trial, { entry: { track, ais } }) {
 }
 
 function nameOf({ entry: { track, ais }, isActive }, { names }, isSelected) {
-  const words = track ? [labelOf(track.number), track.isReference ? 'R' : '', track.state === FROZEN ? 'frozen' : ''] : [];
+  const words = track ? [labelOf(track.number), track.isReference ? 'R' : '', track.state === FROZEN ? t('frozen') : ''] : [];
   if (ais && isActive && (names || isSelected)) words.push([...(ais.name || String(ais.mmsi))].slice(0, LONGEST_NAME).join(''));
   return words.filter(Boolean).join(' ');
 }

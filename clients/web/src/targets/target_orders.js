@@ -1,4 +1,5 @@
 // TargetOrders: orders to the plotter, and where it is said what became of them.
+import { t } from '../language/language.js';
 import { sayProblem } from './dom.js';
 
 export class TargetOrders {
@@ -17,7 +18,7 @@ export class TargetOrders {
   give(order, problem = null, done = () => {}) {
     if (problem) sayProblem(problem, '');
     const request = this.send(order);
-    if (request === null) this.notify('Not connected: nothing was ordered');
+    if (request === null) this.notify(t('Not connected: nothing was ordered'));
     else if (request !== undefined) this.asked.set(request, { problem, done });
   }
 

@@ -1,4 +1,5 @@
 // TargetSigns: what is always said in the picture: mode and minutes of the vectors, to what motions refer, and what is wrong.
+import { t } from '../language/language.js';
 import { element, say } from './dom.js';
 import { GROUND } from './wire.js';
 
@@ -25,12 +26,12 @@ export class TargetSigns {
   show({ list, isStale, settings, mode }) {
     say(this.vectors, `VECT ${settings.relative ? 'R' : 'T'} ${settings.minutes} min`);
     const by = list?.stabilisedBy ?? '';
-    say(this.stabilisation, !list || isStale ? 'STAB \u2013' : `STAB ${list.stabilisation === GROUND ? 'G' : 'W'} ${by || 'none'}`);
+    say(this.stabilisation, !list || isStale ? 'STAB \u2013' : `STAB ${list.stabilisation === GROUND ? 'G' : 'W'} ${by || t('stabilised|none')}`);
     const { cpaNm, tcpaMin } = list?.rules ?? {};
     say(this.limits, cpaNm === undefined || tcpaMin === undefined ? '' : `CPA ${Number(cpaNm.toFixed(2))} NM TCPA ${Number(tcpaMin.toFixed(1))} min`);
-    this.#sign(this.trial, list?.trial && !isStale ? 'Trial' : '');
-    this.#sign(this.stale, isStale ? 'Targets not updated' : '');
-    this.#sign(this.mode, mode === 'acquire' ? 'Acquire: press on an echo' : mode === 'zone' ? 'Zone: drag from near to far corner' : '');
+    this.#sign(this.trial, list?.trial && !isStale ? t('Trial') : '');
+    this.#sign(this.stale, isStale ? t('Targets not updated') : '');
+    this.#sign(this.mode, mode === 'acquire' ? t('Acquire: press on an echo') : mode === 'zone' ? t('Zone: drag from near to far corner') : '');
     this.#sign(this.problem, list?.problem ?? '');
   }
 }

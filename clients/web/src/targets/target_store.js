@@ -1,4 +1,5 @@
 // TargetStore: the newest list of targets, where each is by now, and which are selected.
+import { t } from '../language/language.js';
 import { fromPosition, minus, moved, place, polar, velocity } from './motion.js';
 import { ACKNOWLEDGED, ACQUIRING, FIRST_TEST, FROZEN, GROUND, LOST } from './wire.js';
 
@@ -95,7 +96,7 @@ export function shownOf(entry, joined, own, stepS) {
   const at = moved(place(from.bearingDeg, from.rangeM), rests ? null : relative, stepS);
   return {
     entry, key: entry.key, byAis, from, at, ...polar(at), motion, relative,
-    source: ais && track ? (byAis ? 'AIS + radar' : 'Radar + AIS') : byAis ? 'AIS' : track.isTest ? 'Test' : 'Radar',
+    source: ais && track ? (byAis ? t('AIS + radar') : t('Radar + AIS')) : byAis ? 'AIS' : track.isTest ? t('Test') : t('Radar'),
     isActive: byAis ? ais.isActivated || track !== null : true,
     isDangerous: (track?.isDangerous ?? false) || (ais?.isDangerous ?? false),
     isLost: byAis ? ais.isLost : track.state === LOST,

@@ -1,4 +1,5 @@
 // TargetConsole: the targets of the view in this console: list, picture, panel, orders. The one door of this folder.
+import { t } from '../language/language.js';
 import { $ } from '../widgets.js';
 import { AcquirePanel } from './acquire_panel.js';
 import { DataPanel } from './data_panel.js';
@@ -56,16 +57,16 @@ export class TargetConsole {
     this.zones = new ZonesPanel({ orders, table, setMode, heading: () => this.headingDeg });
     this.trial = new TrialPanel(orders, table);
     this.screen = new ScreenSize(this.settings, changed);
-    this.test = toggle('test-targets', 'Test targets', (on) => orders.give({ testTargets: on }, this.acquire.problem));
+    this.test = toggle('test-targets', t('Test targets'), (on) => orders.give({ testTargets: on }, this.acquire.problem));
     following(this.test.firstElementChild);
     this.count = element('output', { id: 'target-count' });
     this.leftOut = element('p', { id: 'ais-left-out', className: 'hint', hidden: true });
-    this.none = element('p', { id: 'targets-none', className: 'hint', textContent: 'No list of targets has come from this server.' });
+    this.none = element('p', { id: 'targets-none', className: 'hint', textContent: t('No list of targets has come from this server.') });
     this.body = element('div', { id: 'targets-body' }, this.acquire.element, this.data.element, this.vectors.element,
-      details('targets-list', 'List', true, this.list.element, this.leftOut), details('targets-rules', 'Limits and rules', false, this.rules.element),
-      details('targets-zones', 'Guard zones', false, this.zones.element), details('targets-trial', 'Trial manoeuvre', false, this.trial.element),
-      details('targets-screen', 'Test and screen', false, element('div', { className: 'toggles two' }, this.test), this.screen.element));
-    $('targets').append(element('h2', {}, 'Targets ', element('span', { className: 'note' }, this.count)), this.none, this.body);
+      details('targets-list', t('List'), true, this.list.element, this.leftOut), details('targets-rules', t('Limits and rules'), false, this.rules.element),
+      details('targets-zones', t('Guard zones'), false, this.zones.element), details('targets-trial', t('Trial manoeuvre'), false, this.trial.element),
+      details('targets-screen', t('Test and screen'), false, element('div', { className: 'toggles two' }, this.test), this.screen.element));
+    $('targets').append(element('h2', {}, `${t('Targets')} `, element('span', { className: 'note' }, this.count)), this.none, this.body);
   }
 
   #setMode(mode) {
@@ -138,7 +139,7 @@ export class TargetConsole {
     this.acquire.show();
     this.none.hidden = list !== null;
     this.body.inert = list === null;
-    say(this.count, list ? `${list.tracked} of ${list.rules?.capacity ?? '\u2013'}` : '');
+    say(this.count, list ? t('{n} of {all}', { n: list.tracked, all: list.rules?.capacity ?? '\u2013' }) : '');
     if (!list || store.isStale) {
       this.data.show([], null);
       this.list.show([], null, []);
@@ -155,14 +156,14 @@ export class TargetConsole {
     this.zones.show(list.zones);
     this.trial.show(list);
     follow(this.test.firstElementChild, list.testTargets);
-    say(this.leftOut, list.aisLeftOut > 0 ? `${list.aisLeftOut} more AIS targets are too far to be shown.` : '');
+    say(this.leftOut, list.aisLeftOut > 0 ? t('{n} more AIS targets are too far to be shown.', { n: list.aisLeftOut }) : '');
     this.leftOut.hidden = list.aisLeftOut === 0;
   }
 
   // The target that an alert is about.
   choose({ target, mmsi }) {
     const entry = this.store.entries?.find(({ track, ais }) => (target > 0 ? track?.number === target : ais?.mmsi === mmsi));
-    if (!entry) { this.notify('That target is not in the list any more'); return; }
+    if (!entry) { this.notify(t('That target is not in the list any more')); return; }
     this.store.select(entry.key);
     this.version += 1;
     this.show();
@@ -179,16 +180,16 @@ export class TargetConsole {
 
   // For the table of keys (keys/key_table.js).
   get keys() {
-    const group = 'Targets';
+    const group = t('Targets');
     return [
-      { id: 'acquire', key: 'a', words: 'acquire at the cursor', group, run: () => this.acquire.acquire(this.cursor()) },
-      { id: 'acquire-mode', key: 'Shift+a', words: 'acquire by presses on echoes (Esc ends)', group, run: () => this.acquire.toggleMode() },
-      { id: 'cancel-target', key: 'Delete', words: 'cancel the selected targets', group, run: () => this.acquire.cancelSelected() },
-      { id: 'vectors', key: 't', words: 'vectors: true or relative', group, run: () => this.vectors.change({ relative: !this.settings.relative }) },
-      { id: 'vectors-shorter', key: '[', words: 'vectors: shorter', group, run: () => this.vectors.step(-1) },
-      { id: 'vectors-longer', key: ']', words: 'vectors: longer', group, run: () => this.vectors.step(1) },
-      { id: 'past-positions', key: 'd', words: 'past positions', group, run: () => this.vectors.change({ past: !this.settings.past }) },
-      { id: 'ais', key: 'i', words: 'AIS targets on, off', group, run: () => this.vectors.change({ ais: !this.settings.ais }) },
+      { id: 'acquire', key: 'a', words: t('acquire at the cursor'), group, run: () => this.acquire.acquire(this.cursor()) },
+      { id: 'acquire-mode', key: 'Shift+a', words: t('acquire by presses on echoes (Esc ends)'), group, run: () => this.acquire.toggleMode() },
+      { id: 'cancel-target', key: 'Delete', words: t('cancel the selected targets'), group, run: () => this.acquire.cancelSelected() },
+      { id: 'vectors', key: 't', words: t('vectors: true or relative'), group, run: () => this.vectors.change({ relative: !this.settings.relative }) },
+      { id: 'vectors-shorter', key: '[', words: t('vectors: shorter'), group, run: () => this.vectors.step(-1) },
+      { id: 'vectors-longer', key: ']', words: t('vectors: longer'), group, run: () => this.vectors.step(1) },
+      { id: 'past-positions', key: 'd', words: t('past positions'), group, run: () => this.vectors.change({ past: !this.settings.past }) },
+      { id: 'ais', key: 'i', words: t('AIS targets on, off'), group, run: () => this.vectors.change({ ais: !this.settings.ais }) },
     ];
   }
 }

@@ -1,5 +1,6 @@
 // TrialPanel: what would come of a manoeuvre.
 import { duration } from '../format.js';
+import { t } from '../language/language.js';
 import { BoundedField } from './bounded_field.js';
 import { button, element, refusal, say } from './dom.js';
 import { TRIALS, withBounds } from './rules.js';
@@ -9,10 +10,10 @@ export class TrialPanel {
     this.orders = orders;
     this.problem = refusal('trial-refusal');
     this.fields = withBounds(TRIALS, table.trialOrder).map((rule) => new BoundedField(`trial-${rule.name}`, rule));
-    this.ends = button('trial-end', 'End trial', () => this.orders.give({ endTrial: true }, this.problem));
+    this.ends = button('trial-end', t('End trial'), () => this.orders.give({ endTrial: true }, this.problem));
     this.state = element('p', { id: 'trial-state', className: 'hint' });
     const form = element('form', { id: 'trial-form', noValidate: true }, element('div', { className: 'fields two' }, ...this.fields.map((field) => field.element)),
-      element('div', { className: 'actions' }, element('button', { type: 'submit', id: 'trial-start', textContent: 'Start trial' }), this.ends));
+      element('div', { className: 'actions' }, element('button', { type: 'submit', id: 'trial-start', textContent: t('Start trial') }), this.ends));
     form.addEventListener('submit', (event) => { event.preventDefault(); this.#start(); });
     this.element = element('div', {}, form, this.state, this.problem);
     this.isFilled = false;
@@ -43,8 +44,9 @@ export class TrialPanel {
     this.#fill(list);
     const { trial } = list;
     this.ends.disabled = !trial;
-    const dangerous = trial?.outcomes.filter((outcome) => outcome.isDangerous).length ?? 0;
-    say(this.state, !trial ? '' : `${trial.beginsS > 0 ? `She begins in ${duration(trial.beginsS)}` : 'She has begun'}; ` +
-      `${dangerous === 0 ? 'no target is' : dangerous === 1 ? '1 target is' : `${dangerous} targets are`} dangerous then.`);
+    const n = trial?.outcomes.filter((outcome) => outcome.isDangerous).length ?? 0;
+    const begun = trial?.beginsS > 0 ? t('She begins in {time}', { time: duration(trial.beginsS) }) : t('She has begun');
+    const then = n === 0 ? t('no target is dangerous then.') : n === 1 ? t('1 target is dangerous then.') : t('{n} targets are dangerous then.', { n });
+    say(this.state, trial ? `${begun}; ${then}` : '');
   }
 }

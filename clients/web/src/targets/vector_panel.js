@@ -1,4 +1,5 @@
 // VectorPanel: vectors, past positions and symbols, as this screen shows them.
+import { t } from '../language/language.js';
 import { button, element, say, toggle } from './dom.js';
 import { MINUTES } from './vector_settings.js';
 
@@ -12,20 +13,20 @@ export class VectorPanel {
       input.addEventListener('change', () => this.change({ relative: value === 'relative' }));
       return element('label', {}, input, element('span', { textContent: words }));
     };
-    const modes = element('div', { className: 'choice', role: 'radiogroup', ariaLabel: 'Vectors' },
-      choice('vectors-true', 'true', 'True vectors'), choice('vectors-relative', 'relative', 'Relative'));
-    this.less = button('vector-less', '\u2212', () => this.step(-1), { title: 'Shorter vectors ([)', ariaLabel: 'Shorter vectors' });
-    this.more = button('vector-more', '+', () => this.step(1), { title: 'Longer vectors (])', ariaLabel: 'Longer vectors' });
+    const modes = element('div', { className: 'choice', role: 'radiogroup', ariaLabel: t('Vectors') },
+      choice('vectors-true', 'true', t('True vectors')), choice('vectors-relative', 'relative', t('Relative')));
+    this.less = button('vector-less', '\u2212', () => this.step(-1), { title: `${t('Shorter vectors')} ([)`, ariaLabel: t('Shorter vectors') });
+    this.more = button('vector-more', '+', () => this.step(1), { title: `${t('Longer vectors')} (])`, ariaLabel: t('Longer vectors') });
     this.minutes = element('output', { id: 'vector-minutes' });
     const boxes = element('div', { className: 'toggles' });
-    for (const [id, name, words] of [['vector-ticks', 'ticks', 'Minutes'], ['target-past', 'past', 'Past'], ['target-ais', 'ais', 'AIS'],
-                                     ['target-names', 'names', 'Names']]) {
+    for (const [id, name, words] of [['vector-ticks', 'ticks', t('Minutes')], ['target-past', 'past', t('Past')], ['target-ais', 'ais', 'AIS'],
+                                     ['target-names', 'names', t('Names')]]) {
       boxes.append(toggle(id, words, (on) => this.change({ [name]: on })));
     }
-    this.joined = element('select', { id: 'target-joined' }, new Option('AIS', 'ais'), new Option('Radar', 'radar'));
+    this.joined = element('select', { id: 'target-joined' }, new Option('AIS', 'ais'), new Option(t('Radar'), 'radar'));
     this.joined.addEventListener('change', () => this.change({ joined: this.joined.value }));
     this.element = element('div', {}, modes, element('div', { className: 'steps' }, this.less, this.minutes, this.more), boxes,
-      element('label', { className: 'row' }, element('span', { textContent: 'Radar and AIS as one' }), this.joined));
+      element('label', { className: 'row' }, element('span', { textContent: t('Radar and AIS as one') }), this.joined));
     this.boxes = { ticks: boxes.querySelector('#vector-ticks'), past: boxes.querySelector('#target-past'),
                    ais: boxes.querySelector('#target-ais'), names: boxes.querySelector('#target-names') };
     this.radios = { true: modes.querySelector('#vectors-true'), relative: modes.querySelector('#vectors-relative') };

@@ -1,10 +1,11 @@
 // Zones as they lie in the picture: guard zones and areas of exclusion about own ship.
+import { t } from '../language/language.js';
 import { NAUTICAL_MILE_M, wrapDeg } from '../view_geometry.js';
 import { text } from './symbols.js';
 import { ACQUIRES } from './wire.js';
 
 const STEP_DEG = 2;
-export const zoneWord = (kind) => (kind === ACQUIRES ? 'Guard' : 'Exclude');
+export const zoneWord = (kind) => (kind === ACQUIRES ? t('Guard') : t('Exclude'));
 
 // Degrees clockwise from the one end to the other; equal ends are all round.
 export const widthDeg = ({ fromDeg, toDeg }) => wrapDeg(toDeg - fromDeg) || 360;

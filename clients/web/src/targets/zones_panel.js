@@ -1,5 +1,6 @@
 // ZonesPanel: guard zones and areas of exclusion: drawn, by numbers, and taken away.
 import { bearing } from '../format.js';
+import { t } from '../language/language.js';
 import { wrapDeg } from '../view_geometry.js';
 import { BoundedField } from './bounded_field.js';
 import { button, element, refusal, sayProblem } from './dom.js';
@@ -8,8 +9,9 @@ import { ACQUIRES, EXCLUDES } from './wire.js';
 import { widthDeg, zoneWord } from './zone_shape.js';
 
 function zoneText(zone) {
-  const ring = `${Number(zone.innerNm.toFixed(2))} to ${Number(zone.outerNm.toFixed(2))} NM`;
-  const sector = widthDeg(zone) === 360 ? 'all round' : `${bearing(zone.fromDeg)} to ${bearing(zone.toDeg)}${zone.relative ? ' from the bow' : ''}`;
+  const ring = `${t('{min} to {max}', { min: Number(zone.innerNm.toFixed(2)), max: Number(zone.outerNm.toFixed(2)) })} NM`;
+  const ends = t('{min} to {max}', { min: bearing(zone.fromDeg), max: bearing(zone.toDeg) });
+  const sector = widthDeg(zone) === 360 ? t('all round') : zone.relative ? t('{sector} from the bow', { sector: ends }) : ends;
   return `${zoneWord(zone.kind)} ${zone.number}: ${ring}, ${sector}`;
 }
 
@@ -19,16 +21,16 @@ export class ZonesPanel {
     Object.assign(this, { orders, setMode, heading });
     this.list = element('ul', { id: 'zone-list' });
     this.problem = refusal('zone-refusal');
-    this.kind = element('select', { id: 'zone-kind' }, new Option('Guard zone: acquires', ACQUIRES), new Option('Exclusion: never acquires', EXCLUDES));
-    this.kind.ariaLabel = 'Kind of zone';
+    this.kind = element('select', { id: 'zone-kind' }, new Option(t('Guard zone: acquires'), ACQUIRES), new Option(t('Exclusion: never acquires'), EXCLUDES));
+    this.kind.ariaLabel = t('Kind of zone');
     this.relative = element('input', { id: 'zone-relative', type: 'checkbox' });
     this.fields = withBounds(ZONES, table.targetZones).map((rule) => new BoundedField(`zone-${rule.name}`, rule));
-    this.draws = button('zone-draw', 'Draw', () => this.toggleMode(), { title: 'Then drag from the near corner to the far one', ariaPressed: 'false' });
+    this.draws = button('zone-draw', t('Draw'), () => this.toggleMode(), { title: t('Then drag from the near corner to the far one'), ariaPressed: 'false' });
     const form = element('form', { id: 'zone-form', noValidate: true }, element('div', { className: 'fields two' }, ...this.fields.map((field) => field.element)),
-      element('div', { className: 'actions' }, element('button', { type: 'submit', id: 'zone-add', textContent: 'Add zone' }), this.draws));
+      element('div', { className: 'actions' }, element('button', { type: 'submit', id: 'zone-add', textContent: t('Add zone') }), this.draws));
     form.addEventListener('submit', (event) => { event.preventDefault(); this.#addTyped(); });
     this.element = element('div', { className: 'zones' }, this.list, this.kind,
-      element('div', { className: 'toggles two' }, element('label', {}, this.relative, element('span', { textContent: 'Turns with the bow' }))), form, this.problem);
+      element('div', { className: 'toggles two' }, element('label', {}, this.relative, element('span', { textContent: t('Turns with the bow') }))), form, this.problem);
     this.zones = [];
   }
 
@@ -54,7 +56,7 @@ export class ZonesPanel {
   addDrawn(zone) {
     const ordered = this.asOrdered(zone);
     if (ordered) this.#add(ordered);
-    else sayProblem(this.problem, 'Heading is not known: a zone that turns with the bow cannot be drawn');
+    else sayProblem(this.problem, t('Heading is not known: a zone that turns with the bow cannot be drawn'));
   }
 
   #addTyped() {
@@ -67,8 +69,8 @@ export class ZonesPanel {
   #add(zone) {
     const taken = new Set(this.zones.map(({ number }) => number));
     const number = Array.from({ length: MOST_ZONES }, (_, i) => i + 1).find((n) => !taken.has(n));
-    if (number === undefined) sayProblem(this.problem, `There are ${MOST_ZONES} zones: remove one first`);
-    else if (zone.outerNm - zone.innerNm < 0.05) sayProblem(this.problem, 'The zone must reach at least 0.05 NM farther than it begins');
+    if (number === undefined) sayProblem(this.problem, t('There are {n} zones: remove one first', { n: MOST_ZONES }));
+    else if (zone.outerNm - zone.innerNm < 0.05) sayProblem(this.problem, t('The zone must reach at least 0.05 NM farther than it begins'));
     else this.orders.give({ zones: [{ ...zone, number }] }, this.problem, () => { if (this.draws.ariaPressed === 'true') this.toggleMode(false); });
   }
 
@@ -78,7 +80,7 @@ export class ZonesPanel {
     this.shown = text;
     this.zones = zones;
     this.list.replaceChildren(...zones.map((zone) => element('li', {}, element('span', { textContent: zoneText(zone) }),
-      button(`zone-remove-${zone.number}`, 'Remove', () => this.orders.give({ removeZones: [zone.number] }, this.problem),
-        { ariaLabel: `Remove zone ${zone.number}` }))));
+      button(`zone-remove-${zone.number}`, t('Remove'), () => this.orders.give({ removeZones: [zone.number] }, this.problem),
+        { ariaLabel: t('Remove zone {number}', { number: zone.number }) }))));
   }
 }

@@ -85,6 +85,7 @@ test('symbols stand in their places, at their sizes in mm and in their colours',
   await page.evaluate(() => localStorage.removeItem('skerry.targets'));
   await page.reload();
   await page.waitForFunction(() => window.skerry !== undefined);
+  await page.evaluate(() => window.skerry.showTab('targets'));
   await listed(page);
   const at = pixelOf(await ppi(), plane(90, 3));
   const small = extent(await canvas(page), at.x, at.y, 8);
@@ -471,6 +472,8 @@ test('a list that is not renewed, a bad one, and a server without any', async ()
   assert.equal(server.received.filter(({ kind }) => kind === 'subscribe').at(-1).subscribe.targetsHz, 2);
   server.targets = null;
   await page.reload();
+  await page.waitForFunction(() => window.skerry !== undefined);
+  await page.evaluate(() => window.skerry.showTab('targets'));
   await page.locator('#targets-none').waitFor();
   assert.equal(await page.locator('#targets-body').evaluate((body) => body.inert), true);
 });

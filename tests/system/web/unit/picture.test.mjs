@@ -20,7 +20,8 @@ const trail = (store, r) => [...store.cells.subarray(r * store.cols * 2, (r + 1)
 const painted = (store) => [...Array(store.rows).keys()].filter((r) => store.meta[r * 4 + 1] > 0);
 
 test('the file list names every file of the console and no other', () => {
-  const there = [...readdirSync(WEB).filter((n) => /\.(html|css|svg)$/.test(n)), ...readdirSync(`${WEB}src`, { recursive: true }).filter((n) => n.endsWith('.js')).map((n) => `src/${n}`)].sort();
+  const there = [...readdirSync(WEB).filter((n) => /\.(html|css|svg)$/.test(n)), ...readdirSync(`${WEB}languages`).map((n) => `languages/${n}`),
+                 ...readdirSync(`${WEB}src`, { recursive: true }).filter((n) => n.endsWith('.js')).map((n) => `src/${n}`)].sort();
   assert.deepEqual(readFileSync(`${WEB}files.txt`, 'utf8').split('\n').filter(Boolean).sort(), there);
 });
 
