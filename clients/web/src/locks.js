@@ -8,6 +8,12 @@ const ELEMENTS = {
   range_nm: ['range', 'range-less', 'range-more'], instrumented_range_m: [], transmit: ['transmit-on', 'transmit-off'],
 };
 
+// The boxes of the instructor's panel, by the lock of the table of controls; orders and world are no controls.
+const BOXES = {
+  range: 'Range', gain: 'Gain', sea: 'Sea', rain: 'Rain', mode: 'Mode, Doppler', processing: 'Processing', transmitter: 'Transmitter',
+  antenna: 'Antenna', orders: 'Course, speed', world: 'World',
+};
+
 // The controls that the instructor locks with one box, by their names in radar.proto, and the elements of each.
 function groupsOf(controls) {
   const groups = {
@@ -25,6 +31,13 @@ export class Locks {
   // open this console is the instructor's, whom no lock holds.
   constructor(controls, set) {
     this.groups = groupsOf(controls);
+    $('locks').append(...Object.entries(BOXES).map(([lock, text]) => {
+      const label = document.createElement('label'), box = document.createElement('input'), span = document.createElement('span');
+      Object.assign(box, { id: `lock-${lock}`, type: 'checkbox' });
+      span.textContent = text;
+      label.append(box, span);
+      return label;
+    }));
     this.pending = new PendingRequests();
     this.locked = new Set();
     this.tuneAuto = false;

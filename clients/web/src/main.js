@@ -63,6 +63,7 @@ const table = await loadControls(new URL('controls.json', location.href), () => 
 });
 useControls(table);
 buildPanel(table);
+status.buildTools();
 
 const notices = new Notices($('notices'));
 const picture = new PictureSettings();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -65,6 +66,11 @@ class PlottedHost final : public FakeHost {
   }
   void turn(int times = 1) {
     for (int i = 0; i < 16 * times; ++i) sweep();
+  }
+  // Scenario time of the newest spoke.
+  std::chrono::nanoseconds swept() const {
+    const std::lock_guard lock(time_mutex_);
+    return now_ - begin_utc;
   }
 
  private:

@@ -51,6 +51,24 @@ export function timeToGo(rangeM, speedKn) {
   return format.duration((rangeM / NAUTICAL_MILE_M / speedKn) * 3600);
 }
 
+// What the two bearing lines and range markers read stands in boxes with these ids.
+export function buildTools() {
+  const part = (tag, values, ...children) => {
+    const made = Object.assign(document.createElement(tag), values);
+    made.append(...children);
+    return made;
+  };
+  const value = (id, className = '') => part('output', { id, className, textContent: format.NONE });
+  for (const kind of ['ebl', 'vrm']) {
+    for (const [suffix, name] of [['', `${kind.toUpperCase()} 1`], ['2', `${kind.toUpperCase()} 2`]]) {
+      const id = kind + suffix, tag = part('span', { className: 'tag', textContent: name });
+      const unit = (text, more = '') => part('span', { className: `unit ${more}`, textContent: text });
+      const values = kind === 'vrm' ? [value(`${id}-range`)] : [value(`${id}-true`), unit('T'), ' ', value(`${id}-relative`, 'dim'), unit('R', 'dim')];
+      $('tool-boxes').append(part('p', { id: `${id}-box`, hidden: true }, tag, ' ', ...values));
+    }
+  }
+}
+
 export function showTools(tools, markers, headingDeg) {
   const { bowDeg } = markers.now;
   for (const [n, suffix] of [[0, ''], [1, '2']]) {
