@@ -8,7 +8,7 @@ export const SHIP = { courseOverGroundDeg: 37, speedOverGroundKn: 12, lengthM: 1
 
 // kept: of localStorage, by key. Every text that is written on a canvas is in window.written, by the canvas' id, with its place in
 // CSS pixels, until that canvas is cleared.
-export async function openClauses(browser, { kept = {}, context = { viewport: { width: 1280, height: 720 } }, list = {}, ...options } = {}) {
+export async function openClauses(browser, { kept = {}, context = { viewport: { width: 1000, height: 640 } }, list = {}, ...options } = {}) {
   const server = new MockServer({ rpm: 120, spokes: 720, cells: 512, headingDeg: 37, ownShipMore: SHIP, targets: targetList(list), ...options });
   const url = await server.start();
   const page = await openConsole(browser, url, context);
