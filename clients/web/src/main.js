@@ -22,6 +22,7 @@ import { Notices } from './notices.js';
 import { Overlay } from './overlay.js';
 import { echoColourTable, PALETTES } from './palette.js';
 import { Availability } from './panel/availability.js';
+import { setDefaults } from './panel/default_settings.js';
 import { Greeting } from './panel/greeting.js';
 import { InstructorChoice } from './panel/instructor_choice.js';
 import { PictureHealth } from './panel/picture_health.js';
@@ -284,7 +285,7 @@ function applyPicture() {
 }
 const picturePanel = bindPicture({
   picture, stage, markers, notify, headingDeg: () => radar.headingDeg(),
-  setDefaults: () => { picture.setDefaults(); tools.setDefaults(view); },
+  setDefaults: () => setDefaults({ picture, tools, targets, subscription, radar, set }, view, availability.on && !playback.on),
 }, applyPicture);
 applyPicture();
 // The colours of the page around it are this console's too.

@@ -17,6 +17,8 @@ export function showOwnShip(ship, headingDeg) {
   const motion = ship?.noMotion ? undefined : ship;
   write('latitude', format.position(place?.latitudeDeg, 'N', 'S', 2));
   write('longitude', format.position(place?.longitudeDeg, 'E', 'W', 3));
+  write('latitude-short', format.position(place?.latitudeDeg, 'N', 'S', 2));
+  write('longitude-short', format.position(place?.longitudeDeg, 'E', 'W', 3));
   write('heading', format.bearing(bow));
   const speedKn = ship?.noLog ? NaN : motion?.speedKn;  // through the water
   write('speed', format.fixed(speedKn, 1));

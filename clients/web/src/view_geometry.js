@@ -57,7 +57,7 @@ export class ViewGeometry {
 
 // Range rings of a scale, in nautical miles: how many, and how far apart. The last is the edge.
 export function ringsFor(rangeNm) {
-  const spacings = { 0.125: 0.025, 0.25: 0.05, 0.5: 0.1, 0.75: 0.25, 1.5: 0.25 };
+  const spacings = { 0.125: 0.025, 0.25: 0.05, 0.5: 0.1, 0.75: 0.125, 1.5: 0.25 };
   const spacingNm = spacings[rangeNm] ?? rangeNm / 6;
   return { spacingNm, count: Math.round(rangeNm / spacingNm) };
 }

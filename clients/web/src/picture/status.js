@@ -90,12 +90,15 @@ export function showTools(tools, markers, headingDeg) {
   write('lines-on', on.join(' ') + (tools.areLinesOn ? '' : ` ${t('hidden')}`));
 }
 
-// A after a number: set by itself.
+// A after a number: set by itself. What the radar does, and whether its receiver is set for all consoles or for this one.
 export function showReceiver(settings, utcNs) {
   const level = (value, auto) => (Number.isFinite(value) ? `${Math.round(value)}${auto ? ' A' : ''}` : format.NONE);
   write('gain-short', level(settings?.gain, settings?.gainAuto));
   write('sea-short', level(settings?.sea, settings?.seaAuto));
   write('rain-short', level(settings?.rain, false));
+  write('ir-short', level(settings?.interferenceRejection, false));
+  write('scanner-short', settings ? (settings.standby ? 'STBY' : 'TX') : format.NONE);
+  write('view-short', settings ? (settings.view === 0 ? 'shared view' : 'own view') : format.NONE);
   write('tune-short', level(settings?.tune, settings?.tuneAuto));
   $('tune-bar').value = settings?.tune ?? 0;
   write('clock', utcNs > 0 ? format.utcClock(utcNs / 1e6).slice(11, 19) || format.NONE : format.NONE);

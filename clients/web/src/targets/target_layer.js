@@ -125,7 +125,7 @@ export class TargetLayer {
     const words = [trial && 'T', testTargets && 'X'].filter(Boolean);
     const size = Math.max(28, 9 * mm);
     words.forEach((word, i) => text(c, word, view.centre + (i - (words.length - 1) / 2) * size * 1.3, view.centre + view.radius - size,
-      palette.danger, size, { align: 'center', weight: 700 }));
+      palette.targetText, size, { align: 'center', weight: 700 }));
   }
 }
 

@@ -160,6 +160,12 @@ export class TargetConsole {
     this.leftOut.hidden = list.aisLeftOut === 0;
   }
 
+  // "User default settings", for all who look at this view. Zones stay.
+  setDefaults() {
+    this.vectors.change({ relative: false, minutes: 6, past: false, ais: true });
+    if (this.store.list) this.orders.give({ rules: { acquire: 0, cpaNm: 2, tcpaMin: 12, stabilisation: 0, associate: true, lostWarnings: true } });
+  }
+
   // The target that an alert is about.
   choose({ target, mmsi }) {
     const entry = this.store.entries?.find(({ track, ais }) => (target > 0 ? track?.number === target : ais?.mmsi === mmsi));

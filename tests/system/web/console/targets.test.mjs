@@ -400,7 +400,7 @@ test('a trial: ordered, told and drawn; test targets', async () => {
   const png = await canvas(page);
   const bottom = { x: view.centre.x, y: view.centre.y + view.radiusPx - Math.max(28, (9 * 96) / 25.4) };
   const sign = extent(png, bottom.x, bottom.y, 20);
-  assert.ok(sign && sign.height > 18 && isRed(rgba(png, bottom.x, bottom.y)), 'a large T at the bottom');
+  assert.ok(sign && sign.height > 18 && isDrawn(png, bottom, 8) && !isRed(rgba(png, bottom.x, bottom.y)), 'a large T at the bottom, not in the colour of danger');
   await page.locator('#trial-end').click();
   assert.equal((await lastOrder(2)).endTrial, true);
 
