@@ -44,7 +44,7 @@ function fill(side) {
   draw();
 }
 
-const PAGES = { floor: null, console: fileURLToPath(new URL('../../../clients/web', import.meta.url)), ...(values.before ? { before: values.before } : {}) };
+const PAGES = { floor: null, console: fileURLToPath(new URL('../../../clients/web', import.meta.url)), ...Object.fromEntries((values.before ?? '').split(',').filter(Boolean).map((folder) => [folder, folder])) };
 const median = (list) => list.sort((a, b) => a - b)[list.length >> 1];
 const browser = await launch();
 const servers = {};

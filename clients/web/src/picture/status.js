@@ -98,7 +98,7 @@ export function showReceiver(settings, utcNs) {
   write('rain-short', level(settings?.rain, false));
   write('ir-short', level(settings?.interferenceRejection, false));
   write('scanner-short', settings ? (settings.standby ? 'STBY' : 'TX') : format.NONE);
-  write('view-short', settings ? (settings.view === 0 ? 'shared view' : 'own view') : format.NONE);
+  write('view-short', settings ? (settings.view === 0 ? t('shared view') : t('own view')) : format.NONE);
   write('tune-short', level(settings?.tune, settings?.tuneAuto));
   $('tune-bar').value = settings?.tune ?? 0;
   write('clock', utcNs > 0 ? format.utcClock(utcNs / 1e6).slice(11, 19) || format.NONE : format.NONE);
