@@ -33,6 +33,7 @@ import { ShipOrders } from './panel/ship_orders.js';
 import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
 import { Layout } from './picture/fit.js';
+import { Layers } from './picture/layers.js';
 import { bindPicture, showMode } from './picture/picture_panel.js';
 import { pictureKeys } from './picture/picture_keys.js';
 import { PictureSettings } from './picture/picture_settings.js';
@@ -78,6 +79,7 @@ const markers = new Markers($('ppi'), tools, {
 });
 const toolsPanel = new ToolsPanel(tools, markers);
 const overlay = new Overlay($('graticule'), $('marks'));
+const layers = new Layers($('layers'), ['chart', 'map-lines', 'graticule', 'target-marks', 'marks'].map($));
 const frames = { drawn: 0, rate: new Rate(2) };
 const choices = new URLSearchParams(location.search);
 const radarChoice = choices.get('radar');
@@ -224,6 +226,7 @@ function draw() {
   });
   targets.draw(view, { palette, paletteName: picture.palette, ownShip: radar.ownShip, headingDeg: radar.headingDeg(), rate: held ? 0 : playback.rate });
   chart.draw(view, nowS, picture.palette);
+  layers.draw(Math.round(view.side * view.pixelRatio));
   frames.drawn += 1;
   frames.rate.add(nowS, frames.drawn);
 }

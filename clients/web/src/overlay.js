@@ -2,6 +2,7 @@
 // view changes, and the marks (heading line, measuring tools, cursor, own ship), drawn when any of them moves.
 import { drawScale } from './picture/bearing_scale.js';
 import { drawTools } from './picture/draw_tools.js';
+import { layerContext, painted } from './picture/layers.js';
 import { drawOwnShip } from './picture/own_ship_symbol.js';
 import { ringsFor } from './view_geometry.js';
 import { rangeNm as formatRange } from './format.js';
@@ -12,7 +13,7 @@ export const FONT = 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
 export class Layer {
   constructor(canvas) {
     this.canvas = canvas;
-    this.context = canvas.getContext('2d');
+    this.context = layerContext(canvas);
     this.drawn = '';
   }
 
@@ -27,6 +28,7 @@ export class Layer {
     c.setTransform(view.pixelRatio, 0, 0, view.pixelRatio, 0, 0);
     c.clearRect(0, 0, view.side, view.side);
     paint(c);
+    painted(this.canvas);
   }
 }
 

@@ -6,7 +6,7 @@
 // afterglow, sweep. Both are exact at each pixel's own bearing and range; nothing is interpolated.
 // While own ship sails over the picture (true motion) the disc stays: each row lies where it was seen from.
 import { SIDE as TRAILS_SIDE, TILE } from './picture/true_trails.js';
-import { screenFragment, SCREEN_VERTEX, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
+import { ROW_LOOK_FRAGMENT, screenFragment, SCREEN_VERTEX, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
 
 const MAX_WEDGE_RAD = Math.PI / 6;
 const EDGE_PX = 2;  // a wedge reaches so far beyond its rows: half a pixel's diagonal, and rounding
@@ -26,12 +26,15 @@ export class PpiRenderer {
   #create() {
     const gl = this.gl;
     this.wedge = program(gl, WEDGE_VERTEX, WEDGE_FRAGMENT);
-    this.screens = new Map();  // variants of the second pass, made when needed
+    this.rowLook = program(gl, SCREEN_VERTEX, ROW_LOOK_FRAGMENT);
+    this.screens = new Map();  // variants of the last pass, made when needed
     this.#screen({ trueTrails: false, videoLimit: false });
     this.textures = {
       cells: texture(gl), doppler: texture(gl), meta: texture(gl), disc: texture(gl), colours: texture(gl), trails: texture(gl),
+      rowLook: texture(gl),
     };
     this.framebuffer = gl.createFramebuffer();
+    this.rowFramebuffer = gl.createFramebuffer();
     this.corners = gl.createBuffer();
     this.emptyArray = gl.createVertexArray();
     this.wedgeArray = gl.createVertexArray();
@@ -65,6 +68,7 @@ export class PpiRenderer {
     this.#upload(store, runs);
     this.#updateDisc(store, view, side, runs);
     if (look.trueTrails) this.#uploadTrails(look.trueTrails);
+    this.#lookAtRows(Math.max(1, store.rows), look);
     this.#colourDisc(view, side, look);
   }
 
@@ -80,16 +84,13 @@ export class PpiRenderer {
                     store.doppler ? null : new Uint8Array(1));
       gl.bindTexture(gl.TEXTURE_2D, this.textures.meta);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, rows, 1, 0, gl.RGBA, gl.FLOAT, null);
+      this.#target(this.rowFramebuffer, this.textures.rowLook, rows, 1);
       store.dirty.fill(1);
       this.generation = store.generation;
       this.drawn = null;
     }
     if (this.discSide !== side) {
-      gl.bindTexture(gl.TEXTURE_2D, this.textures.disc);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, side, side, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.textures.disc, 0);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      this.#target(this.framebuffer, this.textures.disc, side, side);
       this.discSide = side;
       this.drawn = null;
     }
@@ -98,6 +99,16 @@ export class PpiRenderer {
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 3, 0, gl.RGBA, gl.UNSIGNED_BYTE, this.nextColours);
       this.colours = this.nextColours;
     }
+  }
+
+  // A texture that is drawn into.
+  #target(framebuffer, drawnInto, width, height) {
+    const gl = this.gl;
+    gl.bindTexture(gl.TEXTURE_2D, drawnInto);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, drawnInto, 0);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   #upload(store, runs) {
@@ -175,6 +186,23 @@ export class PpiRenderer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
+  #lookAtRows(rows, look) {
+    const gl = this.gl;
+    const { program, at } = this.rowLook;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.rowFramebuffer);
+    gl.viewport(0, 0, rows, 1);
+    gl.disable(gl.BLEND);
+    gl.useProgram(program);
+    gl.uniform1f(at('now'), look.nowS);
+    gl.uniform1f(at('turnS'), look.turnS);
+    gl.uniform1f(at('afterglow'), look.afterglow);
+    gl.uniform1f(at('sweepRow'), look.sweepRow);
+    this.#bind(at, { meta: this.textures.meta });
+    gl.bindVertexArray(this.emptyArray);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
   #screen(variant) {
     const key = JSON.stringify(variant);
     if (!this.screens.has(key)) this.screens.set(key, program(this.gl, SCREEN_VERTEX, screenFragment(variant)));
@@ -193,10 +221,6 @@ export class PpiRenderer {
     gl.useProgram(program);
     gl.uniform1f(at('halfSide'), side / 2);
     gl.uniform1f(at('radius'), view.radius * view.pixelRatio);
-    gl.uniform1f(at('now'), look.nowS);
-    gl.uniform1f(at('turnS'), look.turnS);
-    gl.uniform1f(at('afterglow'), look.afterglow);
-    gl.uniform1f(at('sweepRow'), look.sweepRow);
     gl.uniform2f(at('own'), own.x, own.y);
     gl.uniform1f(at('videoPx'), videoPx);
     gl.uniform1f(at('trails'), look.trails);
@@ -215,7 +239,7 @@ export class PpiRenderer {
     gl.uniform3fv(at('trailColour'), look.palette.trail);
     gl.uniform3fv(at('sweepColour'), look.palette.sweep);
     this.#bind(at, {
-      disc: this.textures.disc, meta: this.textures.meta, echoColours: this.textures.colours,
+      disc: this.textures.disc, rowLook: this.textures.rowLook, echoColours: this.textures.colours,
       ...(trueTrails ? { trueTrails: this.textures.trails } : {}),
     });
     gl.bindVertexArray(this.emptyArray);

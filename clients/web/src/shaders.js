@@ -70,7 +70,34 @@ void main() {
 }
 `;
 
-// Disc -> screen: colours, afterglow by the row's age, the sweep. Each variant does only what it needs: software renderers work
+// What of the picture depends on the row alone, for each row: red, how much of its echo is left (afterglow, and a sector that is
+// missing goes out); green, of its trail; blue, the light of the sweep, in SWEEP_MOST. Done once a row, not once a pixel.
+const SWEEP_MOST = 0.25;
+export const ROW_LOOK_FRAGMENT = `#version 300 es
+precision highp float;
+precision highp int;
+uniform highp sampler2D meta;
+uniform float now, turnS;         // seconds
+uniform float afterglow;          // 0: even picture, 1: fades to a tenth within a turn
+uniform float sweepRow;           // newest row; below 0: no sweep
+out vec4 look;
+void main() {
+  int row = int(gl_FragCoord.x);
+  float rows = float(textureSize(meta, 0).x);
+  vec4 m = texelFetch(meta, ivec2(row, 0), 0);
+  look = vec4(0.0, 0.0, 0.0, 1.0);
+  if (sweepRow >= 0.0) {
+    float behind = fract((sweepRow - float(row)) / rows) * 360.0;  // degrees
+    look.b = (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0)) / ${SWEEP_MOST};
+  }
+  if (m.g <= 0.0) return;
+  float age = max(0.0, now - m.r) / turnS;                   // turns
+  look.g = 1.0 - smoothstep(1.3, 2.6, age);
+  look.r = look.g * mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
+}
+`;
+
+// Disc -> screen: colours, with the look of the row. Each variant does only what it needs: software renderers work
 // through both sides of every branch. trueTrails: those, instead of the trails around own ship; videoLimit: the spokes end within
 // the picture.
 export const screenFragment = ({ trueTrails, videoLimit }) => `#version 300 es
@@ -79,14 +106,11 @@ ${videoLimit ? '#define VIDEO_LIMIT' : ''}
 precision highp float;
 precision highp int;
 uniform mediump sampler2D disc;
-uniform highp sampler2D meta;
+uniform mediump sampler2D rowLook;
 uniform mediump sampler2D echoColours;
 uniform float halfSide, radius;   // pixels
 uniform vec2 own;                 // own ship, pixels from the centre, y up
 uniform float trails;             // brilliance, 0..1
-uniform float now, turnS;         // seconds
-uniform float afterglow;          // 0: even picture, 1: fades to a tenth within a turn
-uniform float sweepRow;           // newest row; below 0: no sweep
 uniform float brilliance;
 uniform vec3 sea, seaEdge, trailColour, sweepColour;
 out vec4 colour;
@@ -126,27 +150,16 @@ void main() {
 #endif
 
   ivec4 d = ivec4(texelFetch(disc, ivec2(gl_FragCoord.xy), 0) * 255.0 + 0.5);
-  int rows = textureSize(meta, 0).x;
-  int row = min(((d.g & 63) << 8) | d.b, rows - 1);
-  if (sweepRow >= 0.0) {
-    float behind = fract((sweepRow - float(row)) / float(rows)) * 360.0;  // degrees
-    c += sweepColour * (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0));
-  }
-  vec4 m = texelFetch(meta, ivec2(row, 0), 0);
+  int row = min(((d.g & 63) << 8) | d.b, textureSize(rowLook, 0).x - 1);
+  vec4 look = texelFetch(rowLook, ivec2(row, 0), 0);
+  c += sweepColour * (look.b * ${SWEEP_MOST});
 #ifdef TRUE_TRAILS
   if (d.a < 255) c = mix(c, trailColour, 0.8 * trails * trueTrail(p - own));
+#else
+  if (d.a < 255) c = mix(c, trailColour, 0.8 * trails * look.g * float(d.a) / 255.0);
 #endif
-  if (m.g > 0.0) {
-    float age = max(0.0, now - m.r) / turnS;                   // turns
-    float present = 1.0 - smoothstep(1.3, 2.6, age);           // a missing sector goes out
-    float glow = mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
-#ifndef TRUE_TRAILS
-    float trail = float(d.a) / 255.0;
-    if (d.a < 255) c = mix(c, trailColour, 0.8 * trails * trail * present);
-#endif
-    vec4 echo = texelFetch(echoColours, ivec2(d.r, d.g >> 6), 0);
-    c = mix(c, echo.rgb * brilliance, echo.a * present * glow);
-  }
+  vec4 echo = texelFetch(echoColours, ivec2(d.r, d.g >> 6), 0);
+  c = mix(c, echo.rgb * brilliance, echo.a * look.r);
   colour = vec4(c * inside, inside);
 }
 `;

@@ -1,6 +1,6 @@
 // What a picture of the console costs: CPU milliseconds of the whole browser for each picture drawn, in software rendering,
 // beside a page that only fills a canvas of the same size, in turns within the same run; medians.
-//   SKERRYD=... SKERRY=... node frame_cost.mjs [--rounds 5] [--seconds 8] [--before FOLDER]
+//   SKERRYD=... SKERRY=... node frame_cost.mjs [--rounds 5] [--seconds 8] [--sizes 1280x800,1920x1080] [--before FOLDER,FOLDER]
 // FOLDER: the pages (clients/web) of another tree, to compare with. Not part of npm test.
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -8,8 +8,9 @@ import { parseArgs } from 'node:util';
 import { launch } from './browser.mjs';
 import { startSkerryd } from './displays/skerryd.mjs';
 
-const { values } = parseArgs({ options: { rounds: { type: 'string', default: '5' }, seconds: { type: 'string', default: '8' }, before: { type: 'string' } } });
-const SIZES = [[1280, 800], [1920, 1080]];
+const { values } = parseArgs({ options: { rounds: { type: 'string', default: '5' }, seconds: { type: 'string', default: '8' },
+  sizes: { type: 'string', default: '1280x800,1920x1080' }, before: { type: 'string', default: '' } } });
+const SIZES = values.sizes.split(',').map((size) => size.split('x').map(Number));
 const TICK_MS = 10;  // of /proc, as Linux has it on all usual machines
 
 // CPU time of the browser's processes so far: what has this program among its parents.
@@ -44,7 +45,7 @@ function fill(side) {
   draw();
 }
 
-const PAGES = { floor: null, console: fileURLToPath(new URL('../../../clients/web', import.meta.url)), ...Object.fromEntries((values.before ?? '').split(',').filter(Boolean).map((folder) => [folder, folder])) };
+const PAGES = { floor: null, console: fileURLToPath(new URL('../../../clients/web', import.meta.url)), ...Object.fromEntries(values.before.split(',').filter(Boolean).map((folder) => [folder, folder])) };
 const median = (list) => list.sort((a, b) => a - b)[list.length >> 1];
 const browser = await launch();
 const servers = {};

@@ -1,4 +1,5 @@
 // ChartPainter: the loaded chart on its canvas, under the rings and over the echoes.
+import { layerContext, painted } from '../picture/layers.js';
 import { SYMBOL_PX, Symbols } from './symbols.js';
 
 const RAD = Math.PI / 180;
@@ -45,7 +46,7 @@ export function lieKey(view, lie) {
 export class ChartPainter {
   constructor(canvas) {
     this.canvas = canvas;
-    this.context = canvas.getContext('2d');
+    this.context = layerContext(canvas);
     this.symbols = new Symbols();
     this.drawn = '';
     this.lie = null;  // how the chart lies on the view; null: nothing is shown
@@ -63,6 +64,7 @@ export class ChartPainter {
     const key = JSON.stringify([lieKey(view, lie), look.paletteName, look.coast, look.contours, look.buoys]);
     if (key === this.drawn && !laidAnew) return;
     this.drawn = key;
+    painted(this.canvas);
     const began = performance.now();
     this.#paint(view, loaded, lie, look);
     this.times.frames += 1;
@@ -77,6 +79,7 @@ export class ChartPainter {
   #clear() {
     if (this.drawn === 'nothing') return;
     this.drawn = 'nothing';
+    painted(this.canvas);
     this.context.setTransform(1, 0, 0, 1, 0, 0);
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
   }

@@ -1,4 +1,5 @@
 // MapPainter: lines and points of one's own, what is being drawn, and the man overboard, on their canvas over the chart.
+import { layerContext, painted } from '../picture/layers.js';
 import { layPlane, lieKey } from './chart_painter.js';
 import { LocalPlane } from './earth.js';
 
@@ -9,7 +10,7 @@ export const DASHES = { note: [], track: [10, 5], limit: [12, 4, 2, 4], danger: 
 export class MapPainter {
   constructor(canvas) {
     this.canvas = canvas;
-    this.context = canvas.getContext('2d');
+    this.context = layerContext(canvas);
     this.plane = null;
     this.laid = new WeakMap();  // item: its points on the plane
     this.lie = null;
@@ -29,6 +30,7 @@ export class MapPainter {
       : 'nothing';
     if (key === this.drawn) return;
     this.drawn = key;
+    painted(this.canvas);
     if (this.canvas.width !== side) this.canvas.width = this.canvas.height = side;
     c.setTransform(view.pixelRatio, 0, 0, view.pixelRatio, 0, 0);
     c.clearRect(0, 0, view.side, view.side);

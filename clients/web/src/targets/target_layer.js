@@ -1,13 +1,16 @@
 // TargetLayer: targets, vectors, past positions, zones and the trial on a canvas of their own.
 import { t } from '../language/language.js';
 import { Layer } from '../overlay.js';
+import { NAUTICAL_MILE_M } from '../view_geometry.js';
 import { minus, moved, polar, trialPath } from './motion.js';
 import { aisSymbol, dot, radarSymbol, selection, SIZES_MM, text, thick, tick, vector } from './symbols.js';
 import { labelOf, ownMotion, pastPlaces, shownOf } from './target_store.js';
 import { ACQUIRING, FROZEN, GROUND, LOST } from './wire.js';
 import { drawZone } from './zone_shape.js';
 
-const FLASH_MS = 500, MOVES_MS = 100;
+const FLASH_MS = 500, KNOT_MPS = NAUTICAL_MILE_M / 3600;
+// Drawn anew when the fastest may have moved so far, and never more often than that.
+const STEP_PX = 0.25, LEAST_STEP_S = 0.1, MOST_STEP_S = 1;
 // Longer names would cover their neighbours.
 const LONGEST_NAME = 20;
 
@@ -25,7 +28,7 @@ export class TargetLayer {
     const flashes = live && store.entries.some((entry) => entry.calls || entry.track?.state === LOST);
     const moves = live && store.entries.length > 0;
     const phase = flashes ? Math.floor(look.nowMs / FLASH_MS) % 2 : 0;
-    const key = [look.paletteName, store.serial, live, moves ? Math.floor((store.stepS * 1000) / MOVES_MS) : 0, phase, view.upDeg, view.rangeM,
+    const key = [look.paletteName, store.serial, live, moves ? Math.floor(store.stepS / moveS(store, view)) : 0, phase, view.upDeg, view.rangeM,
                  view.own, view.centre, look.version, store.selected, look.draft,
                  live && store.list.zones.some((zone) => zone.relative) ? Math.round(look.headingDeg * 10) : 0];
     this.layer.draw(view, key, (c) => {
@@ -127,6 +130,13 @@ export class TargetLayer {
     words.forEach((word, i) => text(c, word, view.centre + (i - (words.length - 1) / 2) * size * 1.3, view.centre + view.radius - size,
       palette.targetText, size, { align: 'center', weight: 700 }));
   }
+}
+
+// Seconds in which nothing moves farther than STEP_PX, relative to own ship.
+function moveS({ list, entries }, view) {
+  const fastestKn = entries.reduce((most, { track, ais }) => Math.max(most, track?.speedKn ?? 0, ais?.speedKn ?? 0), 0) + (list.ownSpeedKn ?? 0);
+  const pxPerS = (fastestKn * KNOT_MPS * view.radius) / view.rangeM;
+  return Math.max(LEAST_STEP_S, Math.min(MOST_STEP_S, STEP_PX / pxPerS));
 }
 
 export function kindOf(shown) {
