@@ -34,6 +34,7 @@ import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
 import { Layout } from './picture/fit.js';
 import { Layers } from './picture/layers.js';
+import { Pace } from './picture/pace.js';
 import { bindPicture, showMode } from './picture/picture_panel.js';
 import { pictureKeys } from './picture/picture_keys.js';
 import { PictureSettings } from './picture/picture_settings.js';
@@ -96,7 +97,7 @@ new InstructorChoice({ part: $('instructor-part'), fold: $('instructor'), box: $
 const set = (values) => {
   if (isWatching) return null;
   const ours = locks.isInstructor ? { ...values, instructor: true } : values;
-  const request = connection.set(radar.radar, radar.view, ours, token);
+  const request = subscription.isAsking ? null : connection.set(radar.radar, radar.view, ours, token);
   if (request === null) notices.show(t('Not connected: the change was not sent'));
   return request;
 };
@@ -109,8 +110,8 @@ const greeting = new Greeting({ problem: $('server-problem'), text: $('server-pr
 const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
 const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
 const targets = new TargetConsole({
-  send: (order) => (isWatching ? undefined : connection.targetOrder(radar.radar, radar.view, order, token)),
-  notify, cursor: () => markers.at(), table, seconds,
+  send: (order) => (isWatching ? undefined : subscription.isAsking ? null : connection.targetOrder(radar.radar, radar.view, order, token)),
+  notify, cursor: () => markers.at(), isBusy: () => (markers.mode !== null && markers.mode !== 'cursor') || chart.editor.mode !== 'off', table, seconds,
 });
 const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
 
@@ -141,7 +142,7 @@ const radar = new RadarConsole(renderer.maxRows, {
   playback: (state) => { playback.take(state); showAvailability(); },
   spoke: (spoke, nowS) => stage.takeSpoke(spoke, nowS, radar),
   clear: () => stage.clear(),
-  targets: (list) => { targets.take(list); alerts.take(list.alerts); },
+  targets: (list) => { targets.take(list, !subscription.restores); alerts.take(list.alerts); },
   forget: () => { targets.forget(); alerts.forget(); },
   reply: (reply, text, refused) => {
     if (subscription.takeReply(reply)) return;
@@ -166,7 +167,7 @@ const screens = new Screens({ radar, layOut: () => layout.layOut(), notify }, ch
 const subscription = new Subscription({
   radar, set, notify, controls: table.controls, askToken: () => { $('access').hidden = false; },
   send: (number, like, own) => connection.subscribe(number, like, own, token, { targetsHz: 2 }),
-  shown: () => showView(),
+  shown: () => showView(), restored: (view) => targets.restored(view),
 }, choices.get('view'));
 
 function showView() {
@@ -184,7 +185,7 @@ const url = new URL('ws', location.href);
 url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
 url.search = url.hash = '';
 connection = new Connection(url, {
-  state: (state) => { if (state !== 'live') isTold = false; showAvailability(); },
+  state: (state) => { if (state !== 'live') { isTold = false; alerts.lost(); } showAvailability(); },
   messages: (messages) => { radar.takeAll(messages, seconds()); chart.takeAll(messages); },
   garbage: (error) => notify(t('The server sent what is no radar message ({kind})', { kind: error.kind ?? 'text' })),
 });
@@ -231,10 +232,11 @@ function draw() {
   frames.rate.add(nowS, frames.drawn);
 }
 
+const pace = new Pace();
 let readoutsAt = 0;
 function frame() {
   requestAnimationFrame(frame);  // first: a fault in one picture is not the end of all
-  draw();
+  if (pace.isDue(performance.now())) draw();
   if (performance.now() - readoutsAt >= READOUTS_MS) {
     readoutsAt = performance.now();
     showReadouts();
@@ -271,6 +273,7 @@ function showReadouts() {
   playback.showPosition();
   chart.showReadouts();
   targets.tick();
+  if (targets.store.isStale) alerts.lost();
   alerts.sound.tick();
   showAvailability();
   const alarm = [health.text, alarmText()].filter(Boolean).join('\n');

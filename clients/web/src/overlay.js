@@ -2,7 +2,7 @@
 // view changes, and the marks (heading line, measuring tools, cursor, own ship), drawn when any of them moves.
 import { drawScale } from './picture/bearing_scale.js';
 import { drawTools } from './picture/draw_tools.js';
-import { layerContext, painted } from './picture/layers.js';
+import { canvasLosses, layerContext, painted } from './picture/layers.js';
 import { drawOwnShip } from './picture/own_ship_symbol.js';
 import { ringsFor } from './view_geometry.js';
 import { rangeNm as formatRange } from './format.js';
@@ -20,7 +20,7 @@ export class Layer {
   // Draws if anything that key names has changed. paint(context) works in CSS pixels.
   draw(view, key, paint) {
     const side = Math.round(view.side * view.pixelRatio);
-    const full = JSON.stringify([side, view.pixelRatio, view.radius, view.ownAt, key]);
+    const full = JSON.stringify([side, canvasLosses(), view.pixelRatio, view.radius, view.ownAt, key]);
     if (full === this.drawn) return;
     this.drawn = full;
     if (this.canvas.width !== side) this.canvas.width = this.canvas.height = side;

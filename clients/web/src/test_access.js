@@ -17,6 +17,7 @@
 //   targets()             { list, stale, selected, mode, shown, vectors, pxPerMm }: what is drawn of targets now, in CSS pixels
 //   alerts()              { calling (priority that sounds, or null), soundAllowed, beeps, history }
 //   chart()               own ship's place, the loaded chart, lines and marks and their pixels (chart/chart.js)
+//   drawn(n)              resolves when n more pictures have been drawn
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
 export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools, targets, alerts, chart }) {
   window.skerry = {
@@ -67,6 +68,11 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       return { rows, cols, cells: base64(cells), meta: base64(new Uint8Array(meta.buffer)) };
     },
     showTab: (name) => tabs.show(name),
+    drawn: (n) => new Promise((resolve) => {
+      const last = frames.drawn + n;
+      const look = () => (frames.drawn >= last ? resolve() : requestAnimationFrame(look));
+      look();
+    }),
     holdAfter: (scan) => { radar.heldAfter = scan; },
   };
 }

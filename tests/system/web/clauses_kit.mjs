@@ -31,7 +31,7 @@ export async function openClauses(browser, { kept = {}, context = { viewport: { 
 export const text = (page, id) => page.locator(`#${id}`).textContent();
 export const until = (page, id, wanted) => page.waitForFunction(([i, w]) => document.getElementById(i).textContent === w, [id, wanted]);
 export const ppi = (page) => page.evaluate(() => window.skerry.ppi);
-export const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+export const frames = (page) => page.evaluate(() => window.skerry.drawn(2));
 
 // A canvas of the picture as it is after the next frame: { width, height, data }.
 export async function layer(page, id) {

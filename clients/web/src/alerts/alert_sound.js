@@ -27,7 +27,7 @@ export class AlertSound {
     if (!on) return true;
     try {
       this.context ??= this.makeContext();
-      this.context.resume();
+      this.#resume();
       this.isAllowed = true;
       this.lastMs = -Infinity;
     } catch {
@@ -50,9 +50,15 @@ export class AlertSound {
     const pattern = PATTERNS[this.calling];
     const now = this.nowMs();
     if (!this.isAllowed || !pattern || now - this.lastMs < pattern.everyMs) return;
+    // While the browser plays nothing its clock stands: tones would pile up and come all at once.
+    if (this.context.state === 'suspended' || this.context.state === 'interrupted') { this.#resume(); return; }
     this.lastMs = now;
     for (let i = 0; i < pattern.beeps; ++i) this.#beep(this.context.currentTime + i * (BEEP_S + GAP_S), pattern.hz);
     this.beeps += pattern.beeps;
+  }
+
+  #resume() {
+    this.context.resume()?.catch?.(() => {});  // it may only be had after another press
   }
 
   #beep(at, hz) {

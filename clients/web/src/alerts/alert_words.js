@@ -12,8 +12,9 @@ const STATES = {
   [ACTIVE]: later('not acknowledged'), [SILENCED]: later('silenced'), [ACKNOWLEDGED]: later('acknowledged'), [RECTIFIED]: later('rectified, not acknowledged'),
 };
 
-// A priority that is not known is taken as a caution.
-export const priorityOf = ({ priority }) => PRIORITIES[priority] ?? PRIORITIES[CAUTION];
+// A priority above what is known here, such as an emergency, is an alarm.
+export const rankOf = ({ priority }) => Math.min(priority, ALARM);
+export const priorityOf = (alert) => PRIORITIES[rankOf(alert)] ?? PRIORITIES[CAUTION];
 export const wordOf = (alert) => t(priorityOf(alert).word);
 export const stateWord = ({ state }) => (STATES[state] ? t(STATES[state]) : t('state {state}', { state }));
 export const keyOf = ({ number, instance }) => `${number}.${instance}`;
@@ -30,5 +31,5 @@ export function clockOf(utcNs) {
 
 // The worst first: what is not acknowledged, then by priority, then the newest.
 export function byUrgency(a, b) {
-  return isUnacknowledged(b) - isUnacknowledged(a) || b.priority - a.priority || b.utcNs - a.utcNs;
+  return isUnacknowledged(b) - isUnacknowledged(a) || rankOf(b) - rankOf(a) || b.utcNs - a.utcNs;
 }

@@ -5,7 +5,7 @@ import { ACTIVE } from '../targets/wire.js';
 import { $ } from '../widgets.js';
 import { AlertHistory } from './alert_history.js';
 import { AlertSound } from './alert_sound.js';
-import { byUrgency, clockOf, isUnacknowledged, keyOf, mayBeAcknowledged, priorityOf, stateWord, symbolOf, wordOf } from './alert_words.js';
+import { byUrgency, clockOf, isUnacknowledged, keyOf, mayBeAcknowledged, priorityOf, rankOf, stateWord, symbolOf, wordOf } from './alert_words.js';
 
 export class AlertConsole {
   // orders: TargetOrders; notify(text, kind); choose(alert): the operator asks which target it is about.
@@ -97,10 +97,17 @@ export class AlertConsole {
     this.#call();
   }
 
+  // The server is gone, or its lists have stopped: nothing sounds on, and what is shown is of then.
+  lost() {
+    this.sound.call(null, '');
+    this.banner.toggleAttribute('data-stale', this.alerts.length > 0);
+  }
+
   #call() {
+    this.banner.removeAttribute('data-stale');
     const heard = this.alerts.filter((alert) => alert.state === ACTIVE && isUnacknowledged(alert));
-    const highest = heard.reduce((most, alert) => Math.max(most, alert.priority), -1);
-    this.sound.call(highest, heard.filter((alert) => alert.priority === highest).map(keyOf).join());
+    const highest = heard.reduce((most, alert) => Math.max(most, rankOf(alert)), -1);
+    this.sound.call(highest, heard.filter((alert) => rankOf(alert) === highest).map(keyOf).join());
   }
 
   #showList(urgent) {

@@ -52,6 +52,8 @@ export class ChartPart {
       if (message.hello) {
         this.canAsk = message.hello.hasChart;
         this.request.forget();
+        this.utc = null;
+        if (!this.canAsk) this.loaded = null;
       } else if (message.chartObjects && this.request.take(message.chartObjects)) {
         this.loaded = new LoadedChart(message.chartObjects);
         this.painter.forget();

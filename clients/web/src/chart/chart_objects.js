@@ -120,6 +120,7 @@ export function significance(plane) {
       const d2 = dx * dx + dy * dy;
       if (d2 > off2) { off2 = d2; furthest = i; }
     }
+    if (!(off2 > 0)) continue;  // nothing between them is off the line: left out at any scale
     counts[furthest] = Math.min(most, Math.sqrt(off2));
     spans.push([first, furthest, counts[furthest]], [furthest, last, counts[furthest]]);
   }

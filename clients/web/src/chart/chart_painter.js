@@ -1,5 +1,5 @@
 // ChartPainter: the loaded chart on its canvas, under the rings and over the echoes.
-import { layerContext, painted } from '../picture/layers.js';
+import { canvasLosses, layerContext, painted } from '../picture/layers.js';
 import { SYMBOL_PX, Symbols } from './symbols.js';
 
 const RAD = Math.PI / 180;
@@ -61,7 +61,7 @@ export class ChartPainter {
     const laidAnew = loaded.layAbout(place);
     const lie = layPlane(loaded.plane, place, view);
     this.lie = lie;
-    const key = JSON.stringify([lieKey(view, lie), look.paletteName, look.coast, look.contours, look.buoys]);
+    const key = JSON.stringify([canvasLosses(), lieKey(view, lie), look.paletteName, look.coast, look.contours, look.buoys]);
     if (key === this.drawn && !laidAnew) return;
     this.drawn = key;
     painted(this.canvas);

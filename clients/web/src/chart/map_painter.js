@@ -1,5 +1,5 @@
 // MapPainter: lines and points of one's own, what is being drawn, and the man overboard, on their canvas over the chart.
-import { layerContext, painted } from '../picture/layers.js';
+import { canvasLosses, layerContext, painted } from '../picture/layers.js';
 import { layPlane, lieKey } from './chart_painter.js';
 import { LocalPlane } from './earth.js';
 
@@ -26,7 +26,7 @@ export class MapPainter {
     const isShown = place && view.rangeM > 0 && ((look.lines && items.length > 0) || draft || mob);
     if (place && view.rangeM > 0) this.#lay(place, view);
     const key = isShown
-      ? JSON.stringify([side, lieKey(view, this.lie), version, draft, selected, handles, mob, look.paletteName, look.lines])
+      ? JSON.stringify([canvasLosses(), side, lieKey(view, this.lie), version, draft, selected, handles, mob, look.paletteName, look.lines])
       : 'nothing';
     if (key === this.drawn) return;
     this.drawn = key;

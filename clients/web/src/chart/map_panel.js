@@ -37,14 +37,18 @@ export class MapPanel {
   }
 
   open(name) {
+    let items = [];
     try {
-      this.items.replaceAll(this.store.load(name));
+      items = this.store.load(name);
     } catch (error) {
       if (!(error instanceof MapFileError)) throw error;
       this.notify(t('The map {name} cannot be read: {why}', { name, why: error.message }));
-      this.items.replaceAll([]);
+      if (this.store.current !== name) return this.show();  // what is open stays open
+      // Nothing is written over the damaged one.
+      this.store.current = this.store.freeName();
     }
-    this.editor.select(null);
+    this.items.replaceAll(items);
+    return this.editor.select(null);
   }
 
   // The items have changed: they are kept.

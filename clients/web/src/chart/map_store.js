@@ -36,6 +36,15 @@ export class MapStore {
     return [...new Set([this.current, ...Object.keys(this.maps)])].sort();
   }
 
+  // "My map", or with a number if there is such a one.
+  freeName() {
+    const first = t(FIRST_NAME);
+    for (let i = 1; ; ++i) {
+      const name = i === 1 ? first : `${first} ${i}`;
+      if (!this.names.includes(name)) return name;
+    }
+  }
+
   // Items of a map. Error: MapFileError.
   load(name) {
     const text = Object.hasOwn(this.maps, name) ? this.maps[name] : null;

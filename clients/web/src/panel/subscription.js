@@ -8,7 +8,8 @@ const VIEW_PANELS = ['receiver', 'processing'];
 
 export class Subscription {
   // host: { radar: RadarConsole, send(radar, like, own): request or null, set(values): request or null, controls: the
-  // table's, notify(text, kind), shown(): what is chosen is to be shown, askToken() }.
+  // table's, notify(text, kind), shown(): what is chosen is to be shown, restored({ radar, before }): the view took the place of that one,
+  // askToken() }.
   // chosen: of the page's address, null without: 'own' or a number.
   constructor(host, chosen) {
     this.host = host;
@@ -19,6 +20,11 @@ export class Subscription {
     this.restores = false; // its settings are still to be sent
     this.names = ['rangeNm', ...host.controls.filter(({ panel }) => VIEW_PANELS.includes(panel)).map(({ name }) => name)];
     this.fields = new Map(host.controls.map(({ name, field }) => [name, field]));
+  }
+
+  // Whether it is not known yet which view is this console's: until then nothing may be ordered of one.
+  get isAsking() {
+    return this.asked !== null && this.asked.request !== null;
   }
 
   ask() {
@@ -84,9 +90,11 @@ export class Subscription {
     if (!this.own || settings.view === 0) return;
     if (this.restores) {
       this.restores = false;
-      this.give(this.kept.settings);
-      // Whoever keeps more on the server for this view (zones and rules of its plotter) gives it again.
-      document.dispatchEvent(new CustomEvent('view-restored', { detail: { radar: settings.radar, view: settings.view } }));
+      const before = this.kept.settings;
+      this.give(before);
+      // Of the new view, also if it needs nothing of it and is not told of again.
+      this.kept = { radar: settings.radar, settings: { ...before, view: settings.view } };
+      this.host.restored({ radar: settings.radar, before: before.view });
       return;
     }
     this.kept = { radar: settings.radar, settings };

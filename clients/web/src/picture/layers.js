@@ -4,7 +4,7 @@
 
 // Whether WebGL, and with it the browser, draws with the processor alone. There a canvas in plain memory costs a third.
 let software;
-function drawsInSoftware() {
+export function drawsInSoftware() {
   if (software !== undefined) return software;
   const gl = document.createElement('canvas').getContext('webgl2');
   const told = gl?.getExtension('WEBGL_debug_renderer_info');
@@ -13,7 +13,12 @@ function drawsInSoftware() {
   return software;
 }
 
+// How often a browser has lost what was on such canvases: a part of the key of whoever draws only what has changed.
+let losses = 0;
+export const canvasLosses = () => losses;
+
 export function layerContext(canvas) {
+  canvas.addEventListener('contextrestored', () => { losses += 1; });
   return canvas.getContext('2d', { willReadFrequently: drawsInSoftware() });
 }
 
@@ -33,7 +38,7 @@ export class Layers {
 
   // side: of the picture, device pixels. A layer of another size has not been drawn since.
   draw(side) {
-    const key = JSON.stringify([side, this.layers.map((canvas) => [versions.get(canvas) ?? 0, canvas.style.opacity])]);
+    const key = JSON.stringify([side, losses, this.layers.map((canvas) => [versions.get(canvas) ?? 0, canvas.style.opacity])]);
     if (key === this.drawn) return;
     this.drawn = key;
     const { shown, context } = this;

@@ -77,4 +77,10 @@ export class Question {
     this.dialog.returnValue = 'no';
     this.dialog.showModal();
   }
+
+  // What was asked is void.
+  close() {
+    this.then = null;
+    if (this.dialog.open) this.dialog.close('no');
+  }
 }

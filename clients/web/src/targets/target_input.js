@@ -6,9 +6,11 @@ import { zoneOfDrag } from './zone_shape.js';
 const REACH_PX = { mouse: 22, pen: 22, touch: 32 };
 // A press that moves farther is a drag, and chooses nothing.
 const STILL_PX = 10;
+const LEAST_ZONE_DEG = 0.2;
 
 export class TargetInput {
-  // mode: 'select', 'acquire' or 'zone'. events: symbol(shown), acquire(place), zone(zone), draft(zone or null).
+  // mode: 'select', 'acquire' or 'zone'. events: symbol(shown), acquire(place), zone(zone), draft(zone or null), narrow() (a drag
+  // without a sector), isBusy() (whether another part of the console waits for a press).
   constructor(ppi, layer, events) {
     this.ppi = ppi;
     this.layer = layer;
@@ -44,6 +46,7 @@ export class TargetInput {
 
   #down(event) {
     if (event.button !== 0 || this.press || !this.view) return;
+    if (this.mode === 'select' && this.events.isBusy()) return;
     const at = this.#at(event);
     const place = this.#place(at);
     const shown = this.mode === 'select' ? this.symbolAt(at, event.pointerType) : null;
@@ -73,7 +76,10 @@ export class TargetInput {
     const isStill = Math.hypot(at.x - press.at.x, at.y - press.at.y) <= STILL_PX;
     if (press.mode === 'zone') {
       this.events.draft(null);
-      if (!isStill) this.events.zone(zoneOfDrag(press.place, press.last, press.turnedDeg));
+      if (isStill) return;
+      // Equal ends would be all round.
+      if (Math.abs(press.turnedDeg) < LEAST_ZONE_DEG) this.events.narrow();
+      else this.events.zone(zoneOfDrag(press.place, press.last, press.turnedDeg));
     } else if (isStill && press.shown) {
       this.events.symbol(press.shown);
     } else if (isStill) {
@@ -89,6 +95,7 @@ export class TargetInput {
   }
 
   #twice(event) {
+    if (this.events.isBusy()) return;
     const at = this.#at(event);
     const place = this.#place(at);
     if (this.mode !== 'select' || !place || this.symbolAt(at)) return;

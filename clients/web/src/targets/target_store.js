@@ -1,10 +1,12 @@
 // TargetStore: the newest list of targets, where each is by now, and which are selected.
 import { t } from '../language/language.js';
+import { shortName } from '../names.js';
 import { fromPosition, minus, moved, place, polar, velocity } from './motion.js';
 import { ACKNOWLEDGED, ACQUIRING, FIRST_TEST, FROZEN, GROUND, LOST } from './wire.js';
 
 // Between lists, targets move on by their vectors for so long; later they are not shown.
 const LONGEST_S = 3, STALE_S = 5;
+const MOST_NAME = 40, MOST_TEXT = 200;
 export const MOST_SELECTED = 4;
 
 export const trackKey = (number) => `t${number}`;
@@ -19,11 +21,16 @@ export class TargetStore {
   forget() {
     this.list = null;
     this.serial = 0;
+    this.entries = [];
+    this.waitedS = 0;
     this.ageS = 0;         // of the list, in the time of the picture
     this.selected = [];    // keys, the oldest first
   }
 
+  // Texts from outside become lines of bounded length.
   take(list) {
+    for (const each of [...list.targets, ...list.ais]) each.name = shortName(each.name, MOST_NAME);
+    for (const alert of list.alerts ?? []) Object.assign(alert, { title: shortName(alert.title, MOST_NAME), text: shortName(alert.text, MOST_TEXT) });
     this.list = list;
     this.ageS = 0;
     this.waitedS = 0;

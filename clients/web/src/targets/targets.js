@@ -3,7 +3,7 @@ import { t } from '../language/language.js';
 import { $ } from '../widgets.js';
 import { AcquirePanel } from './acquire_panel.js';
 import { DataPanel } from './data_panel.js';
-import { details, element, follow, following, say, toggle } from './dom.js';
+import { details, element, follow, following, say, sayProblem, toggle } from './dom.js';
 import { ListTable } from './list_table.js';
 import { RulesPanel } from './rules_panel.js';
 import { ScreenSize } from './screen_size.js';
@@ -21,9 +21,10 @@ import { ZonesPanel } from './zones_panel.js';
 const SHOW_S = 0.5;
 
 export class TargetConsole {
-  // send(order): as TargetOrders has it; notify(text, kind); cursor(): { bearingDeg, rangeM } or null; table: of
+  // send(order): as TargetOrders has it; notify(text, kind); cursor(): { bearingDeg, rangeM } or null; isBusy(): whether the
+  // next press in the picture belongs to another part; table: of
   // /controls.json; seconds(): of a clock that never goes back.
-  constructor({ send, notify, cursor, table, seconds }) {
+  constructor({ send, notify, cursor, isBusy, table, seconds }) {
     Object.assign(this, { notify, cursor, seconds });
     this.store = new TargetStore();
     this.settings = new VectorSettings();
@@ -32,11 +33,15 @@ export class TargetConsole {
     this.version = 0;      // of the settings, for the canvas
     this.draft = null;     // the zone that is being drawn
     this.ownShip = this.headingDeg = null;
+    this.held = null;      // zones and rules of the newest list, over a break
+    this.isBack = false;   // no list has come since
     this.passedAt = seconds();
     this.input = new TargetInput($('ppi'), this.layer, {
       symbol: (shown) => this.#press(shown),
       acquire: (place) => this.acquire.acquire(place),
+      isBusy,
       zone: (zone) => this.zones.addDrawn(zone),
+      narrow: () => sayProblem(this.zones.problem, t('Drag aside as well: a zone has a sector')),
       draft: (zone) => { this.draft = zone && { ...zone, number: 0, kind: this.zones.style.kind, relative: false }; },
     });
     this.signs = new TargetSigns($('target-box'), $('signs'));
@@ -54,7 +59,7 @@ export class TargetConsole {
     this.data = new DataPanel({ orders, store, problem: this.acquire.problem, changed });
     this.list = new ListTable((key) => { store.toggle(key); changed(); });
     this.rules = new RulesPanel(orders, table);
-    this.zones = new ZonesPanel({ orders, table, setMode, heading: () => this.headingDeg });
+    this.zones = new ZonesPanel({ orders, table, setMode, heading: () => this.headingDeg, known: () => store.list !== null });
     this.trial = new TrialPanel(orders, table);
     this.screen = new ScreenSize(this.settings, changed);
     this.test = toggle('test-targets', t('Test targets'), (on) => orders.give({ testTargets: on }, this.acquire.problem));
@@ -91,14 +96,26 @@ export class TargetConsole {
 
   // Another view, or the same one after a break.
   forget() {
+    this.isBack = true;
     this.store.forget();
     this.orders.forget();
     this.trial.forget();
+    this.zones.show([]);
+    this.acquire.question.close();
+    this.draft = null;
     this.problem = '';
+    this.#setMode('select');
     this.show();
   }
 
-  take(list) {
+  // keeps: whether its zones and rules are what is to be had again after the server's restart.
+  take(list, keeps = true) {
+    const { held } = this;
+    if (keeps) this.held = { radar: list.radar, view: list.view, plots: list.plots, zones: list.zones, rules: list.rules };
+    // A plotter of the shared view that counts anew has lost its zones. Several consoles may say so: the same zones by the same numbers.
+    if (this.isBack && held && list.view === 0 && held.view === 0 && held.radar === list.radar && list.plots < held.plots &&
+        list.zones.length === 0 && held.zones.length > 0) this.#giveBack(held);
+    this.isBack = false;
     this.store.take(list);
     // A page that was hidden draws nothing, but lists have come all the time.
     this.passedAt = this.seconds();
@@ -106,6 +123,15 @@ export class TargetConsole {
     if (list.problem && list.problem !== this.problem) this.notify(list.problem);
     this.problem = list.problem;
     this.show();
+  }
+
+  // A view of this console's own took the place of the one that had the number `before`.
+  restored({ radar, before }) {
+    if (this.held?.radar === radar && this.held.view === before) this.#giveBack(this.held);
+  }
+
+  #giveBack({ zones, rules }) {
+    if (zones.length > 0 || rules) this.orders.give({ zones, ...(rules ? { rules } : {}) }, this.zones.problem);
   }
 
   takeReply(reply, text) {

@@ -17,8 +17,9 @@ function zoneText(zone) {
 
 export class ZonesPanel {
   // setMode('select' or 'zone'); heading(): true heading, or null.
-  constructor({ orders, table, setMode, heading }) {
-    Object.assign(this, { orders, setMode, heading });
+  // known(): whether the zones that there are are known.
+  constructor({ orders, table, setMode, heading, known }) {
+    Object.assign(this, { orders, setMode, heading, known });
     this.list = element('ul', { id: 'zone-list' });
     this.problem = refusal('zone-refusal');
     this.kind = element('select', { id: 'zone-kind' }, new Option(t('Guard zone: acquires'), ACQUIRES), new Option(t('Exclusion: never acquires'), EXCLUDES));
@@ -67,11 +68,12 @@ export class ZonesPanel {
   }
 
   #add(zone) {
+    if (!this.known()) return sayProblem(this.problem, t('Not connected: nothing was ordered'));
     const taken = new Set(this.zones.map(({ number }) => number));
     const number = Array.from({ length: MOST_ZONES }, (_, i) => i + 1).find((n) => !taken.has(n));
-    if (number === undefined) sayProblem(this.problem, t('There are {n} zones: remove one first', { n: MOST_ZONES }));
-    else if (zone.outerNm - zone.innerNm < 0.05) sayProblem(this.problem, t('The zone must reach at least 0.05 NM farther than it begins'));
-    else this.orders.give({ zones: [{ ...zone, number }] }, this.problem, () => { if (this.draws.ariaPressed === 'true') this.toggleMode(false); });
+    if (number === undefined) return sayProblem(this.problem, t('There are {n} zones: remove one first', { n: MOST_ZONES }));
+    if (zone.outerNm - zone.innerNm < 0.05) return sayProblem(this.problem, t('The zone must reach at least 0.05 NM farther than it begins'));
+    return this.orders.give({ zones: [{ ...zone, number }] }, this.problem, () => { if (this.draws.ariaPressed === 'true') this.toggleMode(false); });
   }
 
   show(zones) {

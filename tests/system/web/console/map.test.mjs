@@ -197,6 +197,35 @@ test('maps go out and come in as files; a hostile one is refused with its reason
   assert.deepEqual(page.problems, []);
 });
 
+test('a damaged map is told, and neither it nor the open one is written over', async () => {
+  await open();
+  await openMap();
+  await page.locator('#map-latitude').fill('60 23.0 N');
+  await page.locator('#map-longitude').fill('005 19.0 E');
+  await page.locator('#map-add').click();
+  await page.waitForFunction(() => window.skerry.chart().items.length === 1);
+  const kept = () => page.evaluate(() => JSON.parse(localStorage.getItem('skerry.maps')));
+  const before = await kept();
+  await page.evaluate((all) => { localStorage.setItem('skerry.maps', JSON.stringify({ ...all, maps: { ...all.maps, Broken: '{"type": "Feat' } })); }, before);
+  await page.reload();
+  await page.waitForFunction(() => window.skerry?.chart().items.length === 1);
+  await page.evaluate(() => window.skerry.showTab('chart'));
+  await openMap();
+  await page.locator('#map-name').selectOption('Broken');
+  await page.locator('.notice', { hasText: 'Broken' }).waitFor();
+  const { current } = before;
+  assert.equal(await page.locator('#map-name').inputValue(), current, 'what was open stays open');
+  assert.deepEqual([(await kept()).maps.Broken, (await kept()).maps[current]], ['{"type": "Feat', before.maps[current]]);
+  // Open last, and damaged since.
+  await page.evaluate((name) => { const all = JSON.parse(localStorage.getItem('skerry.maps')); localStorage.setItem('skerry.maps', JSON.stringify({ ...all, current: name })); }, 'Broken');
+  await page.reload();
+  await page.locator('.notice', { hasText: 'Broken' }).waitFor();
+  await page.waitForFunction(() => window.skerry.chart().place !== null);
+  await page.keyboard.press('x');
+  await page.waitForFunction(() => window.skerry.chart().items.length === 1);
+  assert.equal((await kept()).maps.Broken, '{"type": "Feat');
+});
+
 test('a man overboard is marked by one key, stays in sight, and is cancelled by two presses', async () => {
   const url = await open({ ownShipMore: { utcNs: 1.79577e18 } });
   await waitForScan(page);

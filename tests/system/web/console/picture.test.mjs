@@ -56,7 +56,7 @@ async function dragFrom([deg, m], [toDeg, toM]) {
 // The strongest ink of a layer within a pixel of each place, [r, g, b, alpha]; places in CSS pixels of the picture.
 async function ink(id, places) {
   return page.evaluate(async ([name, all]) => {
-    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    await window.skerry.drawn(2);
     const canvas = document.getElementById(name);
     const ratio = window.skerry.ppi.pixelRatio, c = canvas.getContext('2d', { willReadFrequently: true });
     const { data } = c.getImageData(0, 0, canvas.width, canvas.width);

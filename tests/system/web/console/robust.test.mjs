@@ -5,6 +5,8 @@ import { PNG } from 'pngjs';
 import { launch, openConsole, state, waitForScan } from '../browser.mjs';
 import { openSmall, restart, setsOf, SMALL, untilSet } from '../hands_kit.mjs';
 import { MockServer } from '../mock_server.mjs';
+import { targetList } from '../mock_targets.mjs';
+import { waitFor } from '../targets_kit.mjs';
 
 let browser, server, page;
 before(async () => { browser = await launch(); });
@@ -113,9 +115,9 @@ test('the focus is where it was after a break', async () => {
   assert.equal(await page.evaluate(() => document.activeElement.id), 'gain');
 });
 
-test('the console is back within 2 s of the server, with its own view as it was', async (t) => {
-  await open();
-  await page.evaluate(() => { window.restored = []; document.addEventListener('view-restored', ({ detail }) => window.restored.push(detail)); });
+test('the console is back within 2 s of the server, with its own view and zones as they were', async (t) => {
+  const zone = { number: 2, kind: 1, innerNm: 1, outerNm: 2.5, fromDeg: 30, toDeg: 90, relative: false };
+  await open({ server: { targets: targetList({ plots: 500 }) } });
   await page.locator('input[name=view][value=own] + span').click();
   await page.waitForFunction(() => window.skerry.settings()?.view === 1);
   await setSlider('gain', 41);
@@ -123,12 +125,14 @@ test('the console is back within 2 s of the server, with its own view as it was'
   await page.locator('#doppler').selectOption('1');
   await page.keyboard.press('e');
   await page.waitForFunction(() => { const s = window.skerry.settings(); return s.gain === 41 && s.rangeNm === 1.5 && s.doppler === 1; });
+  server.showTargets({ zones: [zone] });
+  await page.waitForFunction(() => window.skerry.targets().list.zones.length === 1);
   await server.stop();
   // Long enough that the page has tried some times.
   const { port } = server;
   await page.waitForFunction(() => document.querySelector('#link').dataset.state === 'waiting');
   await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 6000)));
-  server = new MockServer({ ...SMALL, port });
+  server = new MockServer({ ...SMALL, port, targets: targetList({ plots: 3 }) });
   await server.start();
   const backMs = Date.now();
   await page.waitForFunction(() => window.skerry.state().connection === 'live', null, { polling: 20 });
@@ -137,7 +141,9 @@ test('the console is back within 2 s of the server, with its own view as it was'
   assert.ok(tookMs < 2300, `${tookMs} ms`);
   await page.waitForFunction(() => { const s = window.skerry.settings(); return s?.view === 1 && s.gain === 41 && s.rangeNm === 1.5 && s.doppler === 1; });
   assert.deepEqual([server.settings.gain, server.settings.rangeNm], [50, 6], 'the shared view is as it was');
-  assert.deepEqual(await page.evaluate(() => window.restored), [{ radar: 0, view: 1 }]);
+  await waitFor(() => server.targetOrders.length > 0, 'the zones have not come back');
+  assert.equal(server.targetOrders.length, 1);
+  assert.deepEqual(server.targetOrders[0].zones.map((each) => ({ relative: false, ...each })), [zone]);
   assert.ok(await page.locator('#ebl').isChecked());
 });
 
@@ -146,7 +152,7 @@ test('a refused value says so beside its control for some seconds, and as a noti
   server.refuse = { code: 2, text: 'gain is 0 to 42 <i>today</i>' };
   await setSlider('gain', 90);
   await notice('gain is 0 to 42 <i>today</i>');
-  const note = page.locator('.refusal');
+  const note = page.locator('#gain').locator('xpath=ancestor::*[following-sibling::p[contains(@class, "refusal")]][1]/following-sibling::p[contains(@class, "refusal")][1]');
   assert.equal(await note.textContent(), 'refused: gain is 0 to 42 <i>today</i>');
   const [row, beside] = [await page.locator('#gain').boundingBox(), await note.boundingBox()];
   assert.ok(beside.y >= row.y && beside.y - row.y - row.height < 30, 'under the slider');
@@ -155,7 +161,7 @@ test('a refused value says so beside its control for some seconds, and as a noti
   await page.locator('#orders button').click();
   await page.locator('#orders + .refusal').waitFor();
   assert.equal(await page.locator('#order-course').inputValue(), '123', 'an order is not typed twice');
-  await page.waitForFunction(() => !document.querySelector('.refusal'), null, { timeout: 12000 });
+  await page.waitForFunction(() => !document.querySelector('p.refusal'), null, { timeout: 12000 });
 });
 
 test('a range beyond what there is says why nothing follows', async () => {

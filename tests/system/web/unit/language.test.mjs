@@ -18,7 +18,7 @@ const FROM_TABLES = {
   'src/alerts/alert_words.js': ['t(priorityOf(alert)', 't(STATES[state])'],
   'src/chart/chart.js': ['t(MARK_NAMES[mark.kind] ?? MARK_NAMES[0])'],
   'src/chart/map_panel.js': ['t(KIND_NAMES[kind])', 't(FIRST_NAME)', 't(KIND_NAMES[item.kind])'],
-  'src/chart/map_store.js': ['t(FIRST_NAME)', 't(FIRST_NAME)'],
+  'src/chart/map_store.js': ['t(FIRST_NAME)', 't(FIRST_NAME)', 't(FIRST_NAME)'],
   'src/chart/position_text.js': ['t(AXES[axis].word)'],
   'src/control_panel.js': ['t(control.title)', 't(control.label)', 't(choice.label)', 't(control.label)'],
   'src/controls.js': ['t(next)', 't(palette)', 't(next)'],                  // PALETTE_ORDER

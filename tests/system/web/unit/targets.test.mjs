@@ -205,7 +205,7 @@ test('alerts: words, order, what may be acknowledged', () => {
   assert.deepEqual([alarm, warning, caution].map((a) => priorityOf(a).word), ['Alarm', 'Warning', 'Caution']);
   assert.equal(new Set([alarm, warning, caution, quiet].map(symbolOf)).size, 4);
   assert.deepEqual([alarm, warning, caution, quiet].map(mayBeAcknowledged), [true, true, false, false]);
-  assert.equal(priorityOf({ priority: 77 }).word, 'Caution');
+  assert.equal(priorityOf({ priority: 77 }).word, 'Alarm', 'an emergency, which is louder than what is known here');
   assert.equal(clockOf(1.7e18), '22:13:20');
   assert.equal(clockOf(0), '–');
 });
@@ -247,5 +247,13 @@ test('sounds: three beeps every seven seconds, two a minute, none without leave'
   sound.call(2, 'x');
   run(10000);
   assert.equal(started.length, 13);
+  // A browser that plays nothing: its clock stands, and nothing piles up for later.
+  sound.allow(true);
+  context.state = 'suspended';
+  run(60000);
+  assert.equal(started.length, 13);
+  context.state = 'running';
+  run(7000);
+  assert.equal(started.length, 16);
   assert.equal(new AlertSound(() => { throw new Error('none'); }).allow(true), false);
 });
