@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "echo/chart/gdal/layered_chart.hpp"
 #include "echo/chart/gdal/s57/s57_chart.hpp"
@@ -103,6 +105,49 @@ TEST_F(S57Detail, MarksHaveKindColoursNameAndTheLightAtTheirPlace) {
   EXPECT_EQ(at(found, {50.06, -0.95})->kind, MarkKind::rock);
   EXPECT_FLOAT_EQ(*at(found, {50.06, -0.95})->depth_m, -0.3f);
   EXPECT_FALSE(at(found, {50.04, -0.95})->depth_m);
+}
+
+TEST_F(S57Detail, ARamarkIsNoRacon) {
+  MadeCell cell = sea();
+  cell.point("RTPBCN", {50.01, -0.95}, {{"CATRTB", "1"}});
+  cell.point("BCNSPP", {50.02, -0.95});
+  cell.point("RTPBCN", {50.02, -0.95}, {{"CATRTB", "1"}});
+  cell.point("RTPBCN", {50.03, -0.95});  // of no category: a racon, as the echoes have it
+  const ChartDetail found = detail(cell);
+  ASSERT_EQ(found.marks.size(), 2u);
+  EXPECT_FALSE(at(found, {50.02, -0.95})->racon);
+  EXPECT_TRUE(at(found, {50.03, -0.95})->racon);
+}
+
+TEST_F(S57Detail, AnObstructionDrawnAsALineStandsAtItsMiddleVertex) {
+  MadeCell cell = sea();
+  cell.line("OBSTRN", {{50.02, -0.96}, {50.03, -0.95}, {50.05, -0.95}}, {{"VALSOU", "2.5"}});
+  const ChartDetail found = detail(cell);
+  ASSERT_EQ(found.marks.size(), 1u);
+  EXPECT_EQ(found.marks[0].kind, MarkKind::obstruction);
+  EXPECT_EQ(found.marks[0].place, (GeoPoint{50.03, -0.95}));
+  EXPECT_EQ(found.marks[0].depth_m, 2.5f);
+}
+
+TEST_F(S57Detail, DepthsThatAreNotInMetresAreLeftOut) {
+  MadeCell cell = sea();
+  cell.line("DEPCNT", {{50.02, -0.96}, {50.05, -0.95}}, {{"VALDCO", "10"}});
+  cell.point("WRECKS", {50.05, -0.95}, {{"VALSOU", "3.4"}});
+  const auto file = folder_ / "TEST0001.000";
+  cell.write(file);  // GDAL's writer knows metres alone: DSPM is changed in the file
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  in.close();
+  // CSCL 20000; DUNI, HUNI and PUNI 1.
+  const std::size_t dspm = bytes.find(std::string("\x20\x4e\0\0\1\1\1", 7));
+  ASSERT_NE(dspm, std::string::npos);
+  bytes[dspm + 4] = '\2';  // fathoms and feet
+  std::ofstream(file, std::ios::binary) << bytes;
+  const ChartDetail found = S57Chart::open(file, warnings_).detail({50.05, -0.95}, metres(20000));
+  EXPECT_THAT(warnings_, ElementsAre(testing::HasSubstr("depths are not in metres")));
+  EXPECT_THAT(found.contours, IsEmpty());
+  ASSERT_EQ(found.marks.size(), 1u);
+  EXPECT_FALSE(found.marks[0].depth_m);
 }
 
 TEST_F(S57Detail, OnlyWhatTheWindowTouchesIsHandedOut) {

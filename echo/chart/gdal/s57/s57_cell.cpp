@@ -42,6 +42,11 @@ std::string S57Feature::text(const char* attribute) const {
   return feature_.GetFieldAsString(index);
 }
 
+bool is_ramark(const S57Feature& feature) {
+  constexpr int kRamark = 1;
+  return feature.integer("CATRTB") == kRamark;
+}
+
 void S57Cell::for_each(const char* object_class,
                        const std::function<void(const S57Feature&)>& visit) const {
   GdalErrors errors;

@@ -34,6 +34,9 @@ class S57Feature {
   std::string name_;
 };
 
+// Of an RTPBCN: it sends without being asked (CATRTB 1), unlike a racon.
+bool is_ramark(const S57Feature& feature);
+
 class S57Cell {
  public:
   // `file` names it in warnings.

@@ -172,21 +172,23 @@ S57Chart S57Chart::open(const std::filesystem::path& file, std::vector<std::stri
       fmt::format("ENC {} edition {} update {}", chart.name_, facts.edition, updates.last);
   const S57Cell objects(*cell.dataset, file.filename().string(), told);
   double metres_per_unit = 1.0;
+  bool depths_in_metres = true;
   {
     GdalErrors errors;
     OGRLayer* const parameters = cell.dataset->GetLayerByName("DSID");
     const OGRFeatureUniquePtr first(parameters ? parameters->GetNextFeature() : nullptr);
     if (first) {
-      constexpr int kFeet = 2;
+      constexpr int kFeet = 2, kDepthsInMetres = 1;
       chart.scale_ = std::max(0, number_of(*first, "DSPM_CSCL"));
       if (number_of(*first, "DSPM_HUNI") == kFeet) metres_per_unit = 0.3048;
+      depths_in_metres = number_of(*first, "DSPM_DUNI") <= kDepthsInMetres;  // 0: not said
     }
   }
   read_land(objects, chart.sheet_);
   read_cover(objects, chart.sheet_);
   read_objects(objects, metres_per_unit, chart.sheet_);
   read_moorings(objects, chart.sheet_);
-  read_detail(objects, chart.sheet_);
+  read_detail(objects, depths_in_metres, chart.sheet_);
   warn_of_unknown_objects(objects);
   cell.dataset.reset();
   chart.sheet_.index();

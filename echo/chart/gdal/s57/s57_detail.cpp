@@ -80,10 +80,12 @@ std::string light_of(const S57Feature& feature) {
 
 class DetailReader {
  public:
-  DetailReader(const S57Cell& cell, ChartSheet& sheet) : cell_(cell), sheet_(sheet) {}
+  DetailReader(const S57Cell& cell, bool depths_in_metres, ChartSheet& sheet)
+      : cell_(cell), has_depths_(depths_in_metres), sheet_(sheet) {}
 
   void run() {
-    cell_.for_each("DEPCNT", [&](const S57Feature& feature) { add_contour(feature); });
+    if (has_depths_)
+      cell_.for_each("DEPCNT", [&](const S57Feature& feature) { add_contour(feature); });
     add_class("BOYLAT", false, [](const S57Feature& f) { return lateral(category(f, "CATLAM")); });
     add_class("BCNLAT", true, [](const S57Feature& f) { return lateral(category(f, "CATLAM")); });
     add_class("BOYCAR", false, [](const S57Feature& f) { return cardinal(category(f, "CATCAM")); });
@@ -149,13 +151,13 @@ class DetailReader {
           mark.colours.push_back(static_cast<std::uint8_t>(colour));
       }
       const auto depth_m = feature.real("VALSOU");
-      if (depth_m && *depth_m >= -kHighest_m && *depth_m <= kDeepest_m)
+      if (has_depths_ && depth_m && *depth_m >= -kHighest_m && *depth_m <= kDeepest_m)
         mark.depth_m = static_cast<float>(*depth_m);
       put(feature, mark);
     });
   }
 
-  // A mark at each point of a feature, or within its areas.
+  // A mark at each point of a feature, in the middle of its lines, or within its areas.
   void put(const S57Feature& feature, const ChartMark& mark) {
     const OGRGeometry& geometry = *feature.geometry();
     const auto type = wkbFlatten(geometry.getGeometryType());
@@ -163,6 +165,14 @@ class DetailReader {
     if (type == wkbMultiPoint) {
       for (const OGRPoint* point : *geometry.toMultiPoint()) put_at(feature, *point, mark);
       return;
+    }
+    const auto lines = lines_in(geometry);
+    if (!lines.empty()) {
+      const OGRLineString& line = *lines[lines.size() / 2];
+      OGRPoint middle;
+      if (line.getNumPoints() == 0) return;
+      line.getPoint(line.getNumPoints() / 2, &middle);
+      return put_at(feature, middle, mark);
     }
     for (const OGRPolygon* polygon : polygons_in(geometry)) {
       GdalErrors errors;
@@ -223,11 +233,14 @@ class DetailReader {
     }
   }
 
+  // A ramark, which sends without being asked, is none; what it stands on is told without it.
   void add_racon(const S57Feature& feature) {
+    if (is_ramark(feature)) return;
     if (ChartMark* const mark = mark_at(feature, MarkKind::racon)) mark->racon = true;
   }
 
   const S57Cell& cell_;
+  bool has_depths_;
   ChartSheet& sheet_;
   std::unordered_map<std::uint64_t, std::size_t> at_;  // marks that may bear a light, by place
   std::size_t vertices_ = 0;
@@ -235,6 +248,11 @@ class DetailReader {
 
 }  // namespace
 
-void read_detail(const S57Cell& cell, ChartSheet& sheet) { DetailReader(cell, sheet).run(); }
+void read_detail(const S57Cell& cell, bool depths_in_metres, ChartSheet& sheet) {
+  if (!depths_in_metres)
+    cell.warnings().add(
+        fmt::format("{}: depths are not in metres (DUNI); depths are left out", cell.file()));
+  DetailReader(cell, depths_in_metres, sheet).run();
+}
 
 }  // namespace skerry::echo

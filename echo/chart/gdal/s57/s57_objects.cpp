@@ -122,8 +122,7 @@ class ObjectReader {
 
   // False for a ramark, which sends without being asked.
   bool set_racon(const S57Feature& feature, ChartObject& object) const {
-    constexpr int kRamark = 1;
-    if (feature.integer("CATRTB") == kRamark) {
+    if (is_ramark(feature)) {
       cell_.warnings().add(fmt::format("{}: a ramark is not modelled; left out", feature.name()));
       return false;
     }
