@@ -4,6 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
 #include <utility>
 
 namespace skerry::server {
@@ -18,8 +20,17 @@ CoastService::CoastService(std::unique_ptr<const echo::ChartSource> chart, std::
 CoastService::~CoastService() { stop(); }
 
 void CoastService::stop() {
+  std::deque<Look> refused;
+  {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+    refused.swap(surveys_);
+    std::move(looks_.begin(), looks_.end(), std::back_inserter(refused));
+    looks_.clear();
+  }
   thread_.request_stop();
   if (thread_.joinable()) thread_.join();
+  for (const Look& look : refused) call(look, nullptr);
 }
 
 void CoastService::serve(Slot& slot, const CoastWish& wish) {
@@ -76,13 +87,19 @@ void CoastService::work(const std::stop_token& stop) {
                         [](const auto& slot) { return slot->wish.has_value(); });
   };
   std::unique_lock lock(mutex_);
-  while (wished_.wait(lock, stop, [&] { return wishing() != slots_.end() || !surveys_.empty(); })) {
+  const auto has_work = [&] {
+    return wishing() != slots_.end() || !surveys_.empty() || !looks_.empty();
+  };
+  // After a request to stop the wait returns what has_work() says.
+  while (wished_.wait(lock, stop, has_work) && !stop.stop_requested()) {
     const auto slot = wishing();
     if (slot == slots_.end()) {
-      const Look look = std::move(surveys_.front());
-      surveys_.pop_front();
+      std::deque<Look>& waiting = surveys_.empty() ? looks_ : surveys_;
+      Look look = std::move(waiting.front());
+      waiting.pop_front();
       lock.unlock();
-      serve(look);
+      call(look, chart_.get());
+      look = nullptr;  // what it holds is not freed under the lock
       lock.lock();
       continue;
     }
@@ -100,28 +117,30 @@ void CoastService::work(const std::stop_token& stop) {
   }
 }
 
-void CoastService::look(Look look) {
+void CoastService::queue(std::deque<Look>& waiting, std::size_t most, Look look) {
   {
     const std::lock_guard lock(mutex_);
-    if (surveys_.size() < kMaxSurveys) {
-      surveys_.push_back(std::move(look));
+    if (!stopped_ && waiting.size() < most) {
+      waiting.push_back(std::move(look));
       look = nullptr;
     }
   }
-  if (look) return look(nullptr);
+  if (look) return call(look, nullptr);
   wished_.notify_one();
 }
 
-void CoastService::serve(const Look& look) const {
+void CoastService::look(Look look) { queue(looks_, kMaxLooks, std::move(look)); }
+
+void CoastService::call(const Look& look, const echo::ChartSource* chart) {
   try {
-    look(chart_.get());
+    look(chart);
   } catch (const std::exception& error) {
     spdlog::error("chart: {}", error.what());
   }
 }
 
 void CoastService::survey(GeoPoint centre, Length radius, SurveyDone done) {
-  look([centre, radius, done = std::move(done)](const echo::ChartSource* source) {
+  const auto look = [centre, radius, done = std::move(done)](const echo::ChartSource* source) {
     std::optional<echo::CoastChart> chart;
     try {
       if (source != nullptr) chart = source->load(centre, radius);
@@ -129,7 +148,8 @@ void CoastService::survey(GeoPoint centre, Length radius, SurveyDone done) {
       spdlog::error("chart: {}", error.what());
     }
     done(std::move(chart));
-  });
+  };
+  queue(surveys_, kMaxSurveys, look);
 }
 
 }  // namespace skerry::server

@@ -36,21 +36,27 @@ class CoastService {
   // Error: std::runtime_error if the chart cannot be read.
   void prepare_now(std::size_t radar, const CoastWish& wish);
   void start();
-  // Ends the thread; no `done` of a survey is called after it.  Not to be started again.
+  // Ends the thread when it has done what it is at.  Looks and surveys that wait are called with
+  // nothing, from the caller's thread; so are those asked for later, at once.  Not to be started
+  // again.
   void stop();
 
   // Thread: the one that looks at the slot.  Never waits for the work.  Wishes of slots of a lower
   // number, the radars' first of all, are served first.
   void ask(std::size_t slot, const CoastWish& wish);
-  // Looks at the chart itself; `look` is called from the service's thread, or with null at once if
-  // kMaxSurveys wait already.  Served after wishes.  What it throws is logged.
-  using Look = std::function<void(const echo::ChartSource*)>;
-  void look(Look look);
-  // The chart itself; `done` is called from the service's thread, or with nothing at once if
-  // kMaxSurveys wait already.  Served after wishes.  A chart that cannot be read: nothing too.
+  // The chart itself, for the simulation; `done` is called once, from the service's thread, or with
+  // nothing at once if kMaxSurveys wait already.  Served after wishes.  A chart that cannot be
+  // read: nothing too.
   static constexpr std::size_t kMaxSurveys = 8;
   using SurveyDone = std::function<void(std::optional<echo::CoastChart>)>;
   void survey(GeoPoint centre, Length radius, SurveyDone done);
+  // Looks at the chart itself, for clients; `look` is called once, from the service's thread, or
+  // with null at once if kMaxLooks wait already.  Served after wishes and surveys, so that clients
+  // who keep asking keep nothing from them.  What it throws is logged.  One that is called with
+  // null must not ask again from within.
+  static constexpr std::size_t kMaxLooks = 8;
+  using Look = std::function<void(const echo::ChartSource*)>;
+  void look(Look look);
   CoastInSightPtr latest(std::size_t slot) const { return find(slot).in_sight.get(); }
 
  private:
@@ -63,7 +69,8 @@ class CoastService {
     Latest<CoastInSight> in_sight;
   };
   Slot& find(std::size_t slot) const;
-  void serve(const Look& look) const;
+  void queue(std::deque<Look>& waiting, std::size_t most, Look look);
+  static void call(const Look& look, const echo::ChartSource* chart);
   static void serve(Slot& slot, const CoastWish& wish);
   void work(const std::stop_token& stop);
 
@@ -71,7 +78,8 @@ class CoastService {
   echo::CoastRules rules_;
   mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Slot>> slots_;  // guarded by mutex_; each stays where it is
-  std::deque<Look> surveys_;                  // guarded by mutex_
+  std::deque<Look> surveys_, looks_;          // guarded by mutex_
+  bool stopped_ = false;                      // guarded by mutex_
   std::condition_variable_any wished_;
   std::jthread thread_;
 };
