@@ -10,6 +10,10 @@
 namespace skerry::server {
 namespace {
 
+constexpr double kTie_m = 1e-6;  // two distances that are the same
+// Distances worked out before spans are halved instead: some lines split off vertex by vertex.
+constexpr std::size_t kLooksPerVertex = 64;
+
 // The part of a segment within the square, by Liang and Barsky: from and to as parts of it.
 std::optional<std::pair<double, double>> part_within(PlanePoint a, PlanePoint b, double half_m) {
   const PlanePoint way = b - a;
@@ -61,7 +65,7 @@ std::vector<std::vector<PlanePoint>> parts_within(const std::vector<PlanePoint>&
   return parts;
 }
 
-std::vector<float> significance(const std::vector<PlanePoint>& line) {
+std::vector<float> significance(const std::vector<PlanePoint>& line, std::size_t* looked_at) {
   std::vector<float> out(line.size(), 0.0f);
   if (line.empty()) return out;
   out.front() = out.back() = std::numeric_limits<float>::infinity();
@@ -70,24 +74,34 @@ std::vector<float> significance(const std::vector<PlanePoint>& line) {
     float most;  // no vertex of it counts for more than the one that split it off
   };
   std::vector<Span> spans = {{0, line.size() - 1, std::numeric_limits<float>::infinity()}};
+  std::size_t looks = 0;
   while (!spans.empty()) {
     const Span span = spans.back();
     spans.pop_back();
     if (span.last - span.first < 2) continue;
+    const std::size_t middle = span.first + (span.last - span.first) / 2;
+    const auto to_middle = [middle](std::size_t i) { return i < middle ? middle - i : i - middle; };
     std::size_t furthest = span.first + 1;
     double most = -1.0;
     for (std::size_t i = span.first + 1; i < span.last; ++i) {
       const double off = distance_to_segment(line[i], line[span.first], line[span.last]);
-      if (off > most) {
+      if (off > most + kTie_m) {
         most = off;
+        furthest = i;
+      } else if (off >= most - kTie_m && to_middle(i) < to_middle(furthest)) {
         furthest = i;
       }
     }
+    looks += span.last - span.first - 1;
+    if (most < kStraight_m) continue;
+    // What is said of the tolerance is true wherever the span is split.
+    if (looks > kLooksPerVertex * line.size()) furthest = middle;
     const float counts = std::min(span.most, static_cast<float>(most));
     out[furthest] = counts;
     spans.push_back({span.first, furthest, counts});
     spans.push_back({furthest, span.last, counts});
   }
+  if (looked_at != nullptr) *looked_at = looks;
   return out;
 }
 

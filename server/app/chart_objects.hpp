@@ -10,12 +10,15 @@
 namespace skerry::server {
 
 // Shorelines and contours, cut at the square about the circle that was asked for, and the marks
-// within it.  Lines are thinned by the tolerance asked for, or twice, four times ... that until the
-// message has at most `most_bytes` and kMostChartLines lines; of the bytes the marks take at most
-// kMarkShare.  Places are right to the tolerance and 0.1 m.
+// within it.  The message has at most `most_bytes`, kMostChartLines lines and kMostChartMarks
+// marks, which take at most kMarkShare of the bytes: the nearest.  Of lines the longest are told,
+// coast before contours.  They are thinned by the tolerance asked for, or twice, four times ...
+// that, up to kMostTolerance of the radius, until so many lines fit; then fewer are told.  Places
+// are right to the tolerance and 0.1 m.  `most_bytes` is at least 1000.
 inline constexpr std::size_t kMostChartBytes = 200'000;
-inline constexpr int kMostChartLines = 8000;  // of clients that bound the lists they read
+inline constexpr int kMostChartLines = 4000, kMostChartMarks = 4000;  // clients bound their lists
 inline constexpr double kMarkShare = 0.4;
+inline constexpr double kMostTolerance = 0.01;
 wire::ChartObjects chart_objects_of(const echo::CoastChart& coast, const echo::ChartDetail& detail,
                                     const wire::GetChartObjects& place,
                                     std::size_t most_bytes = kMostChartBytes);

@@ -90,6 +90,41 @@ TEST(ChartLines, WhatIsLeftOfALineIsWithinTheTolerance) {
   }
 }
 
+// How often distances are worked out for a line, per vertex.
+double looks_per_vertex(const std::vector<PlanePoint>& line) {
+  std::size_t looks = 0;
+  significance(line, &looks);
+  return static_cast<double>(looks) / static_cast<double>(line.size());
+}
+
+TEST(ChartLines, OfALineThatIsStraightOnlyTheEndsCount) {
+  constexpr int kPoints = 100'000;
+  const std::vector<PlanePoint> repeated(kPoints, PlanePoint{10.0, 20.0});
+  std::vector<PlanePoint> straight;
+  for (int i = 0; i < kPoints; ++i) straight.push_back({0.1 * i, 0.3 * i + 0.02 * (i % 2)});
+  for (const auto& line : {repeated, straight}) {
+    const std::vector<float> counts = significance(line);
+    EXPECT_TRUE(std::isinf(counts.front()) && std::isinf(counts.back()));
+    EXPECT_EQ(std::count(counts.begin(), counts.end(), 0.0f), kPoints - 2);
+    EXPECT_LE(looks_per_vertex(line), 1.0);
+  }
+}
+
+TEST(ChartLines, NoLineTakesTheSquareOfItsVertices) {
+  constexpr int kPoints = 100'000;
+  std::vector<PlanePoint> comb, there_and_back, spiral;
+  for (int i = 0; i < kPoints; ++i) {
+    comb.push_back({1.0 * i, 10.0 * (i % 2)});  // half of the vertices are as far as each other
+    there_and_back.push_back({i % 2 == 0 ? 0.0 : 500.0, 0.0});
+    // Each split takes a vertex off one end.
+    const double turn = 2.5 * i;
+    spiral.push_back(PlanePoint{std::sin(turn), std::cos(turn)} * (1e6 - 10.0 * i));
+  }
+  EXPECT_LE(looks_per_vertex(comb), 40.0) << "ties are split in the middle";
+  EXPECT_LE(looks_per_vertex(there_and_back), 100.0);
+  EXPECT_LE(looks_per_vertex(spiral), 100.0);
+}
+
 TEST(ChartObjects, HaveTheShoreAndNeitherSeamsNorBordersOfBins) {
   echo::CoastChart coast;
   coast.source = "made up";
@@ -205,8 +240,61 @@ TEST(ChartObjects, AreNeverLongerThanAllowed) {
     islands.rings.push_back(shore_ring({{lat, lon}, {lat, lon + size}, {lat + size, lon}}));
   }
   const wire::ChartObjects many = chart_objects_of(islands, {}, asked_about(60.0, 5.0, 12.0));
-  EXPECT_LE(many.lines_size(), kMostChartLines);
-  EXPECT_GT(many.lines_size(), 100);
+  EXPECT_LE(many.ByteSizeLong(), kMostChartBytes);
+  EXPECT_EQ(many.lines_size(), kMostChartLines) << "islands do not all go";
+  EXPECT_EQ(many.lines_left_out(), 20'000u - kMostChartLines);
+}
+
+TEST(ChartObjects, OpenLinesThatAreTooManyAreLeftOutTheShortestFirst) {
+  echo::CoastChart coast;
+  coast.rings = {shore_ring({{60.0, 5.0}, {60.0, 5.001}, {60.001, 5.0}}),
+                 shore_ring({{60.0, 5.1}, {60.0, 5.2}, {60.05, 5.15}})};
+  echo::ChartDetail detail;
+  for (int i = 0; i < 20'000; ++i) {
+    const double lat = 59.9 + 0.2 * (i % 141) / 141.0, lon = 4.8 + 0.4 * (i / 141) / 142.0;
+    detail.contours.push_back({5.0f, {{lat, lon}, {lat, lon + 1e-4 * (i < 100 ? 5 : 1)}}});
+  }
+  const wire::ChartObjects chart = chart_objects_of(coast, detail, asked_about(60.0, 5.0, 12.0));
+  EXPECT_LE(chart.ByteSizeLong(), kMostChartBytes);
+  EXPECT_EQ(chart.tolerance_m(), 0.0) << "the lines that are told are as they were asked for";
+  EXPECT_EQ(chart.lines_size(), kMostChartLines);
+  EXPECT_EQ(chart.lines(0).kind(), wire::ChartLine::COAST);
+  EXPECT_NEAR(places_of(chart, 0)[0].longitude_deg, 5.15, 0.06) << "the larger island";
+  EXPECT_EQ(chart.lines(1).kind(), wire::ChartLine::COAST);
+  EXPECT_EQ(chart.lines(2).kind(), wire::ChartLine::DEPTH_CONTOUR);
+  EXPECT_EQ(chart.lines_size() + static_cast<int>(chart.lines_left_out()), 2 + 20'000);
+  for (int line = 2; line < 102; ++line) {
+    const std::vector<GeoPoint> ends = places_of(chart, line);
+    EXPECT_GT(ends[1].longitude_deg - ends[0].longitude_deg, 4e-4) << "the longest are kept";
+  }
+  // Where the bytes are the limit.
+  for (const std::size_t most : {1000u, 5000u, 50'000u}) {
+    const wire::ChartObjects less =
+        chart_objects_of(coast, detail, asked_about(60.0, 5.0, 12.0), most);
+    EXPECT_LE(less.ByteSizeLong(), most);
+    EXPECT_GT(less.ByteSizeLong(), most - 60) << "it is used";
+    EXPECT_EQ(less.tolerance_m(), kMostTolerance * 12.0 * 1852.0);
+    ASSERT_GT(less.lines_size(), 0);
+    EXPECT_EQ(less.lines(0).kind(), wire::ChartLine::COAST) << "the island that is large enough";
+    EXPECT_EQ(less.lines_size() + static_cast<int>(less.lines_left_out()), 1 + 20'000);
+  }
+}
+
+TEST(ChartObjects, HaveAtMostSoManyMarksAndANameThatCanBeSent) {
+  echo::CoastChart coast;
+  coast.source = "caf\xe9 ";
+  while (coast.source.size() < 300) coast.source += "\xc3\xa5";
+  echo::ChartDetail detail;
+  for (int i = 0; i < 9000; ++i) {
+    echo::ChartMark mark;
+    mark.place = {60.0 + 1e-5 * i, 5.0};
+    detail.marks.push_back(mark);
+  }
+  const wire::ChartObjects chart = chart_objects_of(coast, detail, asked_about(60.0, 5.0, 10.0));
+  EXPECT_EQ(chart.marks_size(), kMostChartMarks);
+  EXPECT_EQ(chart.marks_left_out(), 9000u - kMostChartMarks);
+  EXPECT_EQ(chart.chart().substr(0, 7), "caf? \xc3\xa5");
+  EXPECT_EQ(chart.chart().size(), 199u) << "whole characters, at most 200 bytes";
 }
 
 class CountedChart final : public echo::ChartSource {
