@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <exception>
-#include <optional>
 #include <utility>
 
-#include "server/app/coastline.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/replay/recorded_exercise.hpp"
 
@@ -50,10 +48,7 @@ std::unique_ptr<PlayedCoast> PlayedCoast::of(PlaybackHost& playback, const Chart
 PlayedCoast::PlayedCoast(PlaybackHost& playback, std::unique_ptr<const echo::ChartSource> chart)
     : coast_(std::move(chart), 0, echo::CoastRules{}) {
   playback.set_coastline([this](const wire::GetCoastline& place, RadarHost::CoastlineDone done) {
-    coast_.survey({place.latitude_deg(), place.longitude_deg()}, nautical_miles(place.radius_nm()),
-                  [place, done = std::move(done)](std::optional<echo::CoastChart> about) {
-                    done(about ? std::optional(coastline_of(*about, place)) : std::nullopt);
-                  });
+    chart_desk_.answer(place, std::move(done));
   });
   playback.set_chart_objects(
       [this](const wire::GetChartObjects& place, RadarHost::ChartObjectsDone done) {

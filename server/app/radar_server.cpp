@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "protocol/quantity/angle.hpp"
-#include "server/app/coastline.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
 #include "server/app/told_ship.hpp"
@@ -234,13 +233,6 @@ std::optional<wire::ExerciseState> RadarServer::exercise_state() const {
     if (!ship.radars().empty()) ship.set_con(desk_->con_of(ship.radars(0)));
   }
   return state;
-}
-
-void RadarServer::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
-  coast_->survey({place.latitude_deg(), place.longitude_deg()}, nautical_miles(place.radius_nm()),
-                 [place, done = std::move(done)](std::optional<echo::CoastChart> chart) {
-                   done(chart ? std::optional(coastline_of(*chart, place)) : std::nullopt);
-                 });
 }
 
 wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {

@@ -11,6 +11,7 @@
 
 #include "protocol/wire/radar.pb.h"
 #include "server/core/board_port.hpp"
+#include "server/core/chart_answer.hpp"
 #include "server/core/exercise_inputs.hpp"
 #include "server/core/recording_port.hpp"
 #include "server/core/target_port.hpp"
@@ -84,17 +85,17 @@ class RadarHost {
 
   // The exercise as it really is, for instructors; nothing if there is none (a playback).
   virtual std::optional<wire::ExerciseState> exercise_state() const { return std::nullopt; }
-  // The shore about a place, made on a thread of its own; `done` is called once, from there, with
-  // nothing if there is no chart or too many ask.  Radius within its range.
-  using CoastlineDone = std::function<void(std::optional<wire::Coastline>)>;
+  // The shore about a place, made on a thread of its own; `done` is called once, from there or at
+  // once, with the reason if there is none.  Radius within its range.
+  using CoastlineDone = std::function<void(ChartAnswer<wire::Coastline>)>;
   virtual void find_coastline(const wire::GetCoastline& /*place*/, CoastlineDone done) {
-    done(std::nullopt);
+    done(NoChart::none_here);
   }
   // The same of what consoles draw of the chart; only if has_chart().
-  using ChartObjectsDone = std::function<void(std::optional<wire::ChartObjects>)>;
+  using ChartObjectsDone = std::function<void(ChartAnswer<wire::ChartObjects>)>;
   virtual bool has_chart() const { return false; }
   virtual void find_chart_objects(const wire::GetChartObjects& /*place*/, ChartObjectsDone done) {
-    done(std::nullopt);
+    done(NoChart::none_here);
   }
 
   // Require a radar and view that find_channel() knows.

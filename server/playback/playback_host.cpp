@@ -187,11 +187,11 @@ void PlaybackHost::tell_marks_until(UtcTime now, wire::ExerciseState& state) con
 }
 
 void PlaybackHost::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
-  coastline_ ? coastline_(place, std::move(done)) : done(std::nullopt);
+  coastline_ ? coastline_(place, std::move(done)) : done(NoChart::none_here);
 }
 
 void PlaybackHost::find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) {
-  chart_objects_ ? chart_objects_(place, std::move(done)) : done(std::nullopt);
+  chart_objects_ ? chart_objects_(place, std::move(done)) : done(NoChart::none_here);
 }
 
 std::string PlaybackHost::problem(const std::string& playing) const {

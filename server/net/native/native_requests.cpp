@@ -24,13 +24,14 @@ std::optional<std::string> refusal_of(const google::protobuf::Message& place, co
 }  // namespace
 
 template <typename Chart, typename Put>
-void NativeSession::tell_chart(std::uint32_t request, std::optional<Chart> chart, const Put& put) {
+void NativeSession::tell_chart(std::uint32_t request, ChartAnswer<Chart> chart, const Put& put) {
   if (!chart) {
     reply(request, wire::Reply::REFUSED,
-          "chart: the server has no chart here, or too many ask at once");
+          chart.why() == NoChart::busy ? "chart: too many ask at once; ask again"
+                                       : "chart: the server has no chart here");
   } else {
     wire::ServerMessage message;
-    put(message, *std::move(chart));
+    put(message, std::move(*chart));
     send(message);
     reply(request, wire::Reply::OK, "");
   }
@@ -46,7 +47,7 @@ void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastlin
                  "coastline: one was asked for and has not come yet; ask when it has");
   }
   context_.host.find_coastline(place, [self = weak_from_this(), io = &context_.io,
-                                       request](std::optional<wire::Coastline> coastline) {
+                                       request](ChartAnswer<wire::Coastline> coastline) {
     asio::post(*io, [self, request, coastline = std::move(coastline)]() mutable {
       const auto session = self.lock();
       if (session == nullptr || session->closed_) return;
@@ -67,7 +68,7 @@ void NativeSession::get_chart_objects(std::uint32_t request, const wire::GetChar
                  "chart objects: they were asked for and have not come yet; ask when they have");
   }
   context_.host.find_chart_objects(place, [self = weak_from_this(), io = &context_.io,
-                                           request](std::optional<wire::ChartObjects> objects) {
+                                           request](ChartAnswer<wire::ChartObjects> objects) {
     asio::post(*io, [self, request, objects = std::move(objects)]() mutable {
       const auto session = self.lock();
       if (session == nullptr || session->closed_) return;

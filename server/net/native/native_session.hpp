@@ -73,7 +73,7 @@ class NativeSession final : public Connection,
   void get_chart_objects(std::uint32_t request, const wire::GetChartObjects& place);
   // A chart that came, or did not, as message and reply.
   template <typename Chart, typename Put>
-  void tell_chart(std::uint32_t request, std::optional<Chart> chart, const Put& put);
+  void tell_chart(std::uint32_t request, ChartAnswer<Chart> chart, const Put& put);
   void order_targets(std::uint32_t request, const wire::TargetOrder& order);
   void record(std::uint32_t request, const wire::Record& record);
   void control_playback(std::uint32_t request, const wire::Playback& playback);
