@@ -76,7 +76,9 @@ export class AcquirePanel {
     const entry = this.#called();
     if (!entry) return;
     if (!entry.track) { sayProblem(this.problem, t('That is an AIS target: it is not tracked')); return; }
-    this.orders.give({ cancel: [entry.track.number] }, this.problem, () => { this.number.value = ''; });
+    // What has been typed since stays.
+    const typed = this.number.value;
+    this.orders.give({ cancel: [entry.track.number] }, this.problem, () => { if (this.number.value === typed) this.number.value = ''; });
   }
 
   show() {
