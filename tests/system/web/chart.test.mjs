@@ -72,8 +72,8 @@ function start(...args) {
 
 async function open({ http }) {
   page = await openConsole(browser, `http://127.0.0.1:${http}/`);
-  await page.evaluate(() => window.skerry.showTab('chart'));
   await page.locator('#afterglow').fill('0');
+  await page.evaluate(() => window.skerry.showTab('chart'));
   await page.keyboard.press('j');
   await page.waitForFunction(() => window.skerry.chart().drawn > 0, null, { timeout: 60000 });
   await waitForScan(page);

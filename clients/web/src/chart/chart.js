@@ -130,7 +130,8 @@ export class ChartPart {
   #showNote() {
     const { objects } = this.loaded ?? {};
     const text = !this.settings.on ? '' : !this.canAsk ? t('this server tells no chart') : !objects ? t('is asked for')
-      : [objects.chart, objects.coastOnly ? t('coast only') : '', objects.marksLeftOut > 0 ? t('{n} marks left out', { n: objects.marksLeftOut }) : '', t('not for navigation')]
+      : [objects.chart, objects.coastOnly ? t('coast only') : '', objects.marksLeftOut > 0 ? t('{n} marks left out', { n: objects.marksLeftOut }) : '',
+        objects.linesLeftOut > 0 ? t('{n} short lines left out', { n: objects.linesLeftOut }) : '', t('not for navigation')]
         .filter(Boolean).join(' · ');
     write('chart-note', text);
     $('chart-note').title = text;

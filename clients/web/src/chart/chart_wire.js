@@ -23,6 +23,7 @@ const ChartMark = message({
 export const ChartObjects = message({
   1: ['latitudeDeg', 'double'], 2: ['longitudeDeg', 'double'], 3: ['radiusNm', 'double'], 4: ['toleranceM', 'double'],
   5: ['chart', 'string'], 6: ['coastOnly', 'bool'], 7: ['lines', [ChartLine]], 8: ['marks', [ChartMark]], 9: ['marksLeftOut', 'uint32'],
+  10: ['linesLeftOut', 'uint32'],
 });
 
 // What has numbers that must be finite.

@@ -89,12 +89,12 @@ test('messages are what protobuf reads and wrote', () => {
   const sent = ClientMessage.toObject(ClientMessage.decodeDelimited(encodeGetChartObjects(7, place)));
   assert.deepEqual(sent, { request: 7, getChartObjects: place });
   const answer = chartAt({ ...OWN, radiusNm: 9, toleranceM: 0 });
-  Object.assign(answer, { coastOnly: true, marksLeftOut: 4 });
+  Object.assign(answer, { coastOnly: true, marksLeftOut: 4, linesLeftOut: 7 });
   answer.marks[0] = { kind: 3, longitude: -5, latitude: 7, fixed: true, shape: 2, colours: [3, 1], name: 'Ä', light: 'Fl', racon: true, depthM: 0 };
   let got;
   decodeFrames(new Uint8Array(ServerMessage.encodeDelimited(ServerMessage.fromObject({ chartObjects: answer })).finish()), (m) => { got = m.chartObjects; });
   assert.equal(got.coastOnly, true);
-  assert.equal(got.marksLeftOut, 4);
+  assert.deepEqual([got.marksLeftOut, got.linesLeftOut], [4, 7]);
   assert.deepEqual({ ...got.marks[0] }, answer.marks[0]);
   assert.equal(got.marks[1].depthM, undefined, 'absent is not 0');
   assert.deepEqual(got.lines.map(({ points }) => points), answer.lines.map(({ points }) => points));
