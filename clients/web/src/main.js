@@ -221,7 +221,7 @@ function draw() {
   overlay.draw(view, {
     paletteName: picture.palette, palette, rangeNm: view.rangeM / NAUTICAL_MILE_M, rings: picture.rings,
     scaleUpDeg: stage.standing.scaleUpDeg, headingLine: picture.headingLine && !picturePanel.isLineHeld(),
-    sternMarks: picture.sternMarks, bowDeg: radar.spoke || ship ? markers.now.bowDeg : null, ship, brilliance: picture.brilliance,
+    sternMarks: picture.sternMarks, bowDeg: radar.spoke || ship ? markers.now.bowDeg : null, ship, pxPerMm: targets.settings.pxPerMm, brilliance: picture.brilliance,
     shapes: markers.shapes, active: tools.active, measured: measured && { from: measured.from, to: measured.to },
     cursor: markers.at() ? markers.pointer : null,
   });

@@ -39,7 +39,7 @@ export class Overlay {
   }
 
   // look: { paletteName, palette, rangeNm, rings, scaleUpDeg (what the scale shows at the top), headingLine, sternMarks, bowDeg, ship
-  // (OwnShip or null), brilliance (percent by layer), shapes (of tool_geometry.js), active, measured, cursor: { x, y } or null }.
+  // (OwnShip or null), pxPerMm (of the screen), brilliance (percent by layer), shapes (of tool_geometry.js), active, measured, cursor: { x, y } or null }.
   draw(view, look) {
     const font = Math.max(10, Math.min(20, view.side / 62));
     const { rings, scale } = look.brilliance;
@@ -51,7 +51,7 @@ export class Overlay {
     });
     const { lengthM, beamM } = look.ship ?? {};
     const mark = [look.paletteName, look.headingLine, look.sternMarks, Math.round(look.bowDeg * 20) / 20, view.upDeg, view.rangeM,
-                  lengthM, beamM, look.brilliance, look.shapes, look.active, look.measured, look.cursor];
+                  lengthM, beamM, look.brilliance, look.shapes, look.active, look.measured, look.cursor, look.pxPerMm];
     this.marks.draw(view, mark, (c) => drawMarks(c, view, look, font));
   }
 }

@@ -19,7 +19,6 @@ export function speak(code, words = new Map()) {
   Object.assign(spoken, { code, words, plurals: new Intl.PluralRules(code), lacking: new Set() });
 }
 
-export const languageCode = () => spoken.code;
 export const later = (text) => text;
 // The first letter large: of a word that begins something.
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,22 +1,20 @@
 // Own ship in the picture: her outline where it is large enough to be read, else a cross.
-import { mmPerPx } from './screen_size.js';
-
 const RAD = Math.PI / 180;
 // Length or beam on the screen from which the outline is drawn.
 const LEAST_MM = 7.5;
 
-// Pixels { length, beam } of the outline, or null if it is too small. Error: the radar's place aboard is not known; the
+// Pixels { length, beam } of the outline, or null if it is too small; pxPerMm: of the screen. Error: the radar's place aboard is not known; the
 // outline lies around it as if it were amidships.
-export function outlineOf(view, ship) {
+export function outlineOf(view, ship, pxPerMm) {
   if (!ship || !(ship.lengthM > 0) || !(ship.beamM > 0) || !(view.rangeM > 0)) return null;
   const scale = view.radius / view.rangeM;
   const length = ship.lengthM * scale, beam = ship.beamM * scale;
-  return Math.max(length, beam) * mmPerPx() > LEAST_MM ? { length, beam } : null;
+  return Math.max(length, beam) > LEAST_MM * pxPerMm ? { length, beam } : null;
 }
 
-export function drawOwnShip(c, view, { palette, ship, bowDeg }, font) {
+export function drawOwnShip(c, view, { palette, ship, bowDeg, pxPerMm }, font) {
   const { own } = view;
-  const outline = bowDeg === null ? null : outlineOf(view, ship);
+  const outline = bowDeg === null ? null : outlineOf(view, ship, pxPerMm);
   c.strokeStyle = palette.ship;
   c.lineWidth = 1.25;
   c.save();

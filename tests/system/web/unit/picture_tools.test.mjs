@@ -8,7 +8,6 @@ import { OwnMotion, stabilisation } from '../../../../clients/web/src/picture/ow
 import { clampPlace, FARTHEST, lookAhead, resetPlace, sailed } from '../../../../clients/web/src/picture/own_place.js';
 import { LAYERS, PictureSettings } from '../../../../clients/web/src/picture/picture_settings.js';
 import { fromTo, placeAt } from '../../../../clients/web/src/picture/places.js';
-import { mmPerPx } from '../../../../clients/web/src/picture/screen_size.js';
 import { standingOf, stabilisationText, trailText } from '../../../../clients/web/src/picture/standing.js';
 import { timeToGo } from '../../../../clients/web/src/picture/status.js';
 import { chord, grabbed, shapesOf } from '../../../../clients/web/src/picture/tool_geometry.js';
@@ -16,6 +15,7 @@ import { originFrom, Tools } from '../../../../clients/web/src/picture/tools.js'
 import { SIDE, TrueTrails } from '../../../../clients/web/src/picture/true_trails.js';
 import { addWedges } from '../../../../clients/web/src/ppi_renderer.js';
 import { ScanStore } from '../../../../clients/web/src/scan_store.js';
+import { VectorSettings } from '../../../../clients/web/src/targets/vector_settings.js';
 import { ViewGeometry } from '../../../../clients/web/src/view_geometry.js';
 import { random } from '../random.mjs';
 
@@ -339,9 +339,9 @@ test('what is stored and is none of ours is ignored, value by value', () => {
     assert.equal(new PictureSettings().palette, 'day');
   }
   kept.set('skerry.targets', '{"mmOf100px": 20}');
-  assert.equal(mmPerPx(), 0.2);
+  assert.equal(new VectorSettings().pxPerMm, 5);
   kept.set('skerry.targets', '{"mmOf100px": -3}');
-  assert.ok(Math.abs(mmPerPx() - 0.264583) < 1e-5);
+  assert.ok(Math.abs(1 / new VectorSettings().pxPerMm - 0.264583) < 1e-5);
 });
 
 test('tools are kept as they were', () => {
