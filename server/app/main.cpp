@@ -5,6 +5,7 @@
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <exception>
@@ -222,6 +223,14 @@ int run(const Options& options, LogTap& tap) {
   return 0;
 }
 
+// No right of root's is needed.  A right to a higher priority is used if there is one (NetServer).
+void tell_of_root() {
+  if (geteuid() != 0) return;
+  spdlog::warn(
+      "skerryd runs as root and does not need to; start it as a user of its own, who may write "
+      "to the folder of recordings");
+}
+
 // What radars allocate the network frees, on other threads.  With glibc's arena for each thread and
 // its threshold for mmap that grows with what is freed, a server held a sixth more than it used,
 // and more for a quarter of an hour (class_check --open-sea).
@@ -244,6 +253,7 @@ int main(int argc, char** argv) {
     const auto options = read_options(argc, argv);
     if (!options) return 0;
     spdlog::set_level(spdlog::level::from_str(options->log_level));
+    if (!options->check_only && options->verify.empty()) tell_of_root();
     return run(*options, *tap);
   } catch (const std::exception& error) {
     std::istringstream lines(error.what());  // a ConfigError has one for each error of a file
