@@ -203,6 +203,7 @@ ClientResult<Done> BoardClient::Connection::stream(BoardStreamKind kind, Deadlin
   wire::ClientMessage message;
   auto* const request = message.mutable_board_stream();
   request->set_radar(radar_.radar());
+  request->set_token(token_);
   request->set_kind(kind == BoardStreamKind::records   ? wire::BoardStream::RECORDS
                     : kind == BoardStreamKind::signals ? wire::BoardStream::SIGNALS
                                                        : wire::BoardStream::NONE);

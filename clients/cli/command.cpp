@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "clients/cli/number_within.hpp"
 
@@ -39,6 +40,14 @@ void ServerPlace::add_options(CLI::App& command) {
       .add_option("--timeout", timeout_s, "Seconds without an answer or a spoke to give up after")
       ->check(number_within(0.1, 3600.0))
       ->capture_default_str();
+}
+
+ClientResult<SpokeClient> ServerPlace::connect() const {
+  auto client = SpokeClient::connect(host, port, timeout());
+  const char* token = std::getenv("SKERRY_TOKEN");
+  if (!client || token == nullptr || *token == '\0') return client;
+  if (auto known = client->sign_in(token, timeout()); !known) return Failure{known.error()};
+  return client;
 }
 
 int run_parsed(const std::vector<Command>& commands) {

@@ -48,6 +48,7 @@ Command make_scenario_command(CLI::App& app);
 Command make_exercise_command(CLI::App& app);
 Command make_targets_command(CLI::App& app);
 Command make_track_command(CLI::App& app);
+Command make_token_command(CLI::App& app);
 Command make_traffic_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
 Command make_recording_command(CLI::App& app);
@@ -60,7 +61,8 @@ struct ServerPlace {
 
   Duration timeout() const { return seconds_as_duration(timeout_s); }
   void add_options(CLI::App& command);
-  ClientResult<SpokeClient> connect() const { return SpokeClient::connect(host, port, timeout()); }
+  // Signs in with the token in the environment's SKERRY_TOKEN, if there is one.
+  ClientResult<SpokeClient> connect() const;
 };
 
 // Which video is wanted.

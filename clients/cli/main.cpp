@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
       "  skerry exercise fault Sirius gyro-bias=5\n"
       "  skerry exercise report exercise.mcap -o report.html\n"
       "  skerry board scope\n"
+      "  skerry token new bridge-1 --role trainee --ship Frida --for 8h\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
   const std::vector<Command> commands = {
@@ -42,7 +43,7 @@ int run(int argc, char** argv) {
       make_coast_command(app),    make_board_command(app),    make_recording_command(app),
       make_doctor_command(app),   make_picture_command(app),  make_radar_command(app),
       make_scenario_command(app), make_exercise_command(app), make_traffic_command(app),
-      make_targets_command(app),  make_track_command(app)};
+      make_targets_command(app),  make_track_command(app),    make_token_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

@@ -1,6 +1,6 @@
-// skerry coast, picture, radar, scenario, track and traffic: hand over to the programs
-// skerry-coast, skerry-picture, skerry-exercise and skerry-track, which know how echoes are made or
-// how targets are found.  Clients do not.
+// skerry coast, picture, radar, scenario, token, track and traffic: hand over to the programs
+// skerry-coast, skerry-picture, skerry-exercise, skerry-access and skerry-track, which know how
+// echoes are made, who may do what or how targets are found.  Clients do not.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -67,6 +67,11 @@ Command make_radar_command(CLI::App& app) {
 
 Command make_scenario_command(CLI::App& app) {
   return hand_over(app, "scenario", "Makes, checks, lists and runs exercises", "skerry-exercise",
+                   {});
+}
+
+Command make_token_command(CLI::App& app) {
+  return hand_over(app, "token", "Makes and revokes tokens for skerryd --tokens", "skerry-access",
                    {});
 }
 

@@ -210,6 +210,11 @@ const wire::Hello& SpokeClient::hello() const { return connection_->hello(); }
 const std::string& SpokeClient::name() const { return connection_->name(); }
 const LossCounter& SpokeClient::losses() const { return connection_->losses(); }
 
+ClientResult<wire::Reply> SpokeClient::sign_in(const std::string& token, Duration timeout) {
+  wire::ClientMessage message;
+  message.mutable_sign_in()->set_token(token);
+  return connection_->ask(std::move(message), "sign_in", timeout);
+}
 ClientResult<Done> SpokeClient::subscribe(std::uint32_t radar, std::uint32_t view,
                                           Duration timeout) {
   wire::Subscribe request;

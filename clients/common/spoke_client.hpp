@@ -42,6 +42,11 @@ class SpokeClient {
   const wire::Hello& hello() const;
   const std::string& name() const;  // "host:port", for messages
 
+  // Says who the client is: what it asks for from now on without a token of its own is asked with
+  // this one.  Servers older than this request close the connection at it.
+  // Error: rejected if the server does not know the token, and the errors of receive().
+  ClientResult<wire::Reply> sign_in(const std::string& token, Duration timeout);
+
   // From now on receive() brings the spokes, settings and own ship of that radar and view; what was
   // waiting of an earlier subscription is dropped and the loss counter begins anew.
   // Error: rejected if there is no such radar or view, and the errors of receive().

@@ -16,6 +16,7 @@
 #include <string>
 #include <variant>
 
+#include "server/access/gate.hpp"
 #include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
 #include "server/app/joined_host.hpp"
@@ -186,6 +187,7 @@ int run(const Options& options, LogTap& tap) {
                    options.workers});
   }
   if (!options.playback.file.empty()) return run_playback(options, tap);
+  Gate({options.net.control_token, options.net.tokens});  // its errors before all else takes time
   const auto [yaml, scenario] = open_scenario(options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {

@@ -259,7 +259,10 @@ class NetServer::Impl {
     spdlog::info("native TCP on {} port {}, HTTP and WebSocket on port {}", config.bind, tcp_port(),
                  http_port());
     error_code error;
-    if (!is_loopback(asio::ip::make_address(config.bind, error)) && config.control_token.empty()) {
+    if (is_loopback(asio::ip::make_address(config.bind, error))) return;
+    if (context_.gate.has_tokens()) {
+      spdlog::info("other hosts need a token of {}", config.tokens);
+    } else if (config.control_token.empty()) {
       spdlog::info("other hosts may look but not control: no control token is configured");
     }
   }
@@ -296,7 +299,10 @@ class NetServer::Impl {
       context_.end_views(std::chrono::steady_clock::now());
       context_.tell_own_ships();
       for (const auto& output : target_outputs_) output->tick();
-      if (++ticks_ % kSendBufferPeriods == 0) context_.tell_send_buffers();
+      if (++ticks_ % kSendBufferPeriods == 0) {
+        context_.look_at_tokens();
+        context_.tell_send_buffers();
+      }
       tick();
     });
   }

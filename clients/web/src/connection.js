@@ -1,9 +1,11 @@
 // Connection: one WebSocket to the server, made again for as long as the page lives.
 //
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
-// it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew.
+// it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew. Who has a token says so
+// before anything else is asked.
 import { answers, retryMs } from './connection_retry.js';
-import { decodeFrames, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, encodeTargetOrder } from './messages.js';
+import { decodeFrames, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, encodeTargetOrder } from './messages.js';
+import { token } from './token.js';
 
 const SILENCE_MS = 6000;
 // Not sent, but dropped, when so much lies unsent: settings are small, so the server has stopped reading.
@@ -19,6 +21,7 @@ export class Connection {
     this.retryAt = 0;
     this.retry = null;     // timer of the next attempt
     this.nextRequest = 1;
+    this.isServed = false;  // a subscription was answered
     this.bytes = 0;
     this.garbage = 0;
     // What answers as long as there is a server, and weighs nothing.
@@ -90,8 +93,11 @@ export class Connection {
     }
     if (this.state === 'greeting' && messages.some((m) => m.hello)) {
       this.attempts = 0;
+      this.isServed = false;
+      if (token()) this.#send((request) => encodeSignIn(request, token()));
       this.#become('live');
     }
+    this.isServed ||= messages.some((m) => m.settings);
     if (this.state === 'live' && messages.length > 0) this.handlers.messages(messages);
   }
 
@@ -107,6 +113,19 @@ export class Connection {
     this.nextRequest = (this.nextRequest % 0xffffffff) + 1;
     this.socket.send(make(request));
     return request;
+  }
+
+  // Tells the server who the token now says one is. Where it had refused what was asked for before, all is asked anew.
+  tellToken() {
+    if (this.state !== 'live') return;
+    if (this.isServed) {
+      this.#send((request) => encodeSignIn(request, token()));
+      return;
+    }
+    const { socket } = this;
+    socket.close();
+    this.#closed(socket);
+    this.#retryNow();
   }
 
   // The request number that the reply will carry, or null if it could not be sent.

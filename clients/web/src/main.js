@@ -52,6 +52,7 @@ import { TargetConsole } from './targets/targets.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
 import { $ } from './widgets.js';
+import { bindToken, token } from './token.js';
 
 const READOUTS_MS = 100;
 const seconds = () => performance.now() / 1000;
@@ -85,7 +86,6 @@ const frames = { drawn: 0, rate: new Rate(2) };
 const choices = new URLSearchParams(location.search);
 const radarChoice = choices.get('radar');
 
-let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection;
 let isTold = false;  // of the radar's settings, by the server of now
 // A console that watches: the picture alone, and no order leaves it. The instructor's page has one beside the chart.
@@ -97,7 +97,7 @@ new InstructorChoice({ part: $('instructor-part'), fold: $('instructor'), box: $
 const set = (values) => {
   if (isWatching) return null;
   const ours = locks.isInstructor ? { ...values, instructor: true } : values;
-  const request = subscription.isAsking ? null : connection.set(radar.radar, radar.view, ours, token);
+  const request = subscription.isAsking ? null : connection.set(radar.radar, radar.view, ours, token());
   if (request === null) notices.show(t('Not connected: the change was not sent'));
   return request;
 };
@@ -107,10 +107,10 @@ const instructor = new Instructor(table.artefacts, set, () => radar.ownShip);
 const locks = new Locks(table.controls, set);
 const shipOrders = new ShipOrders(set);
 const greeting = new Greeting({ problem: $('server-problem'), text: $('server-problem-text') }, notify);
-const recording = new Recording((record) => (isWatching ? null : connection.record(record, token)), notify);
-const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token)), notify, seconds);
+const recording = new Recording((record) => (isWatching ? null : connection.record(record, token())), notify);
+const playback = new Playback((change) => (isWatching ? null : connection.playback(change, token())), notify, seconds);
 const targets = new TargetConsole({
-  send: (order) => (isWatching ? undefined : subscription.isAsking ? null : connection.targetOrder(radar.radar, radar.view, order, token)),
+  send: (order) => (isWatching ? undefined : subscription.isAsking ? null : connection.targetOrder(radar.radar, radar.view, order, token())),
   notify, cursor: () => markers.at(), isBusy: () => (markers.mode !== null && markers.mode !== 'cursor') || chart.editor.mode !== 'off', table, seconds,
 });
 const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
@@ -166,7 +166,7 @@ if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 const screens = new Screens({ radar, layOut: () => layout.layOut(), notify }, choices);
 const subscription = new Subscription({
   radar, set, notify, controls: table.controls, askToken: () => { $('access').hidden = false; },
-  send: (number, like, own) => connection.subscribe(number, like, own, token, { targetsHz: 2 }),
+  send: (number, like, own) => connection.subscribe(number, like, own, token(), { targetsHz: 2 }),
   shown: () => showView(), restored: (view) => targets.restored(view),
 }, choices.get('view'));
 
@@ -304,11 +304,7 @@ if (isWatching || choices.has('bare')) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-$('token').addEventListener('change', () => {
-  token = $('token').value;
-  sessionStorage.setItem('skerry.token', token);
-});
-$('token').value = token;
+bindToken($('token'), () => connection.tellToken());
 
 // Keys and hands.
 const keys = new KeyTable();

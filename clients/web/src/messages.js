@@ -269,6 +269,10 @@ export function encodeTargetOrder(request, radar, view, order, token = '') {
   return frame(request, 12, encodeTargetOrderBody(radar, view, order, token));
 }
 
+export function encodeSignIn(request, token) {
+  return frame(request, 14, new Writer().string(1, token).finish());
+}
+
 export function encodeGetCoastline(request, place) {
   return frame(request, 11, encodeCoastRequest(place));
 }

@@ -114,6 +114,9 @@ void add_options(CLI::App& cli, CommandLine& line) {
   cli.add_flag("--no-cat240", line.no_cat240, "no CAT240");
   add.text("--control-token", config, &ServerConfig::mutable_control_token,
            "what a change of settings from another host must carry");
+  add.text("--tokens", config, &ServerConfig::mutable_tokens,
+           "file of tokens, made by `skerry token new`: then other hosts need one to see anything")
+      ->type_name("FILE");
   add.text("--web-root", config, &ServerConfig::mutable_web_root,
            "serve the console from this folder, for those who work on it");
   add.number<std::uint32_t>("--workers", config, &ServerConfig::set_workers,
@@ -216,6 +219,7 @@ Options options_of(const ServerConfig& config) {
     options.board_ring_bytes = std::size_t{config.board_ring_mib()} << 20;
   }
   net.control_token = config.control_token();
+  net.tokens = config.tokens();
   net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());
   net.web_root = config.web_root();
   if (config.has_max_connections()) net.max_connections = config.max_connections();

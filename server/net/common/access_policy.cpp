@@ -18,16 +18,6 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-// Takes as long for a nearly right token as for a wrong one.
-bool equal_in_constant_time(std::string_view a, std::string_view b) {
-  unsigned difference = a.size() == b.size() ? 0 : 1;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const char other = b.empty() ? '\0' : b[i % b.size()];
-    difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(other);
-  }
-  return difference == 0;
-}
-
 // Text from outside, fit for a reply or a log line.
 std::string printable(std::string_view text) {
   std::string out(text.substr(0, 100));
@@ -37,21 +27,6 @@ std::string printable(std::string_view text) {
 }
 
 }  // namespace
-
-std::optional<std::string> control_refusal(bool peer_is_loopback, std::string_view token,
-                                           std::string_view control_token) {
-  if (peer_is_loopback) return std::nullopt;
-  if (control_token.empty()) {
-    return "control is only accepted from the server's own host; to allow it from elsewhere, start "
-           "the server with a control token and put that in Set.token";
-  }
-  if (token.empty())
-    return "control from another host needs the server's control token in Set.token";
-  if (!equal_in_constant_time(token, control_token)) {
-    return "Set.token is not the server's control token";
-  }
-  return std::nullopt;
-}
 
 std::string host_name(std::string_view authority) {
   if (authority.starts_with('[')) {

@@ -1,4 +1,4 @@
-// Who may do what: pure decisions, no sockets.
+// Which pages of browsers are heard: pure decisions, no sockets.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,6 @@
 #include <string_view>
 
 namespace skerry::server {
-
-// Why a Set message is refused, if it is.  Clients on the server's own host need no token;
-// everybody else needs the configured one, and without a configured one is refused.
-std::optional<std::string> control_refusal(bool peer_is_loopback, std::string_view token,
-                                           std::string_view control_token);
 
 // The host of a Host header or an origin's authority: lower case, without port and brackets.
 // Empty if it is none.

@@ -43,8 +43,10 @@ struct NetConfig {
   // Of simulated own ships, in sentences and Signal K; of a playback none are added.
   SensorErrors sensors = SensorErrors::none();
 
-  // The token that a Set from another host must carry; empty: a Set from another host is refused.
+  // The token that makes whoever has it an admin; empty: there is none.
   std::string control_token;
+  // File of tokens (server/access/token_file.hpp); empty: none, and other hosts may look.
+  std::string tokens;
   // Names, without port, by which browsers may address this server, besides localhost and, when
   // `bind` is no loopback address, any IP literal.
   std::vector<std::string> allowed_hosts;

@@ -1,11 +1,14 @@
 #include "server/net/common/net_context.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "protocol/wire/frame.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/net/common/encoders.hpp"
+#include "server/net/common/net_clock.hpp"
 
 namespace skerry::server {
 namespace {
@@ -68,8 +71,15 @@ NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
     : host(radar_host),
       config(std::move(net_config)),
       connections(config.max_connections),
+      gate({config.control_token, config.tokens}),
       settings_version_(host.settings_version()),
-      world_version_(host.world_version()) {}
+      world_version_(host.world_version()) {
+  const wire::Hello told = host.hello();
+  for (const wire::RadarInfo& info : told.radars()) {
+    ships_.resize(std::max<std::size_t>(ships_.size(), info.radar() + 1));
+    ships_[info.radar()] = info.own_ship();
+  }
+}
 
 SpokeFeed* NetContext::find_feed(std::uint32_t radar, std::uint32_t view,
                                  const std::string& format) {
@@ -124,6 +134,15 @@ void NetContext::end_views(std::chrono::steady_clock::time_point now) {
     }
     view = opened_.erase(view);
   }
+}
+
+const std::string& NetContext::ship_of(std::uint32_t radar) const {
+  static const std::string none;
+  return radar < ships_.size() ? ships_[radar] : none;
+}
+
+void NetContext::look_at_tokens() {
+  if (const auto wrong = gate.refresh(utc_now())) spdlog::warn("tokens: {}", *wrong);
 }
 
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "protocol/wire/radar.pb.h"
+#include "server/access/gate.hpp"
 #include "server/core/error_counts.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/net/common/asio.hpp"
@@ -70,6 +71,12 @@ class NetContext {
   ClientRegistry clients;  // any thread
   OutputRegistry outputs;  // any thread
   ConnectionTable connections;
+  Gate gate;  // who may do what; refreshed by look_at_tokens()
+
+  // The own ship that carries a radar; empty if there is no such radar.
+  const std::string& ship_of(std::uint32_t radar) const;
+  // Heeds a changed file of tokens, and tokens that have ended.  Call it once a second.
+  void look_at_tokens();
 
   // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
   // context.
@@ -131,6 +138,7 @@ class NetContext {
   std::uint64_t settings_version_ = 0, world_version_ = 0;
   std::uint64_t own_ship_calls_ = 0;
   RecordingNews recording_news_{host};
+  std::vector<std::string> ships_;  // of the radars
 };
 
 }  // namespace skerry::server

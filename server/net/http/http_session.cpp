@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <google/protobuf/util/json_util.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "server/net/common/access_policy.hpp"
+#include "server/net/common/net_clock.hpp"
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/net/http/metrics_page.hpp"
@@ -125,6 +127,9 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   void answer_unreadable(error_code error);
   std::optional<WebAnswer> refusal(const Request& request) const;
   WebAnswer answer(const Request& request) const;
+  WebAnswer answer_ws(const Request& request) const;
+  WebAnswer answer_controls(const Request& request) const;
+  WebAnswer answer_status(const Request& request) const;
   WebAnswer answer_metrics(const Request& request) const;
   WebAnswer answer_signalk(const Request& request, std::string path);
   void upgrade(Request request, std::function<void()> accepted);
@@ -133,6 +138,13 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   void send(const WebAnswer& answer, bool with_body, bool keep_alive);
   void on_sent(error_code error, bool keep_alive);
   void discard();
+
+  // What is no file of the console.  The right that a route needs is "GET " and its path.
+  struct Route {
+    std::string_view path;
+    WebAnswer (HttpSession::*answer)(const Request& request) const;
+  };
+  static const std::array<Route, 4> kRoutes;
 
   NetContext& context_;
   const WebFiles& files_;
@@ -146,6 +158,12 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   Request upgrade_request_;
   std::array<char, 1024> discarded_;
 };
+
+const std::array<HttpSession::Route, 4> HttpSession::kRoutes = {
+    {{"/ws", &HttpSession::answer_ws},
+     {"/controls.json", &HttpSession::answer_controls},
+     {"/status", &HttpSession::answer_status},
+     {"/metrics", &HttpSession::answer_metrics}}};
 
 void HttpSession::read() {
   parser_.emplace();
@@ -226,10 +244,26 @@ WebAnswer HttpSession::answer(const Request& request) const {
   }
   const std::string_view target(request.target().data(), request.target().size());
   const std::string path = clean_path(target);
-  if (path == "/ws") return web_error(426, "426: /ws is a WebSocket");
-  if (path == "/metrics") return answer_metrics(request);
-  if (path == "/controls.json") return {.mime = "application/json", .body = controls_page()};
-  if (path != "/status") return files_.get(target);
+  const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
+                                  [&](const Route& each) { return each.path == path; });
+  const bool is_file = route == kRoutes.end();
+  const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
+  const Who who = context_.gate.who(peer_of(stream_.socket()).is_loopback, token, utc_now());
+  if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
+    return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
+  }
+  return is_file ? files_.get(target) : (this->*route->answer)(request);
+}
+
+WebAnswer HttpSession::answer_ws(const Request&) const {
+  return web_error(426, "426: /ws is a WebSocket");
+}
+
+WebAnswer HttpSession::answer_controls(const Request&) const {
+  return {.mime = "application/json", .body = controls_page()};
+}
+
+WebAnswer HttpSession::answer_status(const Request&) const {
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;
   options.always_print_primitive_fields = true;
@@ -252,23 +286,22 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
   const NetConfig& config = context_.config;
   const TcpPeer peer = peer_of(stream_.socket());
   const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
+  const Who who = context_.gate.who(peer.is_loopback, token, utc_now());
   const auto method = request.method_string();
+  const auto right = signalk_right({method.data(), method.size()}, path);
   error_code error;
   const auto local = stream_.socket().local_endpoint(error);
-  SignalkRequest asked{.method = {method.data(), method.size()},
-                       .path = std::move(path),
-                       .body = request.body(),
-                       .authority = std::string(*header_of(request, http::field::host)),
-                       .address = error ? config.bind : local.address().to_string(),
-                       .origin = "Signal K display " + peer.text,
-                       .has_token = !control_refusal(false, token, config.control_token)};
-  if (const auto refusal = control_refusal(peer.is_loopback, token, config.control_token)) {
-    asked.refusal =
-        config.control_token.empty()
-            ? *refusal
-            : "control from another host needs 'Authorization: Bearer' and the control token";
-  }
-  WebAnswer answer = signalk_answer(*site_, config.signalk, config.control_token, asked);
+  SignalkRequest asked{
+      .method = {method.data(), method.size()},
+      .path = std::move(path),
+      .body = request.body(),
+      .authority = std::string(*header_of(request, http::field::host)),
+      .address = error ? config.bind : local.address().to_string(),
+      .origin = "Signal K display " + peer.text,
+      .refusal = why_not(who, right, context_.ship_of(site_->radars().front().number)),
+      .has_token = !token.empty() && who.role && who.more.empty(),
+      .is_known = who.role.has_value()};
+  WebAnswer answer = signalk_answer(*site_, config.signalk, context_.gate, asked);
   const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
   if (answer.status >= 400 && !reads) {
     context_.errors.add("signalk change refused", peer.text + ": " + answer.body);
@@ -279,13 +312,20 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
 bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   const auto wanted = signalk_stream(*site_, path);
   if (!wanted) return false;
+  const StreamRight right(
+      context_, peer_of(stream_.socket()).is_loopback,
+      std::string(token_of(header_of(request, http::field::authorization).value_or(""))),
+      site_->radars().front().number);
+  if (const auto refused = right.refusal_of("signalk.stream")) {
+    send(web_error(401, "401: " + *refused), true, false);
+    return true;
+  }
   const SignalkDeltaSession::Client client{
-      .query = std::string(request.target().data(), request.target().size()),
-      .token = std::string(token_of(header_of(request, http::field::authorization).value_or("")))};
+      .query = std::string(request.target().data(), request.target().size()), .right = right};
   upgrade(std::move(request), [self = shared_from_this(), wanted, client] {
     if (wanted->spokes != nullptr) {
       SignalkSpokeSession::begin(self->context_, *self->site_, wanted->spokes->number,
-                                 std::move(self->ws_), std::move(self->slot_));
+                                 std::move(self->ws_), std::move(self->slot_), client.right);
     } else {
       SignalkDeltaSession::begin(self->context_, *self->site_, std::move(self->ws_),
                                  std::move(self->slot_), client);
@@ -322,6 +362,7 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
   }
   if (!answer.location.empty()) response_.set(http::field::location, answer.location);
   if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD");
+  if (answer.status == 401) response_.set(http::field::www_authenticate, "Bearer");
   if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
   response_.keep_alive(keep_alive);
   response_.content_length(answer.body.size());

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/net/common/access_policy.hpp"
 #include "server/net/common/encoders.hpp"
 
 namespace skerry::server {
@@ -118,7 +117,10 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
     return fail(wire::Reply::MALFORMED, "malformed request",
                 fmt::format("a frame of {} bytes that is no ClientMessage", body.size()));
   }
+  if (!may(message)) return;
   switch (message.kind_case()) {
+    case wire::ClientMessage::kSignIn:
+      return sign_in(message.request(), message.sign_in());
     case wire::ClientMessage::kSubscribe:
       return subscribe(message.request(), message.subscribe());
     case wire::ClientMessage::kSet:
@@ -148,8 +150,9 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       break;
   }
   fail(wire::Reply::MALFORMED, "malformed request",
-       "a ClientMessage without a kind this server knows; expected subscribe, set, get_status, "
-       "record, playback, get_coastline, get_chart_objects, target_order or one of a board's");
+       "a ClientMessage without a kind this server knows; expected sign_in, subscribe, set, "
+       "get_status, record, playback, get_coastline, get_chart_objects, target_order or one of a "
+       "board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
@@ -161,7 +164,6 @@ std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
     return std::nullopt;
   }
   if (!subscribe.new_view()) return subscribe.view();
-  if (!may_control(request, subscribe.token())) return std::nullopt;
   const auto opened = context_.open_view(subscribe.radar(), subscribe.view());
   if (!opened) {
     reply(request, wire::Reply::REFUSED,
@@ -187,10 +189,10 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
                  fmt::format("targets_hz: {} is out of range; allowed: 0 to {}",
                              subscribe.targets_hz(), kTargetsMostHz));
   }
-  if (subscribe.exercise_hz() > 0 && !may_control(request, subscribe.token())) return;
   const auto view = view_for(request, subscribe);
   if (!view) return;
   unsubscribe();
+  subscribed_ = asked_;
   feed_ = context_.find_feed(subscribe.radar(), *view, kNativeFormat);
   takes_spokes_ = !subscribe.no_spokes();
   if (takes_spokes_) {
@@ -222,6 +224,7 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
 }
 
 void NativeSession::unsubscribe() {
+  subscribed_.reset();
   if (feed_ == nullptr) return;
   feed_->remove(*this);
   feed_ = nullptr;
@@ -231,17 +234,7 @@ void NativeSession::unsubscribe() {
   wanted_targets_ = nullptr;
 }
 
-bool NativeSession::may_control(std::uint32_t request, const std::string& token) {
-  auto refusal =
-      control_refusal(transport_->peer_is_loopback(), token, context_.config.control_token);
-  if (!refusal) return true;
-  context_.errors.add("control refused", client_->peer + ": " + *refusal);
-  reply(request, wire::Reply::REFUSED, *std::move(refusal));
-  return false;
-}
-
 void NativeSession::set(std::uint32_t request, const wire::Set& set) {
-  if (!may_control(request, set.token())) return;
   wire::Set without_token = set;
   without_token.clear_token();
   reply(request, context_.host.apply(without_token, origin()));
@@ -251,6 +244,7 @@ void NativeSession::set(std::uint32_t request, const wire::Set& set) {
 void NativeSession::limit_send_buffer() { on_send_buffer(boards_.send_buffer()); }
 
 void NativeSession::on_send_buffer(std::size_t bytes) {
+  look_at_rights();
   if (spoke_buffer_ + bytes > 0) transport_->limit_send_buffer(spoke_buffer_ + bytes);
 }
 
@@ -293,7 +287,10 @@ void NativeSession::tell(News kind, const SharedBytes& frame) {
 }
 
 void NativeSession::on_settings(const SharedBytes& frame) { tell(kSettings, frame); }
-void NativeSession::on_own_ship(const SharedBytes& frame) { tell(kOwnShip, frame); }
+void NativeSession::on_own_ship(const SharedBytes& frame) {
+  look_at_rights();
+  tell(kOwnShip, frame);
+}
 void NativeSession::on_world(const SharedBytes& frame) { tell(kWorld, frame); }
 void NativeSession::on_exercise(const SharedBytes& frame) { tell(kExercise, frame); }
 void NativeSession::on_targets(const SharedBytes& frame) { tell(kTargets, frame); }

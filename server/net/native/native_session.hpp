@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "protocol/wire/frame.hpp"
+#include "server/access/asked.hpp"
 #include "server/net/common/net_context.hpp"
 #include "server/net/native/board_requests.hpp"
 #include "server/net/native/byte_transport.hpp"
@@ -79,7 +80,13 @@ class NativeSession final : public Connection,
   void control_playback(std::uint32_t request, const wire::Playback& playback);
   // One of the board's kinds.
   void ask_board(const wire::ClientMessage& message);
-  bool may_control(std::uint32_t request, const std::string& token);
+  // Whether who sends it may ask for all that it asks for; if not, it has been answered.
+  bool may(const wire::ClientMessage& message);
+  std::optional<std::string> why_not_allowed(const Asked& asked) const;
+  void sign_in(std::uint32_t request, const wire::SignIn& wanted);
+  // Ends the connection of a client who may have no longer what it gets: its token was revoked or
+  // has ended.
+  void look_at_rights();
   void reply(std::uint32_t request, wire::Reply::Code code, std::string text,
              std::uint32_t view = 0);
   void reply(std::uint32_t request, wire::Reply answer);
@@ -124,6 +131,11 @@ class NativeSession final : public Connection,
   std::size_t spoke_buffer_ = 0;  // of the kernel's, for spokes
 
   BoardRequests boards_;
+
+  std::string token_;  // signed in with
+  Asked asked_;        // by the message that is handled; its token is the one it was allowed by
+  std::optional<Asked> subscribed_, streamed_;  // by the Subscribe and the BoardStream that hold
+  std::uint64_t looked_at_ = 0;                 // Gate::generation() when these were looked at
 
   std::deque<SharedBytes> replies_;
   std::size_t reply_bytes_ = 0;

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "server/net/common/access_policy.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/tcp_peer.hpp"
 
@@ -32,10 +31,9 @@ SignalkDeltaSession::SignalkDeltaSession(NetContext& context, SignalkSite& site,
       site_(site),
       stream_(std::move(stream)),
       slot_(std::move(slot)),
-      token_(client.token) {
-  const TcpPeer peer = peer_of(beast::get_lowest_layer(*stream_).socket());
-  from_here_ = peer.is_loopback;
-  client_ = context.clients.add("signalk deltas", peer.text);
+      right_(client.right) {
+  client_ = context.clients.add("signalk deltas",
+                                peer_of(beast::get_lowest_layer(*stream_).socket()).text);
   if (client.query.find("subscribe=none") == std::string::npos) {
     subscriptions_.subscribe("*", signalk::Subscriptions::kUsualPeriod);
   }
@@ -105,7 +103,7 @@ void SignalkDeltaSession::handle(const std::string& text) {
     std::erase_if(sent_, [this](const auto& each) { return !subscriptions_.wants(each.first); });
   }
   if (!request->put_path.empty()) {
-    set_control(*request, request->token.empty() ? token_ : request->token);
+    set_control(*request, request->token);
   }
   if (!request->subscribe.empty() && queue_.size() < 4) {
     send_news(std::chrono::steady_clock::now());
@@ -115,9 +113,9 @@ void SignalkDeltaSession::handle(const std::string& text) {
 void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
                                       const std::string& token) {
   SignalkOutcome outcome{404, "no control of that path"};
-  if (auto refusal = control_refusal(from_here_, token, context_.config.control_token)) {
-    context_.errors.add("control refused", client_->peer + ": " + *refusal);
-    outcome = {403, "control from another host needs the server's control token"};
+  if (auto refused = right_.refusal_of("signalk.change", token)) {
+    context_.errors.add("refused", client_->peer + ": " + *refused);
+    outcome = {403, *std::move(refused)};
   } else if (const auto* definition = SignalkSite::definition_at(request.put_path)) {
     const std::string_view path = request.put_path;
     constexpr std::size_t kBehindRadars = 7;  // "radars."
@@ -137,7 +135,12 @@ void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
 }
 
 void SignalkDeltaSession::on_tick(std::chrono::steady_clock::time_point now) {
-  if (!queue_.empty() || closed_) return;
+  if (closed_) return;
+  if (right_.has_ended()) {
+    context_.errors.add("no longer allowed", client_->peer);
+    return close();
+  }
+  if (!queue_.empty()) return;
   send_news(now);
   send_others(now);
 }

@@ -11,6 +11,7 @@
 #include "protocol/signalk/subscription.hpp"
 #include "server/net/common/net_context.hpp"
 #include "server/net/signalk/signalk_site.hpp"
+#include "server/net/signalk/stream_right.hpp"
 
 namespace skerry::server {
 
@@ -26,7 +27,7 @@ class SignalkDeltaSession final : public Connection,
 
   struct Client {
     std::string query;  // of the request: subscribe=none, self or all
-    std::string token;  // of its Authorization header
+    StreamRight right;
   };
   // Requires a stream whose handshake is done.
   static void begin(NetContext& context, SignalkSite& site, std::unique_ptr<WsStream> stream,
@@ -59,8 +60,7 @@ class SignalkDeltaSession final : public Connection,
   std::unique_ptr<WsStream> stream_;
   ConnectionSlotPtr slot_;
   ClientPtr client_;
-  std::string token_;
-  bool from_here_ = false;
+  StreamRight right_;
   signalk::Subscriptions subscriptions_;
   std::map<std::string, Sent> sent_;  // by path
   signalk::Subscriptions of_others_;

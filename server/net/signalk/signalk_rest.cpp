@@ -6,7 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "server/net/common/access_policy.hpp"
 #include "server/net/common/net_clock.hpp"
 
 namespace skerry::server {
@@ -24,6 +23,14 @@ constexpr std::array<Root, 4> kRoots = {{{signalk::kRadarsPath, false},
                                          {"/signalk/v2/api/radars", false},
                                          {"/signalk/v1/api/vessels/self/radars", true},
                                          {"/v1/api/radars", true}}};
+
+// What may be asked before a token is given.
+constexpr std::array<std::string_view, 6> kDiscovery = {"/signalk",
+                                                        "/signalk/v2/features",
+                                                        "/signalk/v1/auth/login",
+                                                        "/signalk/v1/auth/logout",
+                                                        "/skServer/loginStatus",
+                                                        "/loginstatus"};
 
 WebAnswer document(const Json& json, unsigned status = 200) {
   return {.status = status, .mime = "application/json", .body = signalk::text_of(json)};
@@ -120,7 +127,6 @@ class RadarRequest {
   }
 
   WebAnswer change() {
-    if (request_.refusal) return failure(403, *request_.refusal);
     const std::string_view what = part(1);
     const bool puts = request_.method == "PUT", posts = request_.method == "POST";
     if (request_.method == "DELETE" && what == "targets" && parts_.size() == 3) {
@@ -170,12 +176,13 @@ WebAnswer full_model(SignalkSite& site, const Parts& parts) {
   return document(*at);
 }
 
-WebAnswer login(std::string_view control_token, const SignalkRequest& request) {
+WebAnswer login(const Gate& gate, const SignalkRequest& request) {
   const auto body = signalk::read_json(request.body);
   if (request.method != "POST" || !body) return failure(400, "expected username and password");
   const std::string password = signalk::text_member(*body, "password");
-  if (control_refusal(false, password, control_token)) {
-    return failure(401, "the password is the server's control token; this is not it");
+  const Who who = gate.who(false, password, utc_now());
+  if (!who.role || !who.more.empty()) {
+    return failure(401, "the password is a token of the server; this is none");
   }
   return document(Json{{"token", password}});
 }
@@ -187,11 +194,20 @@ bool is_signalk_path(std::string_view path) {
          is_at(path, "/v1/api/radars");
 }
 
-WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config,
-                         std::string_view control_token, const SignalkRequest& request) {
+std::string_view signalk_right(std::string_view method, std::string_view path) {
+  if (path.size() > 1 && path.ends_with('/')) path.remove_suffix(1);
+  if (std::find(kDiscovery.begin(), kDiscovery.end(), path) != kDiscovery.end()) {
+    return "signalk.discover";
+  }
+  return method == "GET" || method == "HEAD" ? "signalk.read" : "signalk.change";
+}
+
+WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config, const Gate& gate,
+                         const SignalkRequest& request) {
+  if (request.refusal) return failure(request.is_known ? 403 : 401, *request.refusal);
   std::string_view path = request.path;
   if (path.size() > 1 && path.ends_with('/')) path.remove_suffix(1);
-  if (path == "/signalk/v1/auth/login") return login(control_token, request);
+  if (path == "/signalk/v1/auth/login") return login(gate, request);
   if (path == "/signalk/v1/auth/logout") return failure(200, "OK");
   if (const Root* root = root_of(path)) {
     RadarRequest radars(site, request, parts_of(path.substr(root->path.size())));
@@ -210,7 +226,7 @@ WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config,
   if (path == signalk::kStreamPath) return failure(426, "this is a WebSocket");
   if (path == "/signalk/v2/features") return document(signalk::features_document());
   if (path == "/skServer/loginStatus" || path == "/loginstatus") {
-    return document(signalk::login_status_document(request.has_token, !control_token.empty()));
+    return document(signalk::login_status_document(request.has_token, gate.knows_tokens()));
   }
   constexpr std::string_view kModel = "/signalk/v1/api";
   if (is_at(path, kModel)) return full_model(site, parts_of(path.substr(kModel.size())));

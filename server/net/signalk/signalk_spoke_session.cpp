@@ -8,21 +8,24 @@
 namespace skerry::server {
 
 void SignalkSpokeSession::begin(NetContext& context, SignalkSite& site, std::uint32_t radar,
-                                std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot) {
-  const auto session =
-      std::make_shared<SignalkSpokeSession>(context, radar, std::move(stream), std::move(slot));
+                                std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot,
+                                const StreamRight& right) {
+  const auto session = std::make_shared<SignalkSpokeSession>(context, radar, std::move(stream),
+                                                             std::move(slot), right);
   session->start();
   site.enter(session);
 }
 
 SignalkSpokeSession::SignalkSpokeSession(NetContext& context, std::uint32_t radar,
-                                         std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot)
+                                         std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot,
+                                         const StreamRight& right)
     : context_(context),
       stream_(std::move(stream)),
       slot_(std::move(slot)),
       client_(
           context.clients.add("signalk", peer_of(beast::get_lowest_layer(*stream_).socket()).text)),
-      radar_(radar) {}
+      radar_(radar),
+      right_(right) {}
 
 void SignalkSpokeSession::start() {
   slot_->owner = weak_from_this();
@@ -44,6 +47,12 @@ void SignalkSpokeSession::close() {
   feed_->remove(*this);
   feed_ = nullptr;
   beast::get_lowest_layer(*stream_).close();
+}
+
+void SignalkSpokeSession::on_tick(std::chrono::steady_clock::time_point) {
+  if (!right_.has_ended()) return pump(true);
+  context_.errors.add("no longer allowed", client_->peer);
+  close();
 }
 
 void SignalkSpokeSession::read() {

@@ -8,6 +8,7 @@
 
 #include "server/net/common/net_context.hpp"
 #include "server/net/signalk/signalk_site.hpp"
+#include "server/net/signalk/stream_right.hpp"
 
 namespace skerry::server {
 
@@ -24,14 +25,15 @@ class SignalkSpokeSession final : public Connection,
 
   // Requires a stream whose handshake is done.
   static void begin(NetContext& context, SignalkSite& site, std::uint32_t radar,
-                    std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot);
+                    std::unique_ptr<WsStream> stream, ConnectionSlotPtr slot,
+                    const StreamRight& right);
 
   SignalkSpokeSession(NetContext& context, std::uint32_t radar, std::unique_ptr<WsStream> stream,
-                      ConnectionSlotPtr slot);
+                      ConnectionSlotPtr slot, const StreamRight& right);
 
   void close() override;
   void on_sector() override { pump(false); }
-  void on_tick(std::chrono::steady_clock::time_point) override { pump(true); }
+  void on_tick(std::chrono::steady_clock::time_point) override;
 
  private:
   void start();
@@ -44,6 +46,7 @@ class SignalkSpokeSession final : public Connection,
   ConnectionSlotPtr slot_;
   ClientPtr client_;
   std::uint32_t radar_;
+  StreamRight right_;
   SpokeFeed* feed_ = nullptr;  // nullptr: closed
   Cursor cursor_;
   std::vector<EncodedSectorPtr> held_;  // for the next message, or of the one in flight

@@ -32,7 +32,7 @@ export class MockServer {
   constructor(options = {}) {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
-      silent: [], refuse: null, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
+      silent: [], refuse: null, mayLook: () => true, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
       exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), chart: chartAt, at: OWN,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
@@ -42,6 +42,7 @@ export class MockServer {
     // chart(request): ChartObjects, or null: none is told; at: own ship's place.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
+    // mayLook(token): whether who signed in with it, or with none, may subscribe.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
     this.settings = {
       rangeNm: 6, gain: 50, sea: 30, rain: 0, seaAuto: false, interferenceRejection: 0, echoStretch: 0, integration: 0,
@@ -159,6 +160,7 @@ export class MockServer {
     const reply = (code, text = '') => this.#send(client, { reply: { request: message.request, code, text } });
     if (message.kind === 'subscribe') {
       let { view } = message.subscribe;
+      if (!this.mayLook(client.token)) { reply(4, 'to see a radar needs a token'); return; }
       if (!this.views.has(view)) { reply(3, `no view ${view}`); return; }
       if (message.subscribe.newView) {
         this.views.set(++this.lastView, { ...this.views.get(view) });
@@ -175,6 +177,9 @@ export class MockServer {
       this.showStates();
       this.showExercise();
       this.showTargets();
+    } else if (message.kind === 'signIn') {
+      client.token = message.signIn.token;
+      reply(0, 'trainee bridge-1');
     } else if (message.kind === 'targetOrder') {
       const { code = 0, text = '' } = this.answerTargets(message.targetOrder);
       if (code === 0) this.targetOrders.push(message.targetOrder);

@@ -7,27 +7,6 @@
 namespace skerry::server {
 namespace {
 
-TEST(AccessPolicy, TheServersOwnHostNeedsNoToken) {
-  EXPECT_FALSE(control_refusal(true, "", ""));
-  EXPECT_FALSE(control_refusal(true, "", "secret"));
-  EXPECT_FALSE(control_refusal(true, "wrong", "secret"));
-}
-
-TEST(AccessPolicy, OtherHostsNeedTheConfiguredToken) {
-  EXPECT_FALSE(control_refusal(false, "secret", "secret"));
-  for (const char* token : {"", "s", "secre", "secret1", "Secret", "secretsecret"}) {
-    EXPECT_TRUE(control_refusal(false, token, "secret")) << token;
-  }
-}
-
-TEST(AccessPolicy, WithoutAConfiguredTokenOtherHostsControlNothing) {
-  for (const char* token : {"", "secret"}) {
-    const auto refusal = control_refusal(false, token, "");
-    ASSERT_TRUE(refusal);
-    EXPECT_NE(refusal->find("control token"), std::string::npos) << "says what to do";
-  }
-}
-
 TEST(AccessPolicy, HostNameDropsPortBracketsAndCase) {
   EXPECT_EQ(host_name("localhost"), "localhost");
   EXPECT_EQ(host_name("LocalHost:7480"), "localhost");

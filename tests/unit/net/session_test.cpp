@@ -136,7 +136,7 @@ TEST_F(Session, ControlFromAnotherHostIsRefusedWithoutAConfiguredToken) {
   EXPECT_FALSE(line_.closed) << "it may still look";
 }
 
-TEST_F(Session, FromAnotherHostABoardIsReadFreelyAndChangedWithTheToken) {
+TEST_F(Session, FromAnotherHostABoardIsReadFreelyAndStreamedAndChangedWithTheToken) {
   host_.board = std::make_shared<FakeBoard>();
   NetConfig config = test_config();
   config.control_token = "secret";
@@ -153,14 +153,15 @@ TEST_F(Session, FromAnotherHostABoardIsReadFreelyAndChangedWithTheToken) {
   write.mutable_board_access()->set_token("secret");
   fifo.mutable_board_fifo()->set_token("secret");
   ring.mutable_board_ring()->set_token("secret");
-  for (const wire::ClientMessage& message : {write, fifo, ring}) {
+  stream.mutable_board_stream()->set_token("secret");
+  for (const wire::ClientMessage& message : {stream, write, fifo, ring}) {
     line_.incoming.push_back(frame_of(message));
   }
   begin(config);
   std::vector<wire::Reply::Code> codes;
   for (const wire::Reply& reply : replies_in(line_.outgoing)) codes.push_back(reply.code());
   const auto ok = wire::Reply::OK, refused = wire::Reply::REFUSED;
-  EXPECT_EQ(codes, (std::vector{ok, ok, refused, refused, refused, ok, ok, ok}));
+  EXPECT_EQ(codes, (std::vector{ok, refused, refused, refused, refused, ok, ok, ok, ok}));
   EXPECT_EQ(host_.board->writes, 1);
   EXPECT_GT(host_.board->lease.use_count(), 1);
 }

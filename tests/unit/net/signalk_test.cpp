@@ -10,6 +10,7 @@
 #include <string>
 
 #include "protocol/signalk/json.hpp"
+#include "server/net/common/net_clock.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/fake_plotters.hpp"
@@ -444,8 +445,9 @@ TEST(SignalkAccess, WhoMayNotControlMayStillLook) {
                                  .path = kRadars + path,
                                  .body = R"({"value":20})",
                                  .authority = "192.0.2.7:7480",
-                                 .refusal = "no token"};
-    return signalk_answer(site, {}, "secret", request);
+                                 .refusal = why_not(context.gate.who(false, "", utc_now()),
+                                                    signalk_right(method, kRadars + path))};
+    return signalk_answer(site, {}, context.gate, request);
   };
   EXPECT_EQ(ask("PUT", "/skerry0/controls/gain").status, 403u);
   EXPECT_EQ(ask("DELETE", "/skerry0/targets/1").status, 403u);

@@ -11,17 +11,17 @@ import { Helm } from './helm.js';
 import { InstructorText } from './instructor_text.js';
 import { Readings } from './readings.js';
 import { OWN_SHIP_HZ, ShipLink } from './ship_link.js';
+import { bindToken, token } from '../token.js';
 
 const seconds = () => performance.now() / 1000;
 const LOOK_MS = 200;  // how often it is seen whether the ship has fallen silent
 
 const notices = new Notices($('notices'));
 const picture = new PictureSettings();
-let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection = null, asked = null, shown = false;
 
 const set = (values) => {
-  const request = connection.set(link.radar, 0, link.instructor ? { ...values, instructor: true } : values, token);
+  const request = connection.set(link.radar, 0, link.instructor ? { ...values, instructor: true } : values, token());
   if (request === null) notices.show('Not connected: the order was not sent');
   return request;
 };
@@ -174,11 +174,7 @@ $('radar').addEventListener('change', () => {
   $('radar').blur();
   subscribe();
 });
-$('token').value = token;
-$('token').addEventListener('change', () => {
-  token = $('token').value;
-  sessionStorage.setItem('skerry.token', token);
-});
+bindToken($('token'), () => connection.tellToken());
 // A button that was clicked does not keep the space bar and the arrows for itself.
 document.addEventListener('click', (event) => {
   if (event.detail > 0) event.target.closest?.('button, label.switch') && document.activeElement?.blur();

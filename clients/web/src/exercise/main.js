@@ -23,6 +23,7 @@ import { Toolbar } from './toolbar.js';
 import { Tools } from './tools.js';
 import { TraineeView } from './trainee_view.js';
 import { WeatherPanel } from './weather_panel.js';
+import { bindToken, token } from '../token.js';
 
 const EXERCISE_HZ = 2,
   LOOK_MS = 250;
@@ -40,7 +41,6 @@ const notices = new Notices($('notices'));
 const notify = (text, kind) => notices.show(text, kind);
 document.addEventListener('refused', ({ detail }) => notify(detail));
 const picture = new PictureSettings();
-let token = sessionStorage.getItem('skerry.token') ?? '';
 let connection = null,
   hello = null,
   asked = null,
@@ -64,7 +64,7 @@ function send(values, what, radar = hello?.radars[0]?.radar ?? 0) {
     notify(PLAYED);
     return null;
   }
-  const request = connection.set(radar, 0, { ...values, instructor: true }, token);
+  const request = connection.set(radar, 0, { ...values, instructor: true }, token());
   if (request === null) {
     notify('Not connected: the order was not sent');
     return null;
@@ -75,7 +75,7 @@ function send(values, what, radar = hello?.radars[0]?.radar ?? 0) {
 }
 
 const exercise = new Exercise(() => changed());
-const replay = new Replay((change) => connection.playback(change, token), notify);
+const replay = new Replay((change) => connection.playback(change, token()), notify);
 const orders = new Orders(send);
 const forms = new ToolForms();
 const tools = new Tools({ exercise, orders, forms, notify, changed: () => changed() });
@@ -120,7 +120,7 @@ function subscribe() {
   exercise.forget();
   coast.forget();
   heardMs = performance.now();
-  asked = connection.subscribe(hello.radars[0]?.radar ?? 0, 0, false, token, {
+  asked = connection.subscribe(hello.radars[0]?.radar ?? 0, 0, false, token(), {
     ownShipHz: 1,
     noSpokes: true,
     exerciseHz: EXERCISE_HZ,
@@ -233,10 +233,8 @@ $('palette').addEventListener('click', changePalette);
 $('save').addEventListener('click', saveScenario);
 $('trainee-toggle').addEventListener('click', () => trainee.toggle());
 $('help-open').addEventListener('click', () => $('help').showModal());
-$('token').value = token;
-$('token').addEventListener('change', () => {
-  token = $('token').value;
-  sessionStorage.setItem('skerry.token', token);
+bindToken($('token'), () => {
+  connection.tellToken();
   if (hello && connection.state === 'live') subscribe();
 });
 

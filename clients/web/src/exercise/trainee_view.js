@@ -1,5 +1,6 @@
 // TraineeView: the console of an own ship beside the chart, in a frame that gives no orders.
 import { $ } from '../widgets.js';
+import { token } from '../token.js';
 
 const STATUS_MS = 5000;
 const LEAST_PX = 240,
@@ -71,7 +72,7 @@ export class TraineeView {
 
   async #look() {
     try {
-      const response = await fetch('status', { cache: 'no-store' });
+      const response = await fetch('status', { cache: 'no-store', headers: token() ? { Authorization: `Bearer ${token()}` } : {} });
       const status = await response.json();
       this.views = new Map(
         status.radars.map(({ radar, views }) => [Number(radar), (views ?? []).map((each) => Number(each.view))]),

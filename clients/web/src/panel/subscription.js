@@ -79,6 +79,7 @@ export class Subscription {
       this.ask();
     } else {
       notify(reply.text);
+      if (reply.code === REFUSED) askToken();
       if (like !== 0) { this.joined = 0; this.ask(); }
     }
     shown();

@@ -416,6 +416,17 @@ test('a refused change is told, and the old value comes back', async () => {
   await setSlider('gain', 90);
   await page.waitForFunction(() => window.skerry.settings().gain === 90);
   assert.equal(server.received.at(-1).set.token, 'geheim');
+  assert.equal(server.received.filter((m) => m.kind === 'signIn').at(-1).signIn.token, 'geheim');
+});
+
+test('who has a token says so before anything else, and asks anew for what was refused without', async () => {
+  await open({ mayLook: (token) => token === 'geheim' });
+  await page.locator('#token').waitFor();
+  const seen = server.received.length;
+  await page.locator('#token').fill('geheim');
+  await page.locator('#token').press('Tab');
+  await page.waitForFunction(() => window.skerry.settings()?.gain === 50);
+  assert.deepEqual(server.received.slice(seen, seen + 2).map((m) => m.kind), ['signIn', 'subscribe']);
 });
 
 test('course and speed are ordered, also a course of zero', async () => {

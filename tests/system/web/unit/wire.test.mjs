@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import protobuf from 'protobufjs';
-import { decodeFrames, encodePlayback, encodeRecord, encodeSet, encodeSubscribe, MAX_FRAME, useControls } from '../../../../clients/web/src/messages.js';
+import { decodeFrames, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, MAX_FRAME, useControls } from '../../../../clients/web/src/messages.js';
 import { WireError } from '../../../../clients/web/src/protobuf.js';
 import { ClientMessage, CONTROLS, ServerMessage } from '../mock_server.mjs';
 import { random } from '../random.mjs';
@@ -31,6 +31,13 @@ test('a spoke is read as protobuf wrote it', () => {
   assert.ok(Math.abs(got.utcNs - 1700000000123456789) <= 512);
   assert.deepEqual([...got.cells], [0, 1, 2, 254, 255]);
   assert.equal(got.view, 0);
+});
+
+test('who one is goes in a message', () => {
+  const message = ClientMessage.decodeDelimited(encodeSignIn(7, 'skerry_Ab-_'));
+  assert.equal(message.request, 7);
+  assert.equal(message.kind, 'signIn');
+  assert.equal(message.signIn.token, 'skerry_Ab-_');
 });
 
 test('any number of frames in one message come in order', () => {

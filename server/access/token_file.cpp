@@ -1,0 +1,209 @@
+#include "server/access/token_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <stdexcept>
+
+#include "protocol/digest/digest.hpp"
+#include "protocol/nmea/log_time.hpp"
+#include "protocol/picture/label_text.hpp"
+#include "server/config/yaml_message.hpp"
+
+namespace skerry::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_digest(std::string_view text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+KeptToken token_of_message(const access::Token& message, const std::string& path,
+                           YamlSource& source) {
+  KeptToken token{message.name(), message.role(), message.ship(), message.sha256(), std::nullopt};
+  if (source.is_sound(path + ".sha256") && !is_digest(token.sha256)) {
+    source.refuse(path + ".sha256",
+                  "is no SHA-256; expected: 64 hexadecimal digits, lower case, as "
+                  "`skerry token new` writes them");
+  }
+  if (!message.has_ends()) return token;
+  token.ends = nmea::log_time_of(message.ends());
+  if (!token.ends) {
+    source.refuse(
+        path + ".ends",
+        fmt::format("'{}' is no time; expected: UTC as 2027-01-31T18:00:00Z, 1990 to 2099",
+                    printable(message.ends())));
+  }
+  return token;
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+std::runtime_error cannot(const char* what, const fs::path& file) {
+  return std::runtime_error(fmt::format("cannot {} {}: {}", what, file.string(), strerror(errno)));
+}
+
+// An open file, closed at its end.
+class Handle {
+ public:
+  Handle(const fs::path& file, int flags, mode_t mode)
+      : number_(::open(file.c_str(), flags | O_CLOEXEC, mode)), file_(file) {
+    if (number_ < 0) throw cannot("open", file);
+  }
+  ~Handle() { ::close(number_); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+
+  void lock() {
+    if (::flock(number_, LOCK_EX) != 0) throw cannot("lock", file_);
+  }
+  void write_all(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(number_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) throw cannot("write", file_);
+      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(number_) != 0) throw cannot("write", file_);
+  }
+
+ private:
+  int number_;
+  fs::path file_;
+};
+
+void write_whole(const fs::path& file, std::string_view text) {
+  const fs::path part = file.string() + ".part";
+  try {
+    Handle(part, O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR).write_all(text);
+    if (::rename(part.c_str(), file.c_str()) != 0) throw cannot("replace", file);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+TokenFile TokenFile::read(const fs::path& file) {
+  return parse(read_yaml_file(file.string()), file.string());
+}
+
+TokenFile TokenFile::parse(const std::string& text, const std::string& file) {
+  access::TokenFile message;
+  YamlSource source(file);
+  read_yaml(text, source, message);
+  TokenFile read;
+  std::set<std::string_view> names;
+  for (int i = 0; i < message.tokens_size(); ++i) {
+    const std::string path = fmt::format("tokens[{}]", i);
+    read.tokens_.push_back(token_of_message(message.tokens(i), path, source));
+    if (source.is_sound(path + ".name") && !names.insert(message.tokens(i).name()).second) {
+      source.refuse(path + ".name", fmt::format("'{}' is the name of an earlier token, too",
+                                                printable(message.tokens(i).name())));
+    }
+  }
+  if (read.tokens_.size() > kMost) {
+    source.refuse("tokens", fmt::format("there are {}; allowed: {}", read.tokens_.size(), kMost));
+  }
+  source.require_sound();
+  return read;
+}
+
+TokenFile::Found TokenFile::find(std::string_view text, UtcTime now) const {
+  // What is compared is a digest: how long that takes tells nothing of a token.
+  const std::string digest = digest_of(text);
+  const auto found = std::find_if(tokens_.begin(), tokens_.end(),
+                                  [&](const KeptToken& token) { return token.sha256 == digest; });
+  if (found == tokens_.end()) return {};
+  const bool ended = found->ends && now >= *found->ends;
+  return {ended ? TokenState::ended : TokenState::good, &*found};
+}
+
+void TokenFile::add(KeptToken token) {
+  if (token.name.empty() || token.name.size() > 64) {
+    throw std::invalid_argument("a token's name has 1 to 64 bytes");
+  }
+  if (printable(token.name, 64) != token.name || printable(token.ship, 64) != token.ship) {
+    throw std::invalid_argument("a token's name and ship have printable letters alone");
+  }
+  if (token.ship.size() > 64) throw std::invalid_argument("a ship's name has at most 64 bytes");
+  if (tokens_.size() >= kMost) {
+    throw std::invalid_argument(fmt::format("there are {} tokens; no more are allowed", kMost));
+  }
+  for (const KeptToken& other : tokens_) {
+    if (other.name != token.name) continue;
+    throw std::invalid_argument(
+        fmt::format("there is a token '{}'; revoke it, or give this one another name", token.name));
+  }
+  tokens_.push_back(std::move(token));
+}
+
+bool TokenFile::remove(std::string_view name) {
+  return std::erase_if(tokens_, [&](const KeptToken& token) { return token.name == name; }) > 0;
+}
+
+std::string TokenFile::text() const {
+  if (tokens_.empty()) return "tokens: []\n";
+  std::string out =
+      "# Tokens of skerryd, by what they are known again by; `skerry token` changes it.\n";
+  out += "tokens:\n";
+  for (const KeptToken& token : tokens_) {
+    out += fmt::format("  - name: {}\n    role: {}\n", in_quotes(token.name), name_of(token.role));
+    if (!token.ship.empty()) out += fmt::format("    ship: {}\n", in_quotes(token.ship));
+    out += fmt::format("    sha256: \"{}\"\n", token.sha256);
+    if (token.ends) out += fmt::format("    ends: \"{}\"\n", utc_text(*token.ends));
+  }
+  return out;
+}
+
+std::string make_token() {
+  std::array<std::uint8_t, 33> random;  // 44 letters; the last is left out: 258 of 264 bits
+  if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size())) {
+    throw std::runtime_error("the system gives no random numbers");
+  }
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+  std::string text = "skerry_";
+  for (std::size_t i = 0; i < random.size(); i += 3) {
+    const unsigned bits = random[i] << 16 | random[i + 1] << 8 | random[i + 2];
+    for (const int shift : {18, 12, 6, 0}) text += kLetters[(bits >> shift) & 63U];
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string digest_of(std::string_view token) {
+  Sha256 sha256;
+  sha256.add(token);
+  return hexadecimal(sha256.take());
+}
+
+void change_tokens(const fs::path& file, const std::function<void(TokenFile&)>& change) {
+  // Of a file of its own: the one of tokens is another after each change.
+  Handle lock(file.string() + ".lock", O_RDWR | O_CREAT, S_IRUSR | S_IWUSR);
+  lock.lock();
+  TokenFile tokens;
+  if (fs::exists(file)) tokens = TokenFile::read(file);
+  change(tokens);
+  write_whole(file, tokens.text());
+}
+
+}  // namespace skerry::server
