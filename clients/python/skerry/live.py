@@ -21,6 +21,8 @@ class Connection:
         self._request = 0
         self._early = []  # messages that came before a reply
         self.hello = self._next_of("hello")
+        self.request(get_status={})  # a server ends connections that ask for nothing in their first 10 s
+        self._early.clear()
 
     def __enter__(self):
         return self

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <string_view>
 #include <utility>
 
 #include "protocol/wire/schema.hpp"
+#include "server/net/common/access_policy.hpp"
 #include "server/net/native/native_session.hpp"
 
 namespace skerry::server {
@@ -19,6 +22,43 @@ std::optional<std::string> refusal_of(const google::protobuf::Message& place, co
                        value, wire::allowed_by(wire::rule_of(*field)));
   }
   return std::nullopt;
+}
+
+// What a client shows of the control token, and nothing of requests that carry none.
+std::string_view token_in(const wire::ClientMessage& message) {
+  switch (message.kind_case()) {
+    case wire::ClientMessage::kSubscribe:
+      return message.subscribe().token();
+    case wire::ClientMessage::kSet:
+      return message.set().token();
+    case wire::ClientMessage::kBoardAccess:
+      return message.board_access().token();
+    case wire::ClientMessage::kBoardFifo:
+      return message.board_fifo().token();
+    case wire::ClientMessage::kBoardRing:
+      return message.board_ring().token();
+    case wire::ClientMessage::kTargetOrder:
+      return message.target_order().token();
+    case wire::ClientMessage::kRecord:
+      return message.record().token();
+    case wire::ClientMessage::kPlayback:
+      return message.playback().token();
+    default:
+      return {};
+  }
+}
+
+// Whether it would change something, and so costs of the peer's budget.
+bool is_change(const wire::ClientMessage& message) {
+  switch (message.kind_case()) {
+    case wire::ClientMessage::kSet:
+    case wire::ClientMessage::kTargetOrder:
+    case wire::ClientMessage::kRecord:
+    case wire::ClientMessage::kPlayback:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -80,6 +120,54 @@ void NativeSession::get_chart_objects(std::uint32_t request, const wire::GetChar
   });
 }
 
+bool NativeSession::admits(const wire::ClientMessage& message) {
+  const std::string& token = context_.config.control_token;
+  if (!is_trusted() && !control_refusal(false, token_in(message), token)) slot_->trust();
+  if (slot_->place() == Place::on_trial) {
+    fail(wire::Reply::REFUSED, "refused", slot_->reason());
+    return false;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (!is_change(message) || context_.changes.take(slot_->peer(), now)) return true;
+  std::string refusal = context_.changes.refusal(slot_->peer());
+  context_.complain("too many changes", client_->peer + ": " + refusal);
+  reply(message.request(), wire::Reply::REFUSED, std::move(refusal));
+  return false;
+}
+
+bool NativeSession::may_without_token(std::uint32_t request, std::string_view what) {
+  if (is_trusted()) return true;
+  std::string refusal = fmt::format(
+      "{} needs the server's control token, from another host; show it on this connection first, "
+      "in any request with a token",
+      what);
+  context_.complain("control refused", client_->peer + ": " + refusal);
+  reply(request, wire::Reply::REFUSED, std::move(refusal));
+  return false;
+}
+
+void NativeSession::check(std::chrono::steady_clock::time_point now) {
+  if (closed_) return;
+  const PeerLimits& limits = context_.config.limits;
+  if (writing_ && !is_trusted() && now - write_began_ > limits.unread_time) {
+    context_.complain(fmt::format("{} does not read", client_->transport),
+                      fmt::format("{}: has taken nothing for {} s; closed", client_->peer,
+                                  std::chrono::duration<double>(limits.unread_time).count()));
+    return close();
+  }
+  if (failed_ || has_asked_) return;
+  if (slot_->place() == Place::on_trial && now - began_ > limits.trial_time) {
+    fail(wire::Reply::REFUSED, "refused", slot_->reason());
+  } else if (now - began_ > limits.silent_time) {
+    fail(wire::Reply::REFUSED, "is silent",
+         fmt::format("nothing was asked for in {} s; connect when there is something to ask",
+                     std::chrono::duration<double>(limits.silent_time).count()));
+  } else {
+    return;
+  }
+  pump();
+}
+
 void NativeSession::order_targets(std::uint32_t request, const wire::TargetOrder& order) {
   TargetPort* port = context_.host.targets();
   if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server has no plotter");
@@ -117,6 +205,8 @@ void NativeSession::ask_board(const wire::ClientMessage& message) {
     if (writes && !may_control(request, access.token())) return;
     answer = boards_.access(access);
   } else if (message.has_board_stream()) {
+    const bool begins = message.board_stream().kind() != wire::BoardStream::NONE;
+    if (begins && !may_without_token(request, "a board's stream")) return;
     answer = boards_.stream(message.board_stream());
     if (boards_.streams()) {
       client_->radar.store(message.board_stream().radar(), std::memory_order_relaxed);

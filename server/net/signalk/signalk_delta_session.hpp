@@ -36,6 +36,7 @@ class SignalkDeltaSession final : public Connection,
                       ConnectionSlotPtr slot, const Client& client);
 
   void close() override;
+  void check(std::chrono::steady_clock::time_point now) override;
   void on_tick(std::chrono::steady_clock::time_point now) override;
 
  private:
@@ -60,13 +61,13 @@ class SignalkDeltaSession final : public Connection,
   ConnectionSlotPtr slot_;
   ClientPtr client_;
   std::string token_;
-  bool from_here_ = false;
   signalk::Subscriptions subscriptions_;
   std::map<std::string, Sent> sent_;  // by path
   signalk::Subscriptions of_others_;
   std::map<std::string, std::map<std::string, signalk::Json>> others_sent_;  // by key and path
   std::chrono::steady_clock::time_point others_due_{};
   std::deque<std::string> queue_;  // the first is in flight
+  std::chrono::steady_clock::time_point write_began_{};
   beast::flat_buffer request_{kLongestRequest};
   bool reading_ = false;
   bool closed_ = false;
