@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "clients/common/asio.hpp"
+#include "protocol/wire/host_and_port.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
@@ -27,7 +28,7 @@ Failure<ClientError> unusable(const std::string& name, const std::string& why) {
 }
 
 std::string name_of(const UdpAddress& where) {
-  return fmt::format("{}:{}", printable(where.address), where.port);
+  return host_and_port(printable(where.address), where.port);
 }
 
 }  // namespace

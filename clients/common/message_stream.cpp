@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/wire/host_and_port.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
@@ -34,7 +35,7 @@ Deadline deadline_after(Duration timeout) {
 bool is_past(Deadline deadline) { return std::chrono::steady_clock::now() >= deadline; }
 
 MessageStream::MessageStream(const std::string& host, std::uint16_t port)
-    : name_(fmt::format("{}:{}", printable(host), port)) {}
+    : name_(host_and_port(printable(host), port)) {}
 
 bool MessageStream::run_until(Deadline deadline, const bool& done) {
   while (!done) {

@@ -62,6 +62,12 @@ Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
   return {found.token->role, found.token->ship, found.token->name, {}};
 }
 
+bool Gate::knows(std::string_view token, UtcTime now) const {
+  if (token.empty() || !knows_tokens()) return false;
+  const Who known = who(false, token, now);
+  return known.role && known.more.empty();
+}
+
 std::optional<Gate::Stamp> Gate::stamp_of_file() const {
   struct stat found {};
   if (::stat(config_.tokens.c_str(), &found) != 0) return std::nullopt;

@@ -31,6 +31,9 @@ class Gate {
   // Who has `token` and comes from the server's own host, or not.  Never throws for a token.
   Who who(bool from_here, std::string_view token, UtcTime now) const;
 
+  // Whether the token is a good one, wherever it comes from.
+  bool knows(std::string_view token, UtcTime now) const;
+
   // Reads the file of tokens anew if it is another than before; call it once a second.  What is
   // wrong with it is returned, once; then what was read before holds.
   std::optional<std::string> refresh(UtcTime now);

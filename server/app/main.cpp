@@ -16,6 +16,7 @@
 #include <string>
 #include <variant>
 
+#include "protocol/wire/host_and_port.hpp"
 #include "server/access/gate.hpp"
 #include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
@@ -71,15 +72,15 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   const std::string& host = options.net.bind;
   std::fprintf(stderr,
                "%s: %s\n"
-               "  web console      http://%s:%u/\n"
-               "  native protocol  tcp %s:%u\n",
-               kServerName, what.c_str(), host.c_str(), net.http_port(), host.c_str(),
-               net.tcp_port());
+               "  web console      http://%s/\n"
+               "  native protocol  tcp %s\n",
+               kServerName, what.c_str(), skerry::host_and_port(host, net.http_port()).c_str(),
+               skerry::host_and_port(host, net.tcp_port()).c_str());
   for (const StreamOutputConfig& stream : options.net.streams) {
     constexpr const char* kNames[] = {"native datagrams", "ASTERIX CAT240", "board's records"};
     static_assert(std::size(kNames) == std::variant_size_v<decltype(stream.shape)>);
-    std::fprintf(stderr, "  %-16s udp %s:%u (radar %u)\n", kNames[stream.shape.index()],
-                 stream.to.address.c_str(), stream.to.port, stream.to.radar);
+    std::fprintf(stderr, "  %-16s udp %s (radar %u)\n", kNames[stream.shape.index()],
+                 skerry::host_and_port(stream.to.address, stream.to.port).c_str(), stream.to.radar);
   }
   for (const DisplayOutputConfig& d : options.net.displays) {
     std::fprintf(stderr, "  %-16s at %s (radar %u)\n", d.identity.family.c_str(),

@@ -21,6 +21,7 @@
 #include "server/net/common/listener.hpp"
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/http_session.hpp"
+#include "server/net/http/web_answer.hpp"
 #include "server/net/native/byte_transport.hpp"
 #include "server/net/native/native_session.hpp"
 #include "server/net/navigation/navigation_input.hpp"
@@ -42,7 +43,7 @@ constexpr int kNiceness = -5;
 // The native protocol straight on TCP.
 class TcpTransport final : public ByteTransport {
  public:
-  explicit TcpTransport(TcpSocket socket) : socket_(std::move(socket)), peer_(peer_of(socket_)) {
+  explicit TcpTransport(TcpSocket socket) : socket_(std::move(socket)) {
     set_stream_options(socket_);
   }
 
@@ -63,12 +64,9 @@ class TcpTransport final : public ByteTransport {
   void limit_send_buffer(std::size_t bytes) override { set_send_buffer(socket_, bytes); }
 
   std::string name() const override { return "tcp"; }
-  std::string peer() const override { return peer_.text; }
-  bool peer_is_loopback() const override { return peer_.is_loopback; }
 
  private:
   TcpSocket socket_;
-  TcpPeer peer_;
 };
 
 std::unique_ptr<ByteTransport> make_tcp_transport(TcpSocket socket) {
@@ -173,23 +171,27 @@ class NetServer::Impl {
   Impl(RadarHost& host, NetConfig config, std::span<const WebFile> web_files)
       : context_(host, std::move(config)),
         files_(web_files, context_.config.web_root),
-        tcp_(context_,
-             {.protocol = "native TCP",
-              .address = context_.config.bind,
-              .port = context_.config.tcp_port,
-              .option = "--tcp-port"},
-             [this](TcpSocket socket, ConnectionSlotPtr slot) {
-               NativeSession::begin(context_, make_tcp_transport(std::move(socket)),
-                                    std::move(slot));
-             }),
-        http_(context_,
-              {.protocol = "HTTP",
-               .address = context_.config.bind,
-               .port = context_.config.http_port,
-               .option = "--http-port"},
-              [this](TcpSocket socket, ConnectionSlotPtr slot) {
-                serve_http(signalk_->first(), std::move(socket), std::move(slot));
-              }),
+        tcp_(
+            context_,
+            {.protocol = "native TCP",
+             .address = context_.config.bind,
+             .port = context_.config.tcp_port,
+             .option = "--tcp-port"},
+            [this](TcpSocket socket, ConnectionSlotPtr slot) {
+              NativeSession::begin(context_, make_tcp_transport(std::move(socket)),
+                                   std::move(slot));
+            },
+            native_refusal),
+        http_(
+            context_,
+            {.protocol = "HTTP",
+             .address = context_.config.bind,
+             .port = context_.config.http_port,
+             .option = "--http-port"},
+            [this](TcpSocket socket, ConnectionSlotPtr slot) {
+              serve_http(signalk_->first(), std::move(socket), std::move(slot));
+            },
+            http_refusal),
         tick_(context_.io) {
     // Text fields that are not UTF-8 make parsing fail; protobuf would also write every such
     // message of a stranger to the log.
@@ -296,6 +298,7 @@ class NetServer::Impl {
       context_.tell_settings();
       context_.tell_recordings(std::chrono::steady_clock::now());
       signalk_->tick(std::chrono::steady_clock::now());
+      context_.connections.check_all(std::chrono::steady_clock::now());
       context_.end_views(std::chrono::steady_clock::now());
       context_.tell_own_ships();
       for (const auto& output : target_outputs_) output->tick();

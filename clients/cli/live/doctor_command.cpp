@@ -9,6 +9,7 @@
 #include "clients/cli/command.hpp"
 #include "clients/cli/console.hpp"
 #include "clients/doctor/examine.hpp"
+#include "protocol/wire/host_and_port.hpp"
 #include "protocol/wire/printable_text.hpp"
 
 namespace skerry::client {
@@ -125,7 +126,7 @@ int run_doctor(const DoctorOptions& options) {
       (place && (doctor::is_loopback(*place) ||
                  std::any_of(host.addresses.begin(), host.addresses.end(),
                              [&](const auto& own) { return own.address == *place; })));
-  of.server = fmt::format("{}:{}", options.place.host, options.place.port);
+  of.server = host_and_port(options.place.host, options.place.port);
   if (auto client = options.place.connect()) {
     if (const auto status = client->get_status(options.place.timeout())) {
       of.status = *status;

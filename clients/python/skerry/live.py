@@ -1,5 +1,6 @@
 """The native protocol over TCP.  Source: protocol/SPEC.md, section 2."""
 
+import os
 import socket
 
 from . import messages
@@ -13,14 +14,21 @@ class Refused(Exception):
 
 
 class Connection:
-    """One thread at a time.  `hello`: the skerry.wire.Hello with which the server began."""
+    """One thread at a time.  `hello`: the skerry.wire.Hello with which the server began.
 
-    def __init__(self, host="127.0.0.1", port=7410, timeout_s=10.0):
+    `token`: who one is; without, that of the environment's SKERRY_TOKEN.  Refused: the server does not know it.
+    """
+
+    def __init__(self, host="127.0.0.1", port=7410, timeout_s=10.0, token=None):
         self._socket = socket.create_connection((host, port), timeout_s)
         self._rest = bytearray()
         self._request = 0
         self._early = []  # messages that came before a reply
         self.hello = self._next_of("hello")
+        token = os.environ.get("SKERRY_TOKEN", "") if token is None else token
+        # A server ends connections that ask for nothing in their first 10 s.
+        self.request(sign_in={"token": token})
+        self._early.clear()
 
     def __enter__(self):
         return self

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -31,10 +32,12 @@ void require_listening(const error_code& error, const ListenAddress& where) {
 
 }  // namespace
 
-Listener::Listener(NetContext& context, const ListenAddress& where, Accepted accepted)
+Listener::Listener(NetContext& context, const ListenAddress& where, Accepted accepted,
+                   LastWord last_word)
     : context_(context),
       protocol_(where.protocol),
       accepted_(std::move(accepted)),
+      last_word_(std::move(last_word)),
       acceptor_(context.io),
       socket_(context.io),
       retry_(context.io) {
@@ -71,13 +74,28 @@ void Listener::accept() {
       return;
     }
     TcpSocket socket = std::move(socket_);  // which is then as new
-    if (ConnectionSlotPtr slot = context_.connections.try_enter()) {
+    const TcpPeer peer = peer_of(socket, context_.config.foreign_addresses);
+    if (ConnectionSlotPtr slot = context_.connections.try_enter(peer)) {
       accepted_(std::move(socket), std::move(slot));
     } else {
-      context_.errors.add(protocol_ + " refused", "too many connections; closed without a word");
+      turn_away(std::move(socket), peer);
     }
     accept();
   });
+}
+
+// Nothing was sent yet, so that a few hundred bytes always fit; nobody waits for the peer.
+void Listener::turn_away(TcpSocket socket, const TcpPeer& peer) {
+  const std::string reason = context_.connections.refusal(peer);
+  context_.complain(protocol_ + " turned away", peer.text + ": " + reason);
+  if (!last_word_) return;
+  error_code ignored;
+  socket.non_blocking(true, ignored);
+  socket.write_some(asio::buffer(last_word_(reason)), ignored);
+  socket.shutdown(asio::socket_base::shutdown_send, ignored);
+  // What is unread at the close would reset the connection, and the peer might not see the answer.
+  std::array<char, 4096> unread;
+  socket.read_some(asio::buffer(unread), ignored);
 }
 
 }  // namespace skerry::server

@@ -20,9 +20,14 @@ struct ListenAddress {
 class Listener {
  public:
   using Accepted = std::function<void(TcpSocket, ConnectionSlotPtr)>;
+  // What a connection is told for which there is no slot, as bytes of the protocol, given the
+  // reason.
+  using LastWord = std::function<std::string(const std::string&)>;
 
-  // Binds and listens.  Error: std::runtime_error naming protocol, address, port and what to do.
-  Listener(NetContext& context, const ListenAddress& where, Accepted accepted);
+  // Binds and listens.  `last_word` may be empty: such connections are just closed.
+  // Error: std::runtime_error naming protocol, address, port and what to do.
+  Listener(NetContext& context, const ListenAddress& where, Accepted accepted,
+           LastWord last_word = {});
 
   void start() { accept(); }
   void close();
@@ -30,10 +35,12 @@ class Listener {
 
  private:
   void accept();
+  void turn_away(TcpSocket socket, const TcpPeer& peer);
 
   NetContext& context_;
   std::string protocol_;
   Accepted accepted_;
+  LastWord last_word_;
   TcpAcceptor acceptor_;
   TcpSocket socket_;
   Timer retry_;

@@ -12,6 +12,7 @@
 #include "server/navigation/ship_sensors.hpp"
 #include "server/net/common/navigation_config.hpp"
 #include "server/net/common/output_config.hpp"
+#include "server/net/common/peer_limits.hpp"
 
 namespace skerry::server {
 
@@ -54,9 +55,12 @@ struct NetConfig {
   std::string web_root;  // directory with the web console; empty: the one built in
 
   std::size_t max_connections = 256;  // TCP, HTTP and WebSocket together
+  PeerLimits limits;
+  // Addresses of loopback that count as other hosts: strangers for tests.
+  std::vector<std::string> foreign_addresses;
   // A client that leaves a full queue of replies unread for so long is closed.
   std::chrono::milliseconds reply_timeout{10'000};
-  // For one HTTP request, and between two on a kept connection.
+  // For one HTTP answer to be taken, and between two requests on a kept connection.
   std::chrono::milliseconds http_timeout{15'000};
 };
 

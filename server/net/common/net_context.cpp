@@ -1,5 +1,6 @@
 #include "server/net/common/net_context.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "protocol/wire/frame.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/net/common/encoders.hpp"
+#include "server/net/common/for_strangers.hpp"
 #include "server/net/common/net_clock.hpp"
 
 namespace skerry::server {
@@ -70,8 +72,10 @@ SharedBytes make_frame(const wire::ServerMessage& message) {
 NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
     : host(radar_host),
       config(std::move(net_config)),
-      connections(config.max_connections),
+      connections(config.max_connections, config.limits),
       gate({config.control_token, config.tokens}),
+      changes(config.limits),
+      log_pace_(config.limits.log_period),
       settings_version_(host.settings_version()),
       world_version_(host.world_version()) {
   const wire::Hello told = host.hello();
@@ -105,12 +109,45 @@ SpokeFeed* NetContext::find_board_feed(std::uint32_t radar, const std::string& f
   return feed.get();
 }
 
-std::optional<std::uint32_t> NetContext::open_view(std::uint32_t radar, std::uint32_t like) {
+Result<std::uint32_t, std::string> NetContext::open_view(std::uint32_t radar, std::uint32_t like,
+                                                         const TcpPeer& peer) {
+  if (!peer.on_own_host) {
+    std::size_t of_peer = 0, of_others = 0;
+    for (const auto& [key, opened] : opened_) {
+      if (key.first != radar || opened.by == PeerNet::own_host()) continue;
+      ++of_others;
+      if (opened.by == peer.net) ++of_peer;
+    }
+    if (of_peer >= config.limits.views_of_peer) {
+      return Failure{fmt::format(
+          "{} has opened {} views of radar {}, as many as one address may; close another console "
+          "there or share a view",
+          peer.net.text(), of_peer, radar)};
+    }
+    if (of_others >= config.limits.views_of_token) {
+      return Failure{fmt::format(
+          "other hosts have opened {} views of radar {}, as many as they may; close another "
+          "console or share a view",
+          of_others, radar)};
+    }
+  }
   const auto view = host.open_view(radar, like, false, [](VideoChannel& channel) {
     channel.add_format(kNativeFormat, native_encoder());
   });
-  if (view) opened_[{radar, *view}] = std::chrono::steady_clock::now();
-  return view;
+  if (!view) {
+    return Failure{fmt::format(
+        "radar {} has as many views as it may; close another console or share a view", radar)};
+  }
+  opened_[{radar, *view}] = {std::chrono::steady_clock::now(), peer.net};
+  return *view;
+}
+
+void NetContext::complain(std::string_view kind, std::string_view text) {
+  const LogPace::Tell tell = log_pace_.tell(kind, std::chrono::steady_clock::now());
+  errors.add(kind, text);  // which logs the first
+  if (tell.now && !tell.is_first) {
+    spdlog::warn("{}: {} ({} more since the last such line)", kind, text, tell.untold);
+  }
 }
 
 bool NetContext::has_readers(const ViewKey& view) const {
@@ -120,9 +157,9 @@ bool NetContext::has_readers(const ViewKey& view) const {
 
 void NetContext::end_views(std::chrono::steady_clock::time_point now) {
   for (auto view = opened_.begin(); view != opened_.end();) {
-    auto& [key, last_read] = *view;
-    if (has_readers(key)) last_read = now;
-    if (now - last_read < kViewGrace) {
+    auto& [key, opened] = *view;
+    if (has_readers(key)) opened.last_read = now;
+    if (now - opened.last_read < kViewGrace) {
       ++view;
       continue;
     }
@@ -217,11 +254,12 @@ void NetContext::tell_own_ships() {
 
 void NetContext::tell_recordings(std::chrono::steady_clock::time_point now) {
   const RecordingNews::Frames due = recording_news_.due(now);
-  if (!due.recorder && !due.playback) return;
+  if (!due.whole.recorder && !due.whole.playback) return;
   for (const auto& [key, feed] : feeds_) {
     for (FeedReader* reader : feed->readers()) {
-      if (due.recorder) reader->on_recorder(due.recorder);
-      if (due.playback) reader->on_playback(due.playback);
+      const auto& [recorder, playback] = reader->is_trusted() ? due.whole : due.for_strangers;
+      if (recorder) reader->on_recorder(recorder);
+      if (playback) reader->on_playback(playback);
     }
   }
 }
@@ -283,6 +321,12 @@ wire::Status NetContext::status() const {
   if (const PlaybackPort* port = host.playback()) *status.mutable_playback() = port->state();
   status.set_resident_mib(resident_mib());
   return status;
+}
+
+wire::Status NetContext::status_for_strangers() const {
+  wire::Status all = status();
+  leave_out_for_strangers(all);
+  return all;
 }
 
 }  // namespace skerry::server

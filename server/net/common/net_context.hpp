@@ -9,17 +9,21 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "protocol/quantity/result.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "server/access/gate.hpp"
 #include "server/core/error_counts.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/net/common/asio.hpp"
+#include "server/net/common/change_budgets.hpp"
 #include "server/net/common/client_registry.hpp"
 #include "server/net/common/connection_table.hpp"
+#include "server/net/common/log_pace.hpp"
 #include "server/net/common/net_config.hpp"
 #include "server/net/common/recording_news.hpp"
 #include "server/net/common/spoke_feed.hpp"
@@ -77,6 +81,11 @@ class NetContext {
   const std::string& ship_of(std::uint32_t radar) const;
   // Heeds a changed file of tokens, and tokens that have ended.  Call it once a second.
   void look_at_tokens();
+  ChangeBudgets changes;
+
+  // Counts a client's breach of a limit, and writes it to the log, but no more than one line of a
+  // kind every PeerLimits::log_period.  `kind` is a short fixed name.
+  void complain(std::string_view kind, std::string_view text);
 
   // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
   // context.
@@ -86,10 +95,11 @@ class NetContext {
   // none.  Lives as long as the context.
   SpokeFeed* find_board_feed(std::uint32_t radar, const std::string& format);
 
-  // A further view with the settings of view `like`, for native clients; nothing if the radar has
-  // as many as it may.  It ends when it has had no reader for kViewGrace.  Requires that
-  // find_feed() knows the radar and view.
-  std::optional<std::uint32_t> open_view(std::uint32_t radar, std::uint32_t like);
+  // A further view with the settings of view `like`, for native clients.  It ends when it has had
+  // no reader for kViewGrace.  Requires that find_feed() knows the radar and view.
+  // Error: the radar, or this peer, has as many as it may; what to do.
+  Result<std::uint32_t, std::string> open_view(std::uint32_t radar, std::uint32_t like,
+                                               const TcpPeer& peer);
   static constexpr std::chrono::seconds kViewGrace{5};
   // Ends the views whose time has come.  Call it a few times a second.
   void end_views(std::chrono::steady_clock::time_point now);
@@ -124,6 +134,9 @@ class NetContext {
   // Of a view whose targets somebody wants, once there is a list; else nullptr.
   SharedBytes targets_frame(std::uint32_t radar, std::uint32_t view) const;
   wire::Status status() const;  // any thread
+  // The same for who is not trusted: without addresses of others, names of folders and texts that
+  // may hold either.  Thread: any.
+  wire::Status status_for_strangers() const;
 
  private:
   using FeedKey = std::tuple<std::uint32_t, std::uint32_t, std::string>;  // radar, view, format
@@ -133,8 +146,12 @@ class NetContext {
 
   std::map<FeedKey, std::unique_ptr<SpokeFeed>> feeds_;
   std::map<BoardKey, std::unique_ptr<SpokeFeed>> board_feeds_;
-  // Further views and when each last had a reader.
-  std::map<ViewKey, std::chrono::steady_clock::time_point> opened_;
+  struct Opened {
+    std::chrono::steady_clock::time_point last_read;
+    PeerNet by;
+  };
+  std::map<ViewKey, Opened> opened_;  // further views
+  LogPace log_pace_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;
   std::uint64_t own_ship_calls_ = 0;
   RecordingNews recording_news_{host};

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "protocol/wire/host_and_port.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -60,7 +62,7 @@ UdpSocket open_listening(asio::io_context& io, const EmulationListen& listen,
   const bool group = listen.at.is_multicast();
   const asio::ip::udp::endpoint at(listen.at.address == 0 ? interface_address : wanted,
                                    listen.at.port);
-  const std::string where = fmt::format("{}:{}", at.address().to_string(), at.port());
+  const std::string where = host_and_port(at.address().to_string(), at.port());
   UdpSocket socket(io);
   error_code error;
   socket.open(asio::ip::udp::v4(), error);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/net/common/for_strangers.hpp"
 #include "server/net/common/net_context.hpp"
 
 namespace skerry::server {
@@ -26,31 +27,41 @@ bool goes_on(const wire::RecorderState& state) {
 
 bool goes_on(const wire::PlaybackState& state) { return state.playing(); }
 
+template <typename State>
+void put(RecordingNews::Frames& frames, SharedBytes RecordingNews::Pair::*of, State state) {
+  frames.whole.*of = frame_of(state);
+  leave_out_for_strangers(state);
+  frames.for_strangers.*of = frame_of(std::move(state));
+}
+
 // The port's state, if it changed or goes on and was told `every` ago.
 template <typename Port, typename Told>
-SharedBytes due_of(const Port* port, Told& told, std::chrono::steady_clock::time_point now,
-                   std::chrono::milliseconds every) {
-  if (port == nullptr) return nullptr;
+void put_due(RecordingNews::Frames& frames, SharedBytes RecordingNews::Pair::*of, const Port* port,
+             Told& told, std::chrono::steady_clock::time_point now,
+             std::chrono::milliseconds every) {
+  if (port == nullptr) return;
   const std::uint64_t version = port->version();
   const bool changed = told.version != version;
-  if (!changed && now - told.at < every) return nullptr;
+  if (!changed && now - told.at < every) return;
   auto state = port->state();
-  if (!changed && !goes_on(state)) return nullptr;
+  if (!changed && !goes_on(state)) return;
   told = {version, now};
-  return frame_of(std::move(state));
+  put(frames, of, std::move(state));
 }
 
 }  // namespace
 
 RecordingNews::Frames RecordingNews::due(std::chrono::steady_clock::time_point now) {
-  return {due_of(host_.recording(), recorder_, now, kWhileRecording),
-          due_of(host_.playback(), playback_, now, kWhilePlaying)};
+  Frames frames;
+  put_due(frames, &Pair::recorder, host_.recording(), recorder_, now, kWhileRecording);
+  put_due(frames, &Pair::playback, host_.playback(), playback_, now, kWhilePlaying);
+  return frames;
 }
 
 RecordingNews::Frames RecordingNews::all() const {
   Frames frames;
-  if (const RecordingPort* port = host_.recording()) frames.recorder = frame_of(port->state());
-  if (const PlaybackPort* port = host_.playback()) frames.playback = frame_of(port->state());
+  if (const auto* port = host_.recording()) put(frames, &Pair::recorder, port->state());
+  if (const auto* port = host_.playback()) put(frames, &Pair::playback, port->state());
   return frames;
 }
 

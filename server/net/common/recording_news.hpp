@@ -22,8 +22,12 @@ class RecordingNews {
   explicit RecordingNews(RadarHost& host) : host_(host) {}
 
   // Frames to send; nullptr: nothing to tell, or a host that does not record or play.
-  struct Frames {
+  struct Pair {
     SharedBytes recorder, playback;
+  };
+  struct Frames {
+    Pair whole;
+    Pair for_strangers;  // leave_out_for_strangers()
   };
   // The messages that are due.  Call it ten times a second, which is the most often that a message
   // is sent.

@@ -27,6 +27,8 @@ class FeedReader {
  public:
   virtual ~FeedReader() = default;
   virtual void on_sector() = 0;
+  // On the server's own host, or has shown the control token.
+  virtual bool is_trusted() const { return true; }
   // How often it wants on_own_ship(): kOwnShipLeastHz .. kOwnShipMostHz.
   virtual std::uint32_t own_ship_hz() const { return kOwnShipLeastHz; }
   // How often it wants on_exercise(): 0 (not at all) .. kExerciseMostHz.

@@ -1,7 +1,10 @@
 #include "server/net/common/tcp_peer.hpp"
 
-#include <fmt/format.h>
 #include <netinet/tcp.h>
+
+#include <algorithm>
+
+#include "protocol/wire/host_and_port.hpp"
 
 namespace skerry::server {
 namespace {
@@ -19,14 +22,18 @@ bool is_loopback(const asio::ip::address& address) {
   return address.is_loopback();
 }
 
-TcpPeer peer_of(const TcpSocket& socket) {
+TcpPeer peer_of(const TcpSocket& socket, std::span<const std::string> foreign) {
   error_code error;
   const auto endpoint = socket.remote_endpoint(error);
-  if (error) return {};
+  return error ? TcpPeer{} : peer_at(endpoint, foreign);
+}
+
+TcpPeer peer_at(const asio::ip::tcp::endpoint& endpoint, std::span<const std::string> foreign) {
   const auto address = endpoint.address();
-  const char* pattern = address.is_v6() ? "[{}]:{}" : "{}:{}";
-  return {fmt::format(fmt::runtime(pattern), address.to_string(), endpoint.port()),
-          is_loopback(address)};
+  const std::string text = address.to_string();
+  const bool own =
+      is_loopback(address) && std::find(foreign.begin(), foreign.end(), text) == foreign.end();
+  return {host_and_port(text, endpoint.port()), own ? PeerNet::own_host() : PeerNet(address), own};
 }
 
 void set_stream_options(TcpSocket& socket) {

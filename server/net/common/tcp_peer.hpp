@@ -1,22 +1,28 @@
 // Socket options and peer of TCP and WebSocket connections.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "server/net/common/asio.hpp"
+#include "server/net/common/peer_net.hpp"
 
 namespace skerry::server {
 
 struct TcpPeer {
   std::string text = "unknown";
-  bool is_loopback = false;
+  PeerNet net;
+  bool on_own_host = false;  // needs no token
 };
 
 // An IPv4 address that came in over an IPv6 socket counts as the IPv4 address it is.
 bool is_loopback(const asio::ip::address& address);
 
-// Who is at the other end; a connection that is already gone is "unknown" and not on loopback.
-TcpPeer peer_of(const TcpSocket& socket);
+// Who is at the other end; a connection that is already gone is "unknown" and not on this host.
+// `foreign`: NetConfig::foreign_addresses.
+TcpPeer peer_of(const TcpSocket& socket, std::span<const std::string> foreign);
+// The same without a socket.
+TcpPeer peer_at(const asio::ip::tcp::endpoint& endpoint, std::span<const std::string> foreign);
 
 // No delay for small messages, and keep-alive probes, so that a peer that vanished without a word
 // is noticed after about a minute of silence.

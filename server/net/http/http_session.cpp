@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,7 +17,7 @@
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/net/http/metrics_page.hpp"
-#include "server/net/native/byte_transport.hpp"
+#include "server/net/http/ws_transport.hpp"
 #include "server/net/native/native_session.hpp"
 #include "server/net/signalk/signalk_delta_session.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 4 * 1024;  // of changes by Signal K
+constexpr std::size_t kFirstRead = 4096;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
 
@@ -48,54 +50,6 @@ std::string headers_of(const http::request<http::string_body>& request, http::fi
   return joined;
 }
 
-// The native protocol in binary WebSocket messages, for browsers.
-class WsTransport final : public ByteTransport {
- public:
-  explicit WsTransport(std::unique_ptr<WsStream> stream)
-      : stream_(std::move(stream)), peer_(peer_of(beast::get_lowest_layer(*stream_).socket())) {
-    set_stream_options(beast::get_lowest_layer(*stream_).socket());
-    beast::get_lowest_layer(*stream_).expires_never();
-    stream_->binary(true);
-    stream_->auto_fragment(false);  // a batch is one message: header and shared buffers, no copy
-    stream_->read_message_max(0);   // read piecewise; FrameReader bounds what is kept
-  }
-
-  void read_some(std::span<std::uint8_t> into, Done done) override {
-    stream_->async_read_some(
-        asio::buffer(into.data(), into.size()),
-        [stream = stream_.get(), done = std::move(done)](error_code error, std::size_t size) {
-          if (!error && stream->got_text()) {
-            error = make_error_code(boost::system::errc::bad_message);
-          }
-          done(error, size);
-        });
-  }
-  void write(const std::vector<asio::const_buffer>& buffers, Done done) override {
-    stream_->async_write(buffers, std::move(done));
-  }
-  void finish() override {
-    // The owner's pending read keeps the stream until this is done or the connection closed.
-    stream_->async_close(websocket::close_code::policy_error, [](error_code) {});
-  }
-  void close() override { beast::get_lowest_layer(*stream_).close(); }
-  void limit_send_buffer(std::size_t bytes) override {
-    set_send_buffer(beast::get_lowest_layer(*stream_).socket(), bytes);
-  }
-
-  std::string name() const override { return "websocket"; }
-  std::string peer() const override { return peer_.text; }
-  bool peer_is_loopback() const override { return peer_.is_loopback; }
-
- private:
-  std::unique_ptr<WsStream> stream_;
-  TcpPeer peer_;
-};
-
-// Requires a stream whose WebSocket handshake is done.
-std::unique_ptr<ByteTransport> make_ws_transport(std::unique_ptr<WsStream> stream) {
-  return std::make_unique<WsTransport>(std::move(stream));
-}
-
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:
   HttpSession(NetContext& context, const WebFiles& files, SignalkSite* site, TcpSocket socket,
@@ -109,7 +63,8 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   void start() {
     slot_->owner = weak_from_this();
     set_stream_options(stream_.socket());
-    read();
+    const PeerLimits& limits = context_.config.limits;
+    wait(slot_->place() == Place::on_trial ? limits.trial_time : limits.silent_time);
   }
   void close() override {
     if (ws_ != nullptr) {
@@ -118,11 +73,18 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
       stream_.close();
     }
   }
+  void check(std::chrono::steady_clock::time_point now) override {
+    if (!reading_ || now < read_until_) return;
+    is_late_ = true;
+    stream_.cancel();
+  }
 
  private:
   using Request = http::request<http::string_body>;
 
+  void wait(std::chrono::milliseconds time);  // for the first byte of a request
   void read();
+  void end_of_time();
   void on_read(error_code error);
   void answer_unreadable(error_code error);
   std::optional<WebAnswer> refusal(const Request& request) const;
@@ -151,6 +113,10 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   SignalkSite* site_;
   TcpStream stream_;
   ConnectionSlotPtr slot_;
+  bool reading_ = false, is_late_ = false;
+  bool has_begun_ = false;   // the request that is being read
+  bool has_served_ = false;  // a request; then a kept connection may end without a word
+  std::chrono::steady_clock::time_point read_until_{};
   beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
@@ -164,24 +130,63 @@ const std::array<HttpSession::Route, 4> HttpSession::kRoutes = {
      {"/controls.json", &HttpSession::answer_controls},
      {"/status", &HttpSession::answer_status},
      {"/metrics", &HttpSession::answer_metrics}}};
+// Times of reading are check()'s: those of the stream would close it, and nothing could be said.
+void HttpSession::wait(std::chrono::milliseconds time) {
+  if (buffer_.size() > 0) return read();  // requests sent one behind the other
+  has_begun_ = false;
+  reading_ = true;
+  read_until_ = std::chrono::steady_clock::now() + time;
+  stream_.expires_never();
+  stream_.async_read_some(buffer_.prepare(kFirstRead),
+                          [self = shared_from_this()](error_code error, std::size_t size) {
+                            self->reading_ = false;
+                            if (std::exchange(self->is_late_, false)) return self->end_of_time();
+                            if (error) return;
+                            self->buffer_.commit(size);
+                            self->read();
+                          });
+}
 
 void HttpSession::read() {
   parser_.emplace();
   parser_->header_limit(kMaxHeaderBytes);
   parser_->body_limit(kMaxBodyBytes);
-  stream_.expires_after(context_.config.http_timeout);
-  http::async_read(
-      stream_, buffer_, *parser_,
-      [self = shared_from_this()](error_code error, std::size_t) { self->on_read(error); });
+  has_begun_ = reading_ = true;
+  read_until_ = std::chrono::steady_clock::now() + context_.config.limits.request_time;
+  stream_.expires_never();
+  http::async_read(stream_, buffer_, *parser_,
+                   [self = shared_from_this()](error_code error, std::size_t) {
+                     self->reading_ = false;
+                     const bool is_late = std::exchange(self->is_late_, false);
+                     if (is_late && error) return self->end_of_time();
+                     self->on_read(error);
+                   });
+}
+
+void HttpSession::end_of_time() {
+  if (has_served_ && !has_begun_) return;  // as HTTP ends kept connections
+  const PeerLimits& limits = context_.config.limits;
+  const auto seconds = [](std::chrono::milliseconds time) {
+    return std::chrono::duration<double>(time).count();
+  };
+  std::string text =
+      has_begun_ ? fmt::format("408: a request must be whole within {} s of its first byte",
+                               seconds(limits.request_time))
+                 : fmt::format("408: no request came within {} s", seconds(limits.silent_time));
+  context_.complain("http too slow", slot_->peer().text + ": " + text);
+  send(web_error(408, std::move(text)), true, false);
 }
 
 void HttpSession::on_read(error_code error) {
   if (error) return answer_unreadable(error);
+  has_served_ = true;
   Request request = parser_->release();
+  const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
+  if (context_.gate.knows(token, utc_now())) slot_->trust();
   if (auto refused = refusal(request)) {
     const std::string_view text = refused->body;
-    context_.errors.add("http refused", fmt::format("{}: {}", peer_of(stream_.socket()).text,
-                                                    text.substr(0, text.find('\n'))));
+    context_.complain("http refused",
+                      fmt::format("{}: {}", slot_->peer().text, text.substr(0, text.find('\n'))));
     return send(*refused, request.method() != http::verb::head, false);
   }
   std::string path = clean_path({request.target().data(), request.target().size()});
@@ -207,17 +212,15 @@ void HttpSession::answer_unreadable(error_code error) {
     send(web_error(413, "413: the request body is too long"), true, false);
   } else if (error.category() == make_error_code(http::error::bad_method).category() &&
              error != http::error::end_of_stream && error != http::error::partial_message) {
-    context_.errors.add("http malformed request",
-                        peer_of(stream_.socket()).text + ": " + error.message());
+    context_.errors.add("http malformed request", slot_->peer().text + ": " + error.message());
     send(web_error(400, "400: not an HTTP request: " + error.message()), true, false);
   }
   // Otherwise the client has gone or was too slow, and with this the last owner lets go.
 }
 
 std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
-  if (slot_->over_limit) {
-    return web_error(503, fmt::format("503: all {} connections of this server are in use",
-                                      context_.connections.limit()));
+  if (slot_->place() == Place::refused || slot_->place() == Place::on_trial) {
+    return web_error(503, "503: " + slot_->reason());
   }
   const auto host = header_of(request, http::field::host);
   if (!host || request.count(http::field::host) != 1) {
@@ -248,7 +251,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
                                   [&](const Route& each) { return each.path == path; });
   const bool is_file = route == kRoutes.end();
   const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
-  const Who who = context_.gate.who(peer_of(stream_.socket()).is_loopback, token, utc_now());
+  const Who who = context_.gate.who(slot_->peer().on_own_host, token, utc_now());
   if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
   }
@@ -269,8 +272,9 @@ WebAnswer HttpSession::answer_status(const Request&) const {
   options.always_print_primitive_fields = true;
   options.preserve_proto_field_names = true;
   WebAnswer json{.mime = "application/json"};
-  const auto written =
-      google::protobuf::util::MessageToJsonString(context_.status(), &json.body, options);
+  const auto written = google::protobuf::util::MessageToJsonString(
+      slot_->is_trusted() ? context_.status() : context_.status_for_strangers(), &json.body,
+      options);
   if (!written.ok()) return web_error(500, "500: " + written.ToString());
   return json;
 }
@@ -284,9 +288,9 @@ WebAnswer HttpSession::answer_metrics(const Request& request) const {
 
 WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
   const NetConfig& config = context_.config;
-  const TcpPeer peer = peer_of(stream_.socket());
+  const TcpPeer& peer = slot_->peer();
   const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
-  const Who who = context_.gate.who(peer.is_loopback, token, utc_now());
+  const Who who = context_.gate.who(peer.on_own_host, token, utc_now());
   const auto method = request.method_string();
   const auto right = signalk_right({method.data(), method.size()}, path);
   error_code error;
@@ -301,8 +305,13 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
       .refusal = why_not(who, right, context_.ship_of(site_->radars().front().number)),
       .has_token = !token.empty() && who.role && who.more.empty(),
       .is_known = who.role.has_value()};
-  WebAnswer answer = signalk_answer(*site_, config.signalk, context_.gate, asked);
   const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
+  if (!reads && !context_.changes.take(peer, std::chrono::steady_clock::now())) {
+    const std::string refusal = context_.changes.refusal(peer);
+    context_.complain("too many changes", peer.text + ": " + refusal);
+    return web_error(429, "429: " + refusal);
+  }
+  WebAnswer answer = signalk_answer(*site_, config.signalk, context_.gate, asked);
   if (answer.status >= 400 && !reads) {
     context_.errors.add("signalk change refused", peer.text + ": " + answer.body);
   }
@@ -313,7 +322,7 @@ bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   const auto wanted = signalk_stream(*site_, path);
   if (!wanted) return false;
   const StreamRight right(
-      context_, peer_of(stream_.socket()).is_loopback,
+      context_, slot_->peer().on_own_host,
       std::string(token_of(header_of(request, http::field::authorization).value_or(""))),
       site_->radars().front().number);
   if (const auto refused = right.refusal_of("signalk.stream")) {
@@ -376,7 +385,7 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
 
 void HttpSession::on_sent(error_code error, bool keep_alive) {
   if (error) return;
-  if (keep_alive) return read();
+  if (keep_alive) return wait(context_.config.http_timeout);
   error_code ignored;
   stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
   stream_.expires_after(kClosingTime);

@@ -58,6 +58,15 @@ WebAnswer web_error(unsigned status, std::string text) {
   return {.status = status, .body = std::move(text)};
 }
 
+std::string http_refusal(const std::string& reason) {
+  const std::string body = "503: " + reason + "\n";
+  return fmt::format(
+      "HTTP/1.1 503 Service Unavailable\r\nServer: skerryd\r\nConnection: close\r\n"
+      "Cache-Control: no-cache\r\nContent-Type: text/plain; charset=utf-8\r\n"
+      "Content-Length: {}\r\n\r\n{}",
+      body.size(), body);
+}
+
 std::string clean_path(std::string_view target) {
   target = target.substr(0, target.find_first_of("?#"));
   std::string path;

@@ -20,6 +20,9 @@ struct WebAnswer {
 // An error with its text as the body.
 WebAnswer web_error(unsigned status, std::string text);
 
+// The whole response to a connection whose request is not even read, for want of a place: 503.
+std::string http_refusal(const std::string& reason);
+
 // The path of a request target: without query, percent-decoded.  Empty if it is no clean absolute
 // path: bad escapes, control characters, backslashes, empty or dot segments.
 std::string clean_path(std::string_view target);

@@ -33,8 +33,6 @@ class ByteTransport {
   virtual void limit_send_buffer(std::size_t bytes) = 0;
 
   virtual std::string name() const = 0;  // "tcp", "websocket"
-  virtual std::string peer() const = 0;  // "127.0.0.1:50000"
-  virtual bool peer_is_loopback() const = 0;
 };
 
 }  // namespace skerry::server

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <string_view>
 #include <utility>
 
 #include "protocol/wire/schema.hpp"
+#include "server/net/common/access_policy.hpp"
 #include "server/net/native/native_session.hpp"
 
 namespace skerry::server {
@@ -19,6 +22,19 @@ std::optional<std::string> refusal_of(const google::protobuf::Message& place, co
                        value, wire::allowed_by(wire::rule_of(*field)));
   }
   return std::nullopt;
+}
+
+// Whether it would change something, and so costs of the peer's budget.
+bool is_change(const wire::ClientMessage& message) {
+  switch (message.kind_case()) {
+    case wire::ClientMessage::kSet:
+    case wire::ClientMessage::kTargetOrder:
+    case wire::ClientMessage::kRecord:
+    case wire::ClientMessage::kPlayback:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -78,6 +94,44 @@ void NativeSession::get_chart_objects(std::uint32_t request, const wire::GetChar
       });
     });
   });
+}
+
+bool NativeSession::admits(const wire::ClientMessage& message) {
+  asked_ = asked_by(message);
+  const std::string& token = message.has_sign_in() ? message.sign_in().token() : asked_.token;
+  if (!is_trusted() && context_.gate.knows(token, utc_now())) slot_->trust();
+  if (slot_->place() == Place::on_trial) {
+    fail(wire::Reply::REFUSED, "refused", slot_->reason());
+    return false;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (!is_change(message) || context_.changes.take(slot_->peer(), now)) return true;
+  std::string refusal = context_.changes.refusal(slot_->peer());
+  context_.complain("too many changes", client_->peer + ": " + refusal);
+  reply(message.request(), wire::Reply::REFUSED, std::move(refusal));
+  return false;
+}
+
+void NativeSession::check(std::chrono::steady_clock::time_point now) {
+  if (closed_) return;
+  const PeerLimits& limits = context_.config.limits;
+  if (writing_ && !is_trusted() && now - write_began_ > limits.unread_time) {
+    context_.complain(fmt::format("{} does not read", client_->transport),
+                      fmt::format("{}: has taken nothing for {} s; closed", client_->peer,
+                                  std::chrono::duration<double>(limits.unread_time).count()));
+    return close();
+  }
+  if (failed_ || has_asked_) return;
+  if (slot_->place() == Place::on_trial && now - began_ > limits.trial_time) {
+    fail(wire::Reply::REFUSED, "refused", slot_->reason());
+  } else if (now - began_ > limits.silent_time) {
+    fail(wire::Reply::REFUSED, "is silent",
+         fmt::format("nothing was asked for in {} s; connect when there is something to ask",
+                     std::chrono::duration<double>(limits.silent_time).count()));
+  } else {
+    return;
+  }
+  pump();
 }
 
 void NativeSession::order_targets(std::uint32_t request, const wire::TargetOrder& order) {

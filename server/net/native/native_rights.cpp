@@ -9,7 +9,6 @@
 namespace skerry::server {
 
 bool NativeSession::may(const wire::ClientMessage& message) {
-  asked_ = asked_by(message);
   if (asked_.token.empty()) asked_.token = token_;
   auto refused = why_not_allowed(asked_);
   if (!refused) return true;
@@ -19,7 +18,7 @@ bool NativeSession::may(const wire::ClientMessage& message) {
 }
 
 std::optional<std::string> NativeSession::why_not_allowed(const Asked& asked) const {
-  const Who who = context_.gate.who(transport_->peer_is_loopback(), asked.token, utc_now());
+  const Who who = context_.gate.who(slot_->peer().on_own_host, asked.token, utc_now());
   for (const std::string& right : asked.rights) {
     if (auto refused = why_not(who, right, context_.ship_of(asked.radar))) return refused;
   }
@@ -27,7 +26,7 @@ std::optional<std::string> NativeSession::why_not_allowed(const Asked& asked) co
 }
 
 void NativeSession::sign_in(std::uint32_t request, const wire::SignIn& wanted) {
-  const Who who = context_.gate.who(transport_->peer_is_loopback(), wanted.token(), utc_now());
+  const Who who = context_.gate.who(slot_->peer().on_own_host, wanted.token(), utc_now());
   if (!who.role || (!wanted.token().empty() && !who.more.empty())) {
     context_.errors.add("refused", client_->peer + ": sign in: " + who.more);
     return reply(request, wire::Reply::REFUSED, "sign in: " + who.more);

@@ -16,6 +16,15 @@ constexpr std::chrono::milliseconds kFarewellTime{2000};
 
 }  // namespace
 
+std::string native_refusal(const std::string& reason) {
+  wire::ServerMessage message;
+  message.mutable_reply()->set_code(wire::Reply::REFUSED);
+  message.mutable_reply()->set_text(reason);
+  Bytes bytes;
+  append_frame(bytes, message);
+  return {bytes.begin(), bytes.end()};
+}
+
 void NativeSession::begin(NetContext& context, std::unique_ptr<ByteTransport> transport,
                           ConnectionSlotPtr slot) {
   std::make_shared<NativeSession>(context, std::move(transport), std::move(slot))->start();
@@ -26,17 +35,15 @@ NativeSession::NativeSession(NetContext& context, std::unique_ptr<ByteTransport>
     : context_(context),
       transport_(std::move(transport)),
       slot_(std::move(slot)),
-      client_(context.clients.add(transport_->name(), transport_->peer())),
+      client_(context.clients.add(transport_->name(), slot_->peer().text)),
       deadline_(context.io),
       boards_(context, *this) {}
 
 void NativeSession::start() {
   slot_->owner = weak_from_this();
-  if (slot_->over_limit) {
-    fail(wire::Reply::REFUSED, "refused",
-         fmt::format("all {} connections of this server are in use; close another client or raise "
-                     "the limit",
-                     context_.connections.limit()));
+  began_ = std::chrono::steady_clock::now();
+  if (slot_->place() == Place::refused) {
+    fail(wire::Reply::REFUSED, "refused", slot_->reason());
   } else {
     wire::ServerMessage message;
     *message.mutable_hello() = context_.hello();
@@ -117,6 +124,8 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
     return fail(wire::Reply::MALFORMED, "malformed request",
                 fmt::format("a frame of {} bytes that is no ClientMessage", body.size()));
   }
+  has_asked_ = true;
+  if (!admits(message)) return;
   if (!may(message)) return;
   switch (message.kind_case()) {
     case wire::ClientMessage::kSignIn:
@@ -127,7 +136,7 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       return set(message.request(), message.set());
     case wire::ClientMessage::kGetStatus: {
       wire::ServerMessage answer;
-      *answer.mutable_status() = context_.status();
+      *answer.mutable_status() = is_trusted() ? context_.status() : context_.status_for_strangers();
       send(answer);
       return reply(message.request(), wire::Reply::OK, "");
     }
@@ -164,13 +173,11 @@ std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
     return std::nullopt;
   }
   if (!subscribe.new_view()) return subscribe.view();
-  const auto opened = context_.open_view(subscribe.radar(), subscribe.view());
-  if (!opened) {
-    reply(request, wire::Reply::REFUSED,
-          fmt::format("radar {} has as many views as it may; close another console or share a view",
-                      subscribe.radar()));
-  }
-  return opened;
+  auto opened = context_.open_view(subscribe.radar(), subscribe.view(), slot_->peer());
+  if (opened) return *opened;
+  context_.complain("view refused", client_->peer + ": " + opened.error());
+  reply(request, wire::Reply::REFUSED, opened.error());
+  return std::nullopt;
 }
 
 void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subscribe) {
@@ -212,11 +219,12 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
   limit_send_buffer();
   reply(request, wire::Reply::OK, "", *view);
   RecordingNews::Frames recordings = context_.recording_frames();
+  RecordingNews::Pair& recording = is_trusted() ? recordings.whole : recordings.for_strangers;
   news_ = {context_.settings_frame(subscribe.radar(), *view),
            context_.own_ship_frame(subscribe.radar()),
            context_.world_frame(),
-           std::move(recordings.recorder),
-           std::move(recordings.playback),
+           std::move(recording.recorder),
+           std::move(recording.playback),
            exercise_hz_ > 0 ? context_.exercise_frame() : nullptr,
            targets_hz_ > 0 ? context_.targets_frame(subscribe.radar(), *view) : nullptr};
   spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
@@ -265,7 +273,7 @@ void NativeSession::reply(std::uint32_t request, wire::Reply answer) {
 }
 
 void NativeSession::fail(wire::Reply::Code code, std::string_view kind, std::string text) {
-  context_.errors.add(fmt::format("{} {}", client_->transport, kind), client_->peer + ": " + text);
+  context_.complain(fmt::format("{} {}", client_->transport, kind), client_->peer + ": " + text);
   unsubscribe();
   boards_.leave();
   reply(0, code, std::move(text));
@@ -316,6 +324,7 @@ void NativeSession::pump() {
     return;
   }
   writing_ = true;
+  write_began_ = std::chrono::steady_clock::now();
   transport_->write(batch_, [self = shared_from_this()](error_code error, std::size_t size) {
     self->writing_ = false;
     self->on_written(error, size);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -19,6 +20,9 @@
 
 namespace skerry::server {
 
+// The one message of a server that has no connection left, as a frame.
+std::string native_refusal(const std::string& reason);
+
 // Says Hello, answers requests in their order, and once subscribed sends spokes by whole sectors,
 // and records of a board by blocks.
 //
@@ -26,7 +30,8 @@ namespace skerry::server {
 // ring, which
 // overwrites them and counts; of Settings, OwnShip, World and the states of recorder and playback
 // only the newest waits; when kMaxReplies replies wait, no further request is read, and after
-// NetConfig::reply_timeout the client is closed.
+// NetConfig::reply_timeout the client is closed.  Ends a client that asks for nothing, or takes
+// nothing, for as long as PeerLimits says.
 //
 // Alive as long as an operation of its own is in flight: nearly always a read, which also notices
 // that the client has gone.
@@ -46,7 +51,9 @@ class NativeSession final : public Connection,
                 ConnectionSlotPtr slot);
 
   void close() override;
+  void check(std::chrono::steady_clock::time_point now) override;
   void on_sector() override { pump(); }
+  bool is_trusted() const override { return slot_->is_trusted(); }
   std::uint32_t own_ship_hz() const override { return own_ship_hz_; }
   std::uint32_t exercise_hz() const override { return exercise_hz_; }
   void on_exercise(const SharedBytes& frame) override;
@@ -87,6 +94,8 @@ class NativeSession final : public Connection,
   // Ends the connection of a client who may have no longer what it gets: its token was revoked or
   // has ended.
   void look_at_rights();
+  // False: the connection was on trial and has failed, or this request is one change too many.
+  bool admits(const wire::ClientMessage& message);
   void reply(std::uint32_t request, wire::Reply::Code code, std::string text,
              std::uint32_t view = 0);
   void reply(std::uint32_t request, wire::Reply answer);
@@ -127,6 +136,9 @@ class NativeSession final : public Connection,
 
   // As the log and other consoles name it.
   std::string origin() const { return "console " + client_->peer; }
+
+  std::chrono::steady_clock::time_point began_{}, write_began_{};
+  bool has_asked_ = false;  // for anything
 
   std::size_t spoke_buffer_ = 0;  // of the kernel's, for spokes
 

@@ -26,7 +26,7 @@ class LineSession final : public Connection, public std::enable_shared_from_this
         pause_(socket_.get_executor()),
         slot_(std::move(slot)),
         handlers_(std::move(handlers)),
-        peer_(peer_of(socket_).text) {
+        peer_(slot_->peer().text) {
     set_stream_options(socket_);
     set_send_buffer(socket_, kLinesSendBuffer);
   }
@@ -128,7 +128,8 @@ void LineServer::accept(TcpSocket socket, ConnectionSlotPtr slot) {
                         fmt::format("{} is not among the sources", peer.address().to_string()));
     return;
   }
-  if (slot->over_limit || sessions_.size() >= most_connections_) {
+  if (slot->place() == Place::refused || slot->place() == Place::on_trial ||
+      sessions_.size() >= most_connections_) {
     context_.errors.add(protocol_ + " refused",
                         fmt::format("{}: too many connections", peer.address().to_string()));
     return;

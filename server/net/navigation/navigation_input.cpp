@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "protocol/nmea/udp450.hpp"
+#include "protocol/wire/host_and_port.hpp"
 #include "server/navigation/con_orders.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/output_socket.hpp"
@@ -21,8 +22,8 @@ using std::chrono::steady_clock;
 constexpr std::chrono::seconds kJumpPause{1};
 
 [[noreturn]] void fail_input(const NavigationInputConfig& config, const std::string& reason) {
-  throw std::runtime_error(fmt::format("NMEA input of radar {} at {}:{}: {}", config.radar,
-                                       config.address, config.port, reason));
+  throw std::runtime_error(fmt::format("NMEA input of radar {} at {}: {}", config.radar,
+                                       host_and_port(config.address, config.port), reason));
 }
 
 asio::ip::network_v4 network_of(const NavigationInputConfig& config, const std::string& text) {
@@ -57,7 +58,7 @@ NavigationInput::NavigationInput(NetContext& context, const NavigationInputConfi
   wire::OutputStatus status;
   status.set_name("nmea_input");
   status.set_radar(config.radar);
-  status.set_address(fmt::format("{}:{}", config.address, port()));
+  status.set_address(host_and_port(config.address, port()));
   status.set_interface_address(config.interface_address);
   counters_ = context.outputs.add(std::move(status));
 }
@@ -132,8 +133,8 @@ void NavigationInput::tick() {
   }
   if (is_driving_ && steady_clock::now() - last_fix_ > RadarHost::kDriveTimeout) {
     is_driving_ = false;
-    spdlog::info("own ship of radar {}: nothing more comes in at {}:{}; she goes her own way",
-                 config_.radar, config_.address, port());
+    spdlog::info("own ship of radar {}: nothing more comes in at {}; she goes her own way",
+                 config_.radar, host_and_port(config_.address, port()));
   }
   timer_.expires_after(kWindow);
   timer_.async_wait([this](error_code error) {
@@ -166,12 +167,13 @@ void NavigationInput::take_datagrams() {
     --datagrams_left_;
     counters_->commands.fetch_add(1, std::memory_order_relaxed);
     if (!admits(from.address())) {
-      refuse("nmea input source", fmt::format("{} is not among the sources of {}:{}",
-                                              from.address().to_string(), config_.address, port()));
+      refuse("nmea input source",
+             fmt::format("{} is not among the sources of {}", from.address().to_string(),
+                         host_and_port(config_.address, port())));
       continue;
     }
     take_datagram(std::string_view(buffer_.data(), size),
-                  fmt::format("{}:{}", from.address().to_string(), from.port()));
+                  host_and_port(from.address().to_string(), from.port()));
   }
   wait_for_datagrams();
 }

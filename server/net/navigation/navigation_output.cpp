@@ -8,6 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "protocol/wire/host_and_port.hpp"
 #include "server/net/common/destination_socket.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/output_socket.hpp"
@@ -21,8 +22,8 @@ using std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kShortestWait{2};
 
 [[noreturn]] void fail_output(const NavigationOutputConfig& config, const std::string& reason) {
-  throw std::runtime_error(fmt::format("NMEA output of radar {} at {}:{}: {}", config.radar,
-                                       config.address, config.port, reason));
+  throw std::runtime_error(fmt::format("NMEA output of radar {} at {}: {}", config.radar,
+                                       host_and_port(config.address, config.port), reason));
 }
 
 nmea::Udp450Group group_of(NavigationSentence sentence) {
@@ -189,9 +190,9 @@ void NavigationOutput::open() {
 }
 
 std::string NavigationOutput::address() const {
-  if (lines_) return fmt::format("{}:{}", config_.address, lines_->port());
+  if (lines_) return host_and_port(config_.address, lines_->port());
   if (!endpoint_) return "239.192.0.x";
-  return fmt::format("{}:{}", config_.address, config_.port);
+  return host_and_port(config_.address, config_.port);
 }
 
 void NavigationOutput::start() {

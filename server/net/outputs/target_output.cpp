@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/wire/host_and_port.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -52,7 +54,7 @@ TargetOutput::TargetOutput(NetContext& context, const TargetOutputConfig& config
   wire::OutputStatus status;
   status.set_name(row_of(config).name);
   status.set_radar(config.to.radar);
-  status.set_address(fmt::format("{}:{}", config.to.address, config.to.port));
+  status.set_address(host_and_port(config.to.address, config.to.port));
   status.set_interface_address(config.to.interface_address);
   counters_ = context.outputs.add(std::move(status));
 }

@@ -9,6 +9,7 @@
 
 #include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/frame.hpp"
+#include "protocol/wire/host_and_port.hpp"
 
 namespace skerry::server {
 namespace {
@@ -39,7 +40,7 @@ UdpSender::UdpSender(NetContext& context, const UdpDestination& to, const UdpStr
       stream_(stream),
       max_datagram_(longest_datagram(to)),
       destination_(open_destination(context.io, to, stream.name())) {
-  client_ = context.clients.add(stream.name(), fmt::format("{}:{}", to.address, to.port));
+  client_ = context.clients.add(stream.name(), host_and_port(to.address, to.port));
   client_->radar.store(to.radar, std::memory_order_relaxed);
   client_->view.store(stream.view, std::memory_order_relaxed);
 }

@@ -32,8 +32,7 @@ SignalkDeltaSession::SignalkDeltaSession(NetContext& context, SignalkSite& site,
       stream_(std::move(stream)),
       slot_(std::move(slot)),
       right_(client.right) {
-  client_ = context.clients.add("signalk deltas",
-                                peer_of(beast::get_lowest_layer(*stream_).socket()).text);
+  client_ = context.clients.add("signalk deltas", slot_->peer().text);
   if (client.query.find("subscribe=none") == std::string::npos) {
     subscriptions_.subscribe("*", signalk::Subscriptions::kUsualPeriod);
   }
@@ -57,6 +56,13 @@ void SignalkDeltaSession::close() {
   if (closed_) return;
   closed_ = true;
   beast::get_lowest_layer(*stream_).close();
+}
+
+void SignalkDeltaSession::check(std::chrono::steady_clock::time_point now) {
+  if (closed_ || queue_.empty() || slot_->is_trusted()) return;
+  if (now - write_began_ <= context_.config.limits.unread_time) return;
+  context_.complain("signalk does not read", client_->peer + ": closed");
+  close();
 }
 
 void SignalkDeltaSession::read() {
@@ -113,7 +119,11 @@ void SignalkDeltaSession::handle(const std::string& text) {
 void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
                                       const std::string& token) {
   SignalkOutcome outcome{404, "no control of that path"};
-  if (auto refused = right_.refusal_of("signalk.change", token)) {
+  const bool is_in_budget = context_.changes.take(slot_->peer(), std::chrono::steady_clock::now());
+  if (!is_in_budget) {
+    outcome = {429, context_.changes.refusal(slot_->peer())};
+    context_.complain("too many changes", client_->peer + ": " + outcome.message);
+  } else if (auto refused = right_.refusal_of("signalk.change", token)) {
     context_.errors.add("refused", client_->peer + ": " + *refused);
     outcome = {403, *std::move(refused)};
   } else if (const auto* definition = SignalkSite::definition_at(request.put_path)) {
@@ -211,6 +221,7 @@ void SignalkDeltaSession::send(const Json& document) {
 }
 
 void SignalkDeltaSession::write() {
+  write_began_ = std::chrono::steady_clock::now();
   stream_->async_write(asio::buffer(queue_.front()),
                        [self = shared_from_this()](error_code error, std::size_t size) {
                          self->client_->bytes_sent.fetch_add(size, std::memory_order_relaxed);

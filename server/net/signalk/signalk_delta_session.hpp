@@ -37,6 +37,7 @@ class SignalkDeltaSession final : public Connection,
                       ConnectionSlotPtr slot, const Client& client);
 
   void close() override;
+  void check(std::chrono::steady_clock::time_point now) override;
   void on_tick(std::chrono::steady_clock::time_point now) override;
 
  private:
@@ -67,6 +68,7 @@ class SignalkDeltaSession final : public Connection,
   std::map<std::string, std::map<std::string, signalk::Json>> others_sent_;  // by key and path
   std::chrono::steady_clock::time_point others_due_{};
   std::deque<std::string> queue_;  // the first is in flight
+  std::chrono::steady_clock::time_point write_began_{};
   beast::flat_buffer request_{kLongestRequest};
   bool reading_ = false;
   bool closed_ = false;

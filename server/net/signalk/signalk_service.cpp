@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "server/net/common/tcp_peer.hpp"
+#include "server/net/http/web_answer.hpp"
 
 namespace skerry::server {
 namespace {
@@ -40,7 +41,8 @@ SignalkService::SignalkService(NetContext& context, const ServeHttp& serve) : co
                       .option = "the port of that ship in signalk"},
         [serve, site = sites_.back().get()](TcpSocket socket, ConnectionSlotPtr slot) {
           serve(*site, std::move(socket), std::move(slot));
-        }));
+        },
+        http_refusal));
   }
 }
 

@@ -22,8 +22,7 @@ SignalkSpokeSession::SignalkSpokeSession(NetContext& context, std::uint32_t rada
     : context_(context),
       stream_(std::move(stream)),
       slot_(std::move(slot)),
-      client_(
-          context.clients.add("signalk", peer_of(beast::get_lowest_layer(*stream_).socket()).text)),
+      client_(context.clients.add("signalk", slot_->peer().text)),
       radar_(radar),
       right_(right) {}
 
@@ -47,6 +46,13 @@ void SignalkSpokeSession::close() {
   feed_->remove(*this);
   feed_ = nullptr;
   beast::get_lowest_layer(*stream_).close();
+}
+
+void SignalkSpokeSession::check(std::chrono::steady_clock::time_point now) {
+  if (!writing_ || slot_->is_trusted()) return;
+  if (now - write_began_ <= context_.config.limits.unread_time) return;
+  if (feed_ != nullptr) context_.complain("signalk does not read", client_->peer + ": closed");
+  close();
 }
 
 void SignalkSpokeSession::on_tick(std::chrono::steady_clock::time_point) {
@@ -78,6 +84,7 @@ void SignalkSpokeSession::pump(bool all) {
     buffers_.emplace_back(sector->bytes.data(), sector->bytes.size());
   }
   writing_ = true;
+  write_began_ = std::chrono::steady_clock::now();
   stream_->async_write(buffers_, [self = shared_from_this()](error_code error, std::size_t size) {
     self->on_written(error, size);
   });

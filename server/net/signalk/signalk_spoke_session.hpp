@@ -32,6 +32,7 @@ class SignalkSpokeSession final : public Connection,
                       ConnectionSlotPtr slot, const StreamRight& right);
 
   void close() override;
+  void check(std::chrono::steady_clock::time_point now) override;
   void on_sector() override { pump(false); }
   void on_tick(std::chrono::steady_clock::time_point) override;
 
@@ -54,6 +55,7 @@ class SignalkSpokeSession final : public Connection,
   std::size_t held_spokes_ = 0;
   std::array<std::uint8_t, 512> unread_;
   bool writing_ = false;
+  std::chrono::steady_clock::time_point write_began_{};
 };
 
 }  // namespace skerry::server

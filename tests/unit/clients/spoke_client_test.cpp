@@ -31,6 +31,13 @@ TEST(SpokeClient, SaysThatNobodyListens) {
   EXPECT_THAT(client.error().text, HasSubstr(place(port)));
 }
 
+TEST(SpokeClient, NamesAnIpv6PlaceWithBrackets) {
+  const std::uint16_t port = unused_port();
+  const auto client = SpokeClient::connect("::1", port, kLong);
+  ASSERT_FALSE(client);
+  EXPECT_THAT(client.error().text, HasSubstr("[::1]:" + std::to_string(port)));
+}
+
 TEST(SpokeClient, SaysThatThereIsNoSuchHost) {
   const auto client = SpokeClient::connect("999.1.2.3.invalid", 7410, kLong);
   ASSERT_FALSE(client);

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/unit/net/fake_host.hpp"
@@ -167,17 +170,55 @@ TEST_F(Http, RequestsThatAreTooLongAreRefused) {
           .starts_with("HTTP/1.1 413 "));
 }
 
-TEST(HttpTimeLimit, AConnectionThatDoesNotFinishItsRequestIsClosed) {
+TEST(HttpTimeLimit, AConnectionThatDoesNotFinishItsRequestIsToldSoAndClosed) {
   FakeHost host;
   NetConfig config = test_config();
-  config.http_timeout = std::chrono::milliseconds(200);
+  config.limits.silent_time = std::chrono::milliseconds(1000);
+  config.limits.request_time = std::chrono::milliseconds(200);
   NetServer server(host, config, kConsolePage);
   server.start();
   TestSocket silent(server.http_port());
   TestSocket half(server.http_port());
   half.send("GET / HTTP/1.1\r\nHos");
-  EXPECT_TRUE(silent.receive().empty());
-  EXPECT_TRUE(half.receive().empty());
+  const std::string late = half.receive_all();
+  EXPECT_TRUE(late.starts_with("HTTP/1.1 408 ")) << late;
+  EXPECT_NE(late.find("0.2 s of its first byte"), std::string::npos) << late;
+  const std::string unsaid = silent.receive_all();
+  EXPECT_TRUE(unsaid.starts_with("HTTP/1.1 408 ")) << unsaid;
+  EXPECT_NE(unsaid.find("no request came within 1 s"), std::string::npos) << unsaid;
+  EXPECT_EQ(server.status().errors().at("http too slow"), 2u);
+}
+
+// Each byte alone comes in time, the whole does not.
+TEST(HttpTimeLimit, ARequestThatDripsIsToldSoAndClosed) {
+  FakeHost host;
+  NetConfig config = test_config();
+  config.limits.request_time = std::chrono::milliseconds(300);
+  NetServer server(host, config, kConsolePage);
+  server.start();
+  TestSocket socket(server.http_port());
+  socket.send("GET / HTTP/1.1\r\nX: ");
+  std::atomic<bool> over{false};
+  std::thread drips([&] {
+    while (!over && socket.send("x")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  });
+  const Bytes answer = socket.receive();
+  over = true;
+  drips.join();
+  EXPECT_TRUE(std::string(answer.begin(), answer.end()).starts_with("HTTP/1.1 408 "));
+}
+
+TEST(HttpTimeLimit, AKeptConnectionThatIsIdleEndsWithoutAWord) {
+  FakeHost host;
+  NetConfig config = test_config();
+  config.http_timeout = std::chrono::milliseconds(200);
+  NetServer server(host, config, kConsolePage);
+  server.start();
+  TestSocket socket(server.http_port());
+  socket.send("HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  const std::string all = socket.receive_all();
+  EXPECT_TRUE(all.starts_with("HTTP/1.1 200 ")) << all;
+  EXPECT_EQ(all.find("408"), std::string::npos) << all;
 }
 
 TEST_F(Http, PagesOfOtherSitesGetNoWebSocket) {

@@ -206,8 +206,8 @@ TEST(RecordingNews, TellsChangesAtOnceAndWhatGoesOnAtItsPace) {
     Count count;
     for (int i = 0; i < calls; ++i) {
       const RecordingNews::Frames due = news.due(now);
-      count.recorder += due.recorder != nullptr;
-      count.playback += due.playback != nullptr;
+      count.recorder += due.whole.recorder != nullptr;
+      count.playback += due.whole.playback != nullptr;
       now += milliseconds(100);
     }
     return count;
@@ -232,9 +232,9 @@ TEST(RecordingNews, HasNothingOfAHostThatDoesNeither) {
   FakeHost host;
   RecordingNews news(host);
   const RecordingNews::Frames due = news.due({});
-  EXPECT_EQ(due.recorder, nullptr);
-  EXPECT_EQ(due.playback, nullptr);
-  EXPECT_EQ(news.all().recorder, nullptr);
+  EXPECT_EQ(due.whole.recorder, nullptr);
+  EXPECT_EQ(due.whole.playback, nullptr);
+  EXPECT_EQ(news.all().whole.recorder, nullptr);
 }
 
 }  // namespace

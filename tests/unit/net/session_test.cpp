@@ -18,7 +18,11 @@ namespace {
 
 // The test's end of the line; outlives the transport.
 struct Line {
-  bool peer_is_loopback = true;
+  bool on_own_host = true;
+  TcpPeer peer() const {
+    const auto address = asio::ip::make_address(on_own_host ? "127.0.0.1" : "192.0.2.7");
+    return {"far away", on_own_host ? PeerNet::own_host() : PeerNet(address), on_own_host};
+  }
   std::deque<Bytes> incoming;  // one read each; when empty, a read waits
   Bytes outgoing;
   int operations = 0;
@@ -62,8 +66,6 @@ class FakeTransport final : public ByteTransport {
   }
   void limit_send_buffer(std::size_t) override {}
   std::string name() const override { return "fake"; }
-  std::string peer() const override { return "far away"; }
-  bool peer_is_loopback() const override { return line_.peer_is_loopback; }
 
  private:
   bool fails() { return line_.operations++ == line_.fail_at; }
@@ -106,7 +108,7 @@ class Session : public testing::Test {
     host_.find_channel(0, 0)->add_format(kNativeFormat, native_encoder());
     context_ = std::make_unique<NetContext>(host_, std::move(config));
     NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, line_),
-                         context_->connections.try_enter());
+                         context_->connections.try_enter(line_.peer()));
     run();
   }
   void run() {
@@ -126,7 +128,7 @@ wire::ClientMessage set_with_token(const std::string& token) {
 }
 
 TEST_F(Session, ControlFromAnotherHostIsRefusedWithoutAConfiguredToken) {
-  line_.peer_is_loopback = false;
+  line_.on_own_host = false;
   line_.incoming = {frame_of(set_with_token("guess"))};
   begin();
   const auto replies = replies_in(line_.outgoing);
@@ -140,7 +142,7 @@ TEST_F(Session, FromAnotherHostABoardIsReadFreelyAndStreamedAndChangedWithTheTok
   host_.board = std::make_shared<FakeBoard>();
   NetConfig config = test_config();
   config.control_token = "secret";
-  line_.peer_is_loopback = false;
+  line_.on_own_host = false;
   wire::ClientMessage read, write, fifo, ring, stream;
   read.mutable_board_access()->add_operations()->set_address(4);
   write.mutable_board_access()->add_operations()->set_write(1);
@@ -169,7 +171,7 @@ TEST_F(Session, FromAnotherHostABoardIsReadFreelyAndStreamedAndChangedWithTheTok
 TEST_F(Session, ControlFromAnotherHostNeedsTheToken) {
   NetConfig config = test_config();
   config.control_token = "secret";
-  line_.peer_is_loopback = false;
+  line_.on_own_host = false;
   line_.incoming = {frame_of(set_with_token("guess")), frame_of(set_with_token("secret"))};
   begin(config);
   const auto replies = replies_in(line_.outgoing);
@@ -220,7 +222,7 @@ TEST_F(Session, AViewOfItsOwnIsNamedInTheReplyAndInWhatFollows) {
 TEST_F(Session, AViewOfItsOwnNeedsTheTokenFromAnotherHost) {
   NetConfig config = test_config();
   config.control_token = "secret";
-  line_.peer_is_loopback = false;
+  line_.on_own_host = false;
   line_.incoming = {frame_of(new_view_message(1, 0)), frame_of(new_view_message(2, 0, "secret"))};
   begin(config);
   const auto replies = replies_in(line_.outgoing);
@@ -325,7 +327,7 @@ TEST_F(Session, OwnShipComesAsOftenAsIsAskedEvenlySpread) {
     run();
     line_.closed = false;
     NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, line_),
-                         context_->connections.try_enter());
+                         context_->connections.try_enter(line_.peer()));
     run();
     const std::uint32_t wanted = std::max(hz, 1u);
     for (int second = 0; second < 3; ++second) {
@@ -382,7 +384,7 @@ TEST_F(Session, WithoutSpokesEverythingElseComesAndNothingIsEncoded) {
   Line other;
   other.incoming = {frame_of(subscribe_message(1, 0))};
   NativeSession::begin(*context_, std::make_unique<FakeTransport>(context_->io, other),
-                       context_->connections.try_enter());
+                       context_->connections.try_enter(line_.peer()));
   run();
   line_.outgoing.clear();
   other.outgoing.clear();
@@ -418,7 +420,7 @@ TEST(SessionFaults, AFailureAtAnyOperationEndsTheSessionAndNothingElse) {
     host.find_channel(0, 0)->add_format(kNativeFormat, native_encoder());
     NetContext context(host, test_config());
     NativeSession::begin(context, std::make_unique<FakeTransport>(context.io, line),
-                         context.connections.try_enter());
+                         context.connections.try_enter(line.peer()));
     context.io.poll();
     for (int i = 0; i < 3; ++i) {
       host.publish();

@@ -18,7 +18,7 @@ void fail(const std::string& what) { throw std::runtime_error(what); }
 
 }  // namespace
 
-TestSocket::TestSocket(std::uint16_t port, int receive_buffer)
+TestSocket::TestSocket(std::uint16_t port, int receive_buffer, const char* from)
     : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   if (receive_buffer > 0) {
     ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
@@ -28,6 +28,10 @@ TestSocket::TestSocket(std::uint16_t port, int receive_buffer)
   ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
   sockaddr_in address{};
   address.sin_family = AF_INET;
+  if (from != nullptr) {
+    address.sin_addr.s_addr = ::inet_addr(from);
+    ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  }
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
@@ -105,11 +109,11 @@ Bytes frame_of(const wire::ClientMessage& message) {
   return bytes;
 }
 
-TestClient::TestClient(std::uint16_t tcp_port, int receive_buffer)
-    : socket_(std::make_unique<TestSocket>(tcp_port, receive_buffer)) {}
+TestClient::TestClient(std::uint16_t tcp_port, int receive_buffer, const char* from)
+    : socket_(std::make_unique<TestSocket>(tcp_port, receive_buffer, from)) {}
 
-TestClient TestClient::over_websocket(std::uint16_t http_port) {
-  TestClient client(std::make_unique<TestSocket>(http_port));
+TestClient TestClient::over_websocket(std::uint16_t http_port, const char* from) {
+  TestClient client(std::make_unique<TestSocket>(http_port, 0, from));
   client.websocket_ = true;
   client.socket_->send("GET /ws HTTP/1.1\r\nHost: localhost:" + std::to_string(http_port) +
                        "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
@@ -250,15 +254,17 @@ TestClient::Received TestClient::receive_spokes_until(std::uint64_t last) {
   return received;
 }
 
-std::string http_exchange(std::uint16_t port, const std::string& request) {
-  TestSocket socket(port);
+std::string http_exchange(std::uint16_t port, const std::string& request, const char* from) {
+  TestSocket socket(port, 0, from);
   socket.send(request);
   return socket.receive_all();
 }
 
-std::string http_get(std::uint16_t port, const std::string& target) {
-  return http_exchange(port, "GET " + target + " HTTP/1.1\r\nHost: localhost:" +
-                                 std::to_string(port) + "\r\nConnection: close\r\n\r\n");
+std::string http_get(std::uint16_t port, const std::string& target, const char* from) {
+  return http_exchange(port,
+                       "GET " + target + " HTTP/1.1\r\nHost: localhost:" + std::to_string(port) +
+                           "\r\nConnection: close\r\n\r\n",
+                       from);
 }
 
 bool wait_until(const std::function<bool()>& condition) {

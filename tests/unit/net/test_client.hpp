@@ -20,7 +20,8 @@ namespace skerry::server {
 class TestSocket {
  public:
   // `receive_buffer` 0: the system's default.
-  explicit TestSocket(std::uint16_t port, int receive_buffer = 0);
+  // `from`: the address it connects from; nullptr: 127.0.0.1.
+  explicit TestSocket(std::uint16_t port, int receive_buffer = 0, const char* from = nullptr);
   ~TestSocket() { close(); }
   TestSocket(const TestSocket&) = delete;
   TestSocket& operator=(const TestSocket&) = delete;
@@ -49,9 +50,10 @@ class TestClient {
  public:
   static constexpr int kDefaultBuffer = 0;
 
-  explicit TestClient(std::uint16_t tcp_port, int receive_buffer = kDefaultBuffer);
+  explicit TestClient(std::uint16_t tcp_port, int receive_buffer = kDefaultBuffer,
+                      const char* from = nullptr);
   // Upgrades at the HTTP port; checks the handshake.
-  static TestClient over_websocket(std::uint16_t http_port);
+  static TestClient over_websocket(std::uint16_t http_port, const char* from = nullptr);
 
   void send(const wire::ClientMessage& message) { send_bytes(frame_of(message)); }
   void send_bytes(const Bytes& bytes);
@@ -89,8 +91,9 @@ class TestClient {
 };
 
 // Sends a whole HTTP request and returns the whole answer; the request must ask to close.
-std::string http_exchange(std::uint16_t port, const std::string& request);
-std::string http_get(std::uint16_t port, const std::string& target);
+std::string http_exchange(std::uint16_t port, const std::string& request,
+                          const char* from = nullptr);
+std::string http_get(std::uint16_t port, const std::string& target, const char* from = nullptr);
 
 // Waits for a condition another thread brings about; false after 30 s.
 bool wait_until(const std::function<bool()>& condition);
