@@ -215,7 +215,7 @@ function draw() {
     afterglow: picture.afterglow / 100,
     sweepRow: radar.isTurning(nowS) && !held ? radar.store.lastRow : -1,
     videoM: radar.videoM(), echo: picture.brilliance.echo / 100, trails: picture.brilliance.trails / 100,
-    trueTrails: stage.standing.trailMode === 'true' ? stage.trails : null, trailS: picture.trailS,
+    trueTrails: stage.standing.trailMode === 'true' && picture.trailS !== 0 ? stage.trails : null, trailS: picture.trailS,
   });
   const measured = markers.measurement();
   overlay.draw(view, {

@@ -28,8 +28,12 @@ const LEVELS = [
 const BASIC = { day: YELLOW, dusk: AMBER, night: DARK_RED };
 const ECHOES = { yellow: YELLOW, green: GREEN, amber: AMBER, levels: LEVELS };
 
+const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
+
+// back: --back of common.css.
 export const PALETTES = {
   day: {
+    back: rgb('#0b1116'),
     sea: [0.020, 0.075, 0.135], seaEdge: [0.012, 0.050, 0.095], trail: [0.16, 0.50, 0.72],
     sweep: [0.30, 0.75, 0.85], brilliance: 1,
     ring: 'rgba(126, 196, 214, 0.42)', ringText: 'rgba(150, 212, 228, 0.75)',
@@ -38,6 +42,7 @@ export const PALETTES = {
     target: '#8fd3ff', targetText: '#cfeaff', danger: '#ff4538', zone: '#c9a2ff',
   },
   dusk: {
+    back: rgb('#070b0f'),
     sea: [0.010, 0.038, 0.068], seaEdge: [0.006, 0.025, 0.048], trail: [0.11, 0.35, 0.52],
     sweep: [0.19, 0.52, 0.58], brilliance: 0.86,
     ring: 'rgba(90, 152, 166, 0.42)', ringText: 'rgba(116, 174, 188, 0.75)',
@@ -46,6 +51,7 @@ export const PALETTES = {
     target: '#6ea9cf', targetText: '#a3c3d6', danger: '#e63c30', zone: '#9d7fcb',
   },
   night: {
+    back: rgb('#030507'),
     sea: [0.004, 0.012, 0.018], seaEdge: [0.002, 0.006, 0.010], trail: [0.07, 0.22, 0.34],
     sweep: [0.10, 0.32, 0.34], brilliance: 0.72,
     ring: 'rgba(58, 112, 122, 0.45)', ringText: 'rgba(86, 138, 148, 0.75)',

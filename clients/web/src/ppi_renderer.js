@@ -2,20 +2,26 @@
 //
 // Two passes. The first turns polar memory into a disc of the screen's own pixels, taking the
 // strongest cell each pixel touches; only the wedge the antenna has just passed is made anew, so a
-// frame costs little at any number of spokes and cells. The second colours the disc every frame: age,
-// afterglow, sweep. Both are exact at each pixel's own bearing and range; nothing is interpolated.
+// frame costs little at any number of spokes and cells. The second colours the disc: age, afterglow, sweep. Where the processor draws,
+// only sectors that look otherwise than they were painted are coloured anew (row_look.js).
+// Both are exact at each pixel's own bearing and range; nothing is interpolated.
 // While own ship sails over the picture (true motion) the disc stays: each row lies where it was seen from.
+import { drawsInSoftware } from './picture/layers.js';
+import { RowLook } from './picture/row_look.js';
 import { SIDE as TRAILS_SIDE, TILE } from './picture/true_trails.js';
-import { ROW_LOOK_FRAGMENT, screenFragment, SCREEN_VERTEX, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
+import { screenFragment, WEDGE_FRAGMENT, WEDGE_VERTEX } from './shaders.js';
 
 const MAX_WEDGE_RAD = Math.PI / 6;
+const CORNER = 0;   // of the vertex shader: where its attribute is
 const EDGE_PX = 2;  // a wedge reaches so far beyond its rows: half a pixel's diagonal, and rounding
 
 export class PpiRenderer {
   // Error: throws if the browser has no WebGL2.
   constructor(canvas) {
     this.canvas = canvas;
-    this.gl = canvas.getContext('webgl2', { alpha: true, antialias: false, depth: false });
+    // What is painted once stays, in software. Nothing shows through it: a browser need not paint what is beneath.
+    this.keeps = drawsInSoftware();
+    this.gl = canvas.getContext('webgl2', { alpha: false, antialias: false, depth: false, preserveDrawingBuffer: this.keeps });
     if (!this.gl) throw new Error('WebGL2 is not available');
     this.maxRows = Math.min(8192, this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE));
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
@@ -26,7 +32,6 @@ export class PpiRenderer {
   #create() {
     const gl = this.gl;
     this.wedge = program(gl, WEDGE_VERTEX, WEDGE_FRAGMENT);
-    this.rowLook = program(gl, SCREEN_VERTEX, ROW_LOOK_FRAGMENT);
     this.screens = new Map();  // variants of the last pass, made when needed
     this.#screen({ trueTrails: false, videoLimit: false });
     this.textures = {
@@ -34,21 +39,18 @@ export class PpiRenderer {
       rowLook: texture(gl),
     };
     this.framebuffer = gl.createFramebuffer();
-    this.rowFramebuffer = gl.createFramebuffer();
     this.corners = gl.createBuffer();
-    this.emptyArray = gl.createVertexArray();
-    this.wedgeArray = gl.createVertexArray();
-    gl.bindVertexArray(this.wedgeArray);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.corners);
-    const corner = gl.getAttribLocation(this.wedge.program, 'corner');
-    gl.enableVertexAttribArray(corner);
-    gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 0, 0);
+    gl.enableVertexAttribArray(CORNER);
+    gl.vertexAttribPointer(CORNER, 2, gl.FLOAT, false, 0, 0);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     this.generation = -1;  // of the store whose shape the textures have
     this.discSide = 0;
     this.drawn = null;     // what the disc was made for
     this.colours = null;
     this.trails = null;    // the TrueTrails that the texture has
+    this.rows = new RowLook();
+    this.painted = '';     // what the whole picture was painted for
   }
 
   setEchoColours(bytes) {
@@ -66,10 +68,15 @@ export class PpiRenderer {
     this.#fitTextures(store, side);
     const runs = store.takeDirtyRuns();
     this.#upload(store, runs);
-    this.#updateDisc(store, view, side, runs);
+    const isNew = this.#updateDisc(store, view, side, runs);
     if (look.trueTrails) this.#uploadTrails(look.trueTrails);
-    this.#lookAtRows(Math.max(1, store.rows), look);
-    this.#colourDisc(view, side, look);
+    this.rows.update(store.meta, look);
+    // True trails fade everywhere.
+    const key = JSON.stringify([side, view.radius, view.ownAt, view.rangeM, look.palette, look.videoM, look.echo, look.trails]);
+    const isWhole = isNew || !this.keeps || look.trueTrails !== null || key !== this.painted;
+    this.painted = key;
+    const sectors = this.rows.take(runs, isWhole);
+    if (sectors.length > 0) this.#colourDisc(view, side, look, isWhole ? null : sectors);
   }
 
   #fitTextures(store, side) {
@@ -84,7 +91,9 @@ export class PpiRenderer {
                     store.doppler ? null : new Uint8Array(1));
       gl.bindTexture(gl.TEXTURE_2D, this.textures.meta);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, rows, 1, 0, gl.RGBA, gl.FLOAT, null);
-      this.#target(this.rowFramebuffer, this.textures.rowLook, rows, 1);
+      gl.bindTexture(gl.TEXTURE_2D, this.textures.rowLook);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, rows, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+      this.rows.resize(rows);
       store.dirty.fill(1);
       this.generation = store.generation;
       this.drawn = null;
@@ -98,6 +107,7 @@ export class PpiRenderer {
       gl.bindTexture(gl.TEXTURE_2D, this.textures.colours);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 3, 0, gl.RGBA, gl.UNSIGNED_BYTE, this.nextColours);
       this.colours = this.nextColours;
+      this.painted = '';
     }
   }
 
@@ -144,6 +154,7 @@ export class PpiRenderer {
     gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 0);
   }
 
+  // Whether the whole of it was made anew.
   #updateDisc(store, view, side, runs) {
     const gl = this.gl;
     const metresPerPixel = view.rangeM / (view.radius * view.pixelRatio);
@@ -153,19 +164,9 @@ export class PpiRenderer {
     const turned = this.drawn && Math.abs(((wanted.upDeg - this.drawn.upDeg + 540) % 360) - 180);
     const keep = this.drawn && this.drawn.metresPerPixel === metresPerPixel && this.drawn.jumps === view.jumps &&
       turned <= halfPixelDeg;
-    if (keep && runs.length === 0) return;
+    if (keep && runs.length === 0) return false;
     if (keep) wanted.upDeg = this.drawn.upDeg;
 
-    const corners = [];
-    if (keep) {
-      for (const [first, count] of runs) {
-        addWedges(corners, (first - 0.5) / store.rows, (first + count - 0.5) / store.rows,
-                  wanted.upDeg / 360, side, own);
-      }
-    } else {
-      const h = side / 2;
-      corners.push(-h, -h, h, -h, h, h, -h, -h, h, h, -h, h);
-    }
     this.drawn = wanted;
 
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -179,38 +180,34 @@ export class PpiRenderer {
     gl.uniform1f(at('upTurn'), wanted.upDeg / 360);
     gl.uniform1i(at('hasDoppler'), store.doppler ? 1 : 0);
     this.#bind(at, { cells: this.textures.cells, meta: this.textures.meta, doppler: this.textures.doppler });
-    gl.bindVertexArray(this.wedgeArray);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.corners);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STREAM_DRAW);
-    gl.drawArrays(gl.TRIANGLES, 0, corners.length / 2);
+    this.#fill(view, side, keep ? runs : null, store.rows);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return !keep;
   }
 
-  #lookAtRows(rows, look) {
-    const gl = this.gl;
-    const { program, at } = this.rowLook;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.rowFramebuffer);
-    gl.viewport(0, 0, rows, 1);
-    gl.disable(gl.BLEND);
-    gl.useProgram(program);
-    gl.uniform1f(at('now'), look.nowS);
-    gl.uniform1f(at('turnS'), look.turnS);
-    gl.uniform1f(at('afterglow'), look.afterglow);
-    gl.uniform1f(at('sweepRow'), look.sweepRow);
-    this.#bind(at, { meta: this.textures.meta });
-    gl.bindVertexArray(this.emptyArray);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  // Draws where the rows of these runs lie; null: everywhere.
+  #fill(view, side, runs, rows) {
+    const { gl } = this, h = side / 2, corners = [];
+    if (runs === null) corners.push(-h, -h, h, -h, h, h, -h, -h, h, h, -h, h);
+    else {
+      const reach = view.radius * view.pixelRatio + EDGE_PX, own = ownOnDisc(view);
+      for (const [first, count] of runs) addWedges(corners, (first - 0.5) / rows, (first + count - 0.5) / rows, this.drawn.upDeg / 360, reach, own);
+    }
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STREAM_DRAW);
+    gl.drawArrays(gl.TRIANGLES, 0, corners.length / 2);
   }
 
   #screen(variant) {
     const key = JSON.stringify(variant);
-    if (!this.screens.has(key)) this.screens.set(key, program(this.gl, SCREEN_VERTEX, screenFragment(variant)));
+    if (!this.screens.has(key)) this.screens.set(key, program(this.gl, WEDGE_VERTEX, screenFragment(variant)));
     return this.screens.get(key);
   }
 
-  #colourDisc(view, side, look) {
-    const gl = this.gl;
+  // sectors: runs of rows; null: everywhere.
+  #colourDisc(view, side, look, sectors) {
+    const { gl, rows } = this;
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.rowLook);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rows.rows, 1, gl.RGBA, gl.UNSIGNED_BYTE, rows.bytes);
     const own = ownOnDisc(view), pixelsPerM = (view.radius * view.pixelRatio) / view.rangeM;
     const videoPx = look.videoM > 0 && view.rangeM > 0 ? look.videoM * pixelsPerM : Infinity;
     const { trueTrails } = look;
@@ -234,6 +231,7 @@ export class PpiRenderer {
       gl.uniform1f(at('lifeTicks'), lifeTicks);
     }
     gl.uniform1f(at('brilliance'), look.palette.brilliance * look.echo);
+    gl.uniform3fv(at('back'), look.palette.back);
     gl.uniform3fv(at('sea'), look.palette.sea);
     gl.uniform3fv(at('seaEdge'), look.palette.seaEdge);
     gl.uniform3fv(at('trailColour'), look.palette.trail);
@@ -242,8 +240,7 @@ export class PpiRenderer {
       disc: this.textures.disc, rowLook: this.textures.rowLook, echoColours: this.textures.colours,
       ...(trueTrails ? { trueTrails: this.textures.trails } : {}),
     });
-    gl.bindVertexArray(this.emptyArray);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.#fill(view, side, sectors, rows.rows);
   }
 
   #bind(at, samplers) {
@@ -276,15 +273,15 @@ function ownOnDisc(view) {
   return { x: view.ownAt.x * scale, y: view.ownAt.y * scale };
 }
 
-// Triangles that cover the bearings from..to (in turns) and EDGE_PX beyond, for a disc of `side` seen from `own`.
-export function addWedges(corners, from, to, upTurn, side, own = { x: 0, y: 0 }) {
+// Triangles that cover the bearings from..to (in turns) and EDGE_PX beyond, out to `radius` from the middle of the disc, seen from `own`.
+export function addWedges(corners, from, to, upTurn, radius, own = { x: 0, y: 0 }) {
   const total = (to - from) * 2 * Math.PI;
   const parts = Math.ceil(total / MAX_WEDGE_RAD);
   for (let i = 0; i < parts; ++i) {
     const a = (from - upTurn) * 2 * Math.PI + (total * i) / parts;
     const b = a + total / parts;
-    // Beyond the corners of the square, with an arc's chord.
-    const reach = side * 0.75 + 1.04 * Math.hypot(own.x, own.y);
+    // With an arc's chord.
+    const reach = 1.04 * (radius + Math.hypot(own.x, own.y));
     const left = { x: Math.sin(a), y: Math.cos(a) }, right = { x: Math.sin(b), y: Math.cos(b) };
     // Both edges moved outwards and begun behind the centre.
     const at = (d, outX, outY, along) => [d.x * along + outX * EDGE_PX, d.y * along + outY * EDGE_PX];
@@ -320,6 +317,7 @@ function program(gl, vertex, fragment) {
     gl.attachShader(made, shader);
     gl.deleteShader(shader);
   }
+  gl.bindAttribLocation(made, CORNER, 'corner');
   gl.linkProgram(made);
   if (!gl.getProgramParameter(made, gl.LINK_STATUS) && !gl.isContextLost()) {
     throw new Error(`shaders: ${gl.getProgramInfoLog(made)}`);

@@ -1,5 +1,7 @@
 // The two passes of the picture (see ppi_renderer.js).
+import { SWEEP_MOST } from './picture/row_look.js';
 
+// Of both passes.
 export const WEDGE_VERTEX = `#version 300 es
 uniform float halfSide;      // pixels
 in vec2 corner;              // pixels from the centre, y up
@@ -63,40 +65,6 @@ void main() {
 }
 `;
 
-export const SCREEN_VERTEX = `#version 300 es
-void main() {
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 4.0 - 1.0;
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
-`;
-
-// What of the picture depends on the row alone, for each row: red, how much of its echo is left (afterglow, and a sector that is
-// missing goes out); green, of its trail; blue, the light of the sweep, in SWEEP_MOST. Done once a row, not once a pixel.
-const SWEEP_MOST = 0.25;
-export const ROW_LOOK_FRAGMENT = `#version 300 es
-precision highp float;
-precision highp int;
-uniform highp sampler2D meta;
-uniform float now, turnS;         // seconds
-uniform float afterglow;          // 0: even picture, 1: fades to a tenth within a turn
-uniform float sweepRow;           // newest row; below 0: no sweep
-out vec4 look;
-void main() {
-  int row = int(gl_FragCoord.x);
-  float rows = float(textureSize(meta, 0).x);
-  vec4 m = texelFetch(meta, ivec2(row, 0), 0);
-  look = vec4(0.0, 0.0, 0.0, 1.0);
-  if (sweepRow >= 0.0) {
-    float behind = fract((sweepRow - float(row)) / rows) * 360.0;  // degrees
-    look.b = (0.16 * exp(-behind / 3.0) + 0.05 * exp(-behind / 14.0)) / ${SWEEP_MOST};
-  }
-  if (m.g <= 0.0) return;
-  float age = max(0.0, now - m.r) / turnS;                   // turns
-  look.g = 1.0 - smoothstep(1.3, 2.6, age);
-  look.r = look.g * mix(1.0, exp(-2.3 * min(age, 1.3)), afterglow);
-}
-`;
-
 // Disc -> screen: colours, with the look of the row. Each variant does only what it needs: software renderers work
 // through both sides of every branch. trueTrails: those, instead of the trails around own ship; videoLimit: the spokes end within
 // the picture.
@@ -112,7 +80,7 @@ uniform float halfSide, radius;   // pixels
 uniform vec2 own;                 // own ship, pixels from the centre, y up
 uniform float trails;             // brilliance, 0..1
 uniform float brilliance;
-uniform vec3 sea, seaEdge, trailColour, sweepColour;
+uniform vec3 back, sea, seaEdge, trailColour, sweepColour;  // back: the page's, around the circle
 out vec4 colour;
 
 #ifdef VIDEO_LIMIT
@@ -140,7 +108,7 @@ void main() {
   vec2 p = gl_FragCoord.xy - vec2(halfSide);
   float r = length(p);
   float inside = clamp(radius + 0.5 - r, 0.0, 1.0);
-  if (inside <= 0.0) { colour = vec4(0.0); return; }
+  if (inside <= 0.0) { colour = vec4(back, 1.0); return; }
   vec3 c = mix(sea, seaEdge, smoothstep(0.0, 1.0, r / radius));
 #ifdef VIDEO_LIMIT
   float fromOwn = length(p - own);
@@ -160,6 +128,6 @@ void main() {
 #endif
   vec4 echo = texelFetch(echoColours, ivec2(d.r, d.g >> 6), 0);
   c = mix(c, echo.rgb * brilliance, echo.a * look.r);
-  colour = vec4(c * inside, inside);
+  colour = vec4(mix(back, c, inside), 1.0);
 }
 `;

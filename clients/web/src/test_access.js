@@ -13,6 +13,7 @@
 //   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
+//   paintedS(bearingDeg)  exercise seconds at which the spoke on that true bearing was seen, or null; its error is the jitter of arrival
 //   showTab(name)         of the panel: 'radar', 'targets', 'tools', 'chart', 'set-up'
 //   targets()             { list, stale, selected, mode, shown, vectors, pxPerMm }: what is drawn of targets now, in CSS pixels
 //   alerts()              { calling (priority that sounds, or null), soundAllowed, beeps, history }
@@ -20,6 +21,7 @@
 //   drawn(n)              resolves when n more pictures have been drawn
 //   holdAfter(scan|null)  spokes of later scans are counted, but not drawn
 export function openTestAccess({ radar, connection, renderer, drawNow, view, frames, recording, playback, tabs, tools, targets, alerts, chart }) {
+  const scenarioS = () => (radar.spoke ? radar.spoke.scenarioNs / 1e9 : null);  // of the newest spoke
   window.skerry = {
     state: () => ({
       connection: connection().state,
@@ -34,6 +36,7 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
       scan: radar.spoke?.scan ?? null,
       newestScan: radar.newestScan,
       index: radar.spoke?.index ?? null,
+      scenarioS: scenarioS(),
       bits: radar.spoke?.bits ?? null,
       spokesPerTurn: radar.spoke?.spokesPerTurn ?? null,
       headingDeg: radar.headingDeg(),
@@ -66,6 +69,11 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     readPolar: () => {
       const { rows, cols, cells, meta } = radar.store;
       return { rows, cols, cells: base64(cells), meta: base64(new Uint8Array(meta.buffer)) };
+    },
+    paintedS: (bearingDeg) => {
+      const { rows, meta } = radar.store;
+      const row = Math.round((bearingDeg / 360) * rows) % rows;
+      return radar.spoke && meta[row * 4 + 1] > 0 ? scenarioS() - (radar.lastSpokeS - meta[row * 4]) : null;
     },
     showTab: (name) => tabs.show(name),
     drawn: (n) => new Promise((resolve) => {

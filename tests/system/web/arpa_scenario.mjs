@@ -50,9 +50,18 @@ export function scenario(groups) {
 
 export const NAMES = [DANGEROUS, ...CLEAR.map(([name]) => name)];
 
-// The ships of group n as the exercise has them: { name, rangeNm, bearingDeg, courseDeg, speedKn, drmDeg, srmKn, cpaNm, tcpaMin }, and own ship.
+// A ship as she was, or will be, so many seconds later: all keep course and speed meanwhile.
+export function later(ship, seconds) {
+  const by = (ship.srmKn * seconds) / 3600, at = (nm, deg) => ({ east: nm * Math.sin(deg * RAD), north: nm * Math.cos(deg * RAD) });
+  const from = at(ship.rangeNm, ship.bearingDeg), way = at(by, ship.drmDeg);
+  const place = { east: from.east + way.east, north: from.north + way.north };
+  return { ...ship, rangeNm: Math.hypot(place.east, place.north), bearingDeg: bearingOf(place), tcpaMin: ship.tcpaMin - seconds / 60 };
+}
+
+// The ships of group n as the exercise has them: { name, rangeNm, bearingDeg, courseDeg, speedKn, drmDeg, srmKn, cpaNm, tcpaMin }, own ship,
+// and when: seconds on the clock of the exercise, which spokes and lists of targets carry.
 export async function truth(server, n) {
-  const { ships } = JSON.parse(await skerry(['exercise', 'show', '--port', String(server.tcp), '--json']));
+  const { ships, exercise_s: exerciseS } = JSON.parse(await skerry(['exercise', 'show', '--port', String(server.tcp), '--json']));
   const find = (name) => ships.find((ship) => ship.name === `${name} ${n}`);
   const place = (ship) => ({ latitudeDeg: ship.latitude_deg, longitudeDeg: ship.longitude_deg });
   const motion = (ship) => ({ courseDeg: ship.course_over_ground_deg ?? 0, speedKn: ship.speed_over_ground_kn ?? ship.speed_kn ?? 0 });
@@ -68,5 +77,5 @@ export async function truth(server, n) {
       tcpaMin: (-60 * (at.east * relative.east + at.north * relative.north)) / srmKn ** 2,
     };
   });
-  return { own: { ...ownMotion, headingDeg: own.heading_deg ?? 0 }, ships: others };
+  return { own: { ...ownMotion, headingDeg: own.heading_deg ?? 0 }, ships: others, exerciseS };
 }

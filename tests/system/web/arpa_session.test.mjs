@@ -1,5 +1,6 @@
 // A session of an ARPA trainee on the real server, from the first press to the last, by mouse, by keys alone and by touch. What the page
-// shows is held against the exercise, within the tolerances of the US assessment of radar observers (STCW).
+// shows is held against the exercise, within the tolerances of the US assessment of radar observers (STCW): as it was when the echo was
+// painted, or at the time of the list that is shown, however late a busy machine reads it.
 // Antenna and plotter keep to the wall clock at any pace of the exercise (its ships would only seem faster), so three minutes of tracking
 // take that long; the plotters of those who come later are at work meanwhile.
 // SKERRYD and SKERRY name the two programs; HANDS one or more of mouse, keys, touch (all of them); SHOTS a folder for pictures.
@@ -11,13 +12,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { figure, Keys, Mouse, Touch } from './arpa_hands.mjs';
-import { DANGEROUS, NAMES, scenario, truth } from './arpa_scenario.mjs';
+import { DANGEROUS, later, NAMES, scenario, truth } from './arpa_scenario.mjs';
 import { capture, launch, openConsole, waitForScan } from './browser.mjs';
 import { skerry, startSkerryd } from './displays/skerryd.mjs';
 import { angleBetween, blobAt } from './measure.mjs';
 import { NM } from './mock_scene.mjs';
 import { WEB } from './mock_server.mjs';
-import { apart, canvas, extent, isRed, pixelOf, plane, rgba, targetState } from './targets_kit.mjs';
+import { apart, canvas, extent, isRed, pixelOf, plane, readPng, rgba, targetState } from './targets_kit.mjs';
 
 const ALL = { mouse: Mouse, keys: Keys, touch: Touch };
 const CHOSEN = (process.env.HANDS ?? 'mouse,keys,touch').split(',');
@@ -86,6 +87,12 @@ class Session {
     const all = await truth(server, this.n);
     return name ? all.ships.find((ship) => ship.name === name) : all;
   }
+  // All ships, or one, at that second of the exercise: not of the time after a change of course or speed.
+  async truthAt(exerciseS, name) {
+    const all = await truth(server, this.n);
+    const ships = all.ships.map((ship) => later(ship, exerciseS - all.exerciseS));
+    return name ? ships.find((ship) => ship.name === name) : ships;
+  }
 
   async shot(name) {
     if (!process.env.SHOTS) return;
@@ -105,12 +112,14 @@ class Session {
     return made;
   }
 
-  // The middle of a ship's echo as it is on the screen: pixels of the picture.
+  // The middle of a ship's echo as it is on the screen, pixels of the picture; and where she was when it was painted.
   async echo(name) {
     return until(async () => {
-      const ship = await this.truth(name), shot = await capture(this.page);
+      const { page } = this, { bearingDeg: about } = await this.truth(name);
+      const { paintedS, ...shot } = await capture(page, about);
+      const ship = await this.truthAt(paintedS, name);
       const blob = blobAt(shot, ship.bearingDeg, ship.rangeNm * NM, Math.max(2, 15 / ship.rangeNm), 0.25 * NM);
-      return blob && pixelOf(shot, plane(blob.bearingDeg, blob.rangeM / NM));
+      return blob && { ...pixelOf(shot, plane(blob.bearingDeg, blob.rangeM / NM)), ship };
     }, `no echo of ${name}`);
   }
 
@@ -153,7 +162,7 @@ class Session {
         // The readings are renewed ten times a second.
         const there = await this.page.evaluate(({ x, y }) => window.skerry.at(x, y), at);
         await until(async () => Math.abs(figure(await this.text('cursor-range')) - there.rangeM / NM) < 0.03, 'the cursor is not read');
-        this.check('cursor', await this.truth(name), figure(await this.text('cursor-range')), figure(await this.text('cursor-true')));
+        this.check('cursor', at.ship, figure(await this.text('cursor-range')), figure(await this.text('cursor-true')));
       });
     }
     await this.hands.toolsOn();
@@ -164,7 +173,7 @@ class Session {
         await this.hands.measure(at);
         const there = await this.page.evaluate(({ x, y }) => window.skerry.at(x, y), at);
         await until(async () => Math.abs(figure(await this.text('vrm-range')) - there.rangeM / NM) < 0.03, 'the range marker is not there');
-        this.check('ebl', await this.truth(name), figure(await this.text('vrm-range')), figure(await this.text('ebl-true')));
+        this.check('ebl', at.ship, figure(await this.text('vrm-range')), figure(await this.text('ebl-true')));
       });
     }
   }
@@ -202,8 +211,11 @@ class Session {
 
   async tracked() {
     await this.page.waitForFunction((n) => window.skerry.targets().list.targets.filter(({ state }) => state === 2).length === n, ACQUIRED.length, { timeout: TRACKED_MS });
-    const state = await targetState(this.page), view = await this.page.evaluate(() => window.skerry.ppi), png = await canvas(this.page);
-    const { ships } = await this.truth();
+    // Of one moment, all three.
+    const { state, view, scenarioS, url } = await this.page.evaluate(() => ({
+      state: window.skerry.targets(), view: window.skerry.ppi, scenarioS: window.skerry.state().scenarioS, url: document.querySelector('#target-marks').toDataURL(),
+    }));
+    const png = readPng(url), ships = await this.truthAt(scenarioS);
     for (const name of ACQUIRED) {
       const ship = ships.find((each) => each.name === name), symbol = state.shown.find(({ key }) => key === this.keys.get(name));
       const at = pixelOf(view, plane(ship.bearingDeg, ship.rangeNm));
@@ -253,7 +265,7 @@ class Session {
       const names = ACQUIRED.slice(from, from + 4);
       for (const name of names) await this.hands.select(this.keys.get(name));
       await until(async () => (await this.page.locator('#target-data thead th').count()) === names.length, 'the data do not stand side by side');
-      const [rows, { ships }] = await Promise.all([this.dataRows(), this.truth()]);
+      const { rows, listS } = await this.dataRows(), ships = await this.truthAt(listS);
       names.forEach((name, i) => this.checkData(ships.find((ship) => ship.name === name), (label) => rows[label][i]));
       if (from === 0) await this.shot('data');
       for (const name of names) await this.hands.select(this.keys.get(name));
@@ -263,9 +275,13 @@ class Session {
     assert.ok(minutes <= MAY.motionMin, `motions were known after ${minutes.toFixed(1)} min`);
   }
 
+  // As shown; and the second of the exercise that the list is of.
   dataRows() {
-    return this.page.locator('#target-data').evaluate((table) => Object.fromEntries([...table.tBodies[0].rows].map((row) =>
-      [row.cells[0].firstChild.textContent, [...row.cells].slice(1).map((cell) => cell.textContent)])));
+    return this.page.locator('#target-data').evaluate((table) => ({
+      listS: window.skerry.targets().list.scenarioNs / 1e9,
+      rows: Object.fromEntries([...table.tBodies[0].rows].map((row) =>
+        [row.cells[0].firstChild.textContent, [...row.cells].slice(1).map((cell) => cell.textContent)])),
+    }));
   }
 
   checkData(ship, read) {
@@ -355,7 +371,7 @@ class Session {
   async seeItOpen(course) {
     const { page } = this, key = this.keys.get(DANGEROUS);
     if (!(await targetState(page)).selected.includes(key)) await this.hands.select(key);
-    const read = async (label) => figure((await this.dataRows())[label][0]);
+    const read = async (label) => figure((await this.dataRows()).rows[label][0]);
     await until(async () => (await read('CPA')) > LIMITS.cpaNm, 'the CPA does not open', 240000);
     await until(async () => angleBetween(figure(await this.text('heading-short')), course) < 8, 'she does not turn', 120000);
     await until(async () => (await page.locator('#alert-list li', { hasText: '3044' }).count()) === 0, 'the alarm stays', 180000);

@@ -41,8 +41,8 @@ export async function waitForScan(page) {
   }, [after, rangeNm], { timeout: 60000 });
 }
 
-// The canvas' picture, with the geometry it was drawn with.
-export async function capture(page) {
-  const { shot, ppi } = await page.evaluate(() => ({ shot: window.skerry.capture(), ppi: window.skerry.ppi }));
-  return { ...ppi, width: shot.width, data: Buffer.from(shot.base64, 'base64') };
+// The canvas' picture, with the geometry it was drawn with; paintedS: when the echoes on that true bearing were seen, as of test_access.js.
+export async function capture(page, bearingDeg = 0) {
+  const { shot, ppi, paintedS } = await page.evaluate((deg) => ({ shot: window.skerry.capture(), ppi: window.skerry.ppi, paintedS: window.skerry.paintedS(deg) }), bearingDeg);
+  return { ...ppi, width: shot.width, data: Buffer.from(shot.base64, 'base64'), paintedS };
 }

@@ -51,9 +51,9 @@ export async function waitFor(check, what) {
 
 // The canvas of targets alone: { width, height, data }.
 export async function canvas(page) {
-  const url = await page.evaluate(() => document.querySelector('#target-marks').toDataURL());
-  return PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
+  return readPng(await page.evaluate(() => document.querySelector('#target-marks').toDataURL()));
 }
+export const readPng = (url) => PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
 
 export const rgba = (png, x, y) => [...png.data.subarray(4 * (Math.floor(y) * png.width + Math.floor(x)), 4 * (Math.floor(y) * png.width + Math.floor(x)) + 4)];
 // The lines themselves, not the shade under them.

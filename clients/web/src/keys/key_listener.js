@@ -3,7 +3,12 @@ import { keyOf } from './key_names.js';
 
 const TEXTS = 'textarea, [contenteditable], input:is([type=number], [type=password], [type=text], [type=search], :not([type]))';
 // What moves by arrows itself.
-const MOVED = 'input, select, textarea, [role=tab], [role=slider], [role=listbox], [role=tabpanel]:focus-visible';
+const MOVED = 'input:not([type=checkbox]), select, textarea, [role=tab], [role=slider], [role=listbox], [role=tabpanel]:focus-visible';
+
+// Whether the arrows are for what has the focus now, not for the picture.
+export function focusTakesArrows() {
+  return document.activeElement?.closest(MOVED) !== null;
+}
 
 export function listenToKeys(table) {
   document.addEventListener('keydown', (event) => {

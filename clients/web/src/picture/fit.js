@@ -17,6 +17,9 @@ export function fitSide(width, height, corners, marginOf) {
   return Math.floor(side);
 }
 
+// Of the signs at the picture's left (style.css), in rem; where less room is left beside the circle they stand within it.
+const SIGNS_LEFT = 1.1, LEAST_ROOM = 5.5;
+
 const marginOf = (side) => Math.max(24, 3.1 * Math.max(10, Math.min(20, side / 62)));
 
 export class Layout {
@@ -62,9 +65,21 @@ export class Layout {
       this.view = Object.assign(new ViewGeometry(side, marginOf(side), pixelRatio), { upDeg, rangeM, ownAt, jumps });
       this.made(this.view);
     }
+    this.#placeSigns(width, height, side);
     Object.assign(this.ppi.style, {
       width: `${side}px`, height: `${side}px`, left: `${Math.floor((width - side) / 2)}px`, top: `${Math.floor((height - side) / 2)}px`,
     });
+  }
+
+  // What is said over the picture covers nothing of the bearing scale.
+  #placeSigns(width, height, side) {
+    const rem = parseFloat(getComputedStyle(document.documentElement).fontSize), room = (width - side) / 2 - SIGNS_LEFT * rem;
+    this.display.toggleAttribute('data-signs-inside', room < LEAST_ROOM * rem);
+    this.display.style.setProperty('--sign-room', `${Math.floor(room)}px`);
+    // Where a box nine tenths of the radius wide lies within the circle.
+    const { radius } = this.view;
+    this.display.style.setProperty('--circle-box', `${Math.floor(0.9 * radius)}px`);
+    this.display.style.setProperty('--circle-top', `${Math.ceil((height - side) / 2 + marginOf(side) + 0.11 * radius)}px`);
   }
 
   // A change of the pixel ratio alone (zoom, another screen) resizes nothing but is told here.

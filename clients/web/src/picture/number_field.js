@@ -35,6 +35,12 @@ export class NumberField {
     this.field.value = this.shown === null ? '' : this.shown.toFixed(this.digits);
   }
 
+  // What was typed so far is entered, as by leaving the field: before it shows another thing's number. Not every browser takes the
+  // focus to a button that is pressed.
+  leave() {
+    if (document.activeElement === this.field) this.field.blur();
+  }
+
   // What is being typed is not overwritten.
   show(value) {
     this.shown = value;

@@ -91,7 +91,7 @@ export class ToolsPanel {
     on.addEventListener('click', () => tools.toggle('lines', this.line, this.markers.view, this.markers.now.bowDeg));
     const choice = Array.from({ length: LINES }, (_, n) => {
       const button = element('button', { type: 'button', textContent: String(n + 1), ariaLabel: t('Line {n}', { n: n + 1 }) });
-      button.addEventListener('click', () => { this.line = n; this.show(true); });
+      button.addEventListener('click', () => this.#chooseLine(n));
       return button;
     });
     const frame = element('button', { type: 'button', id: 'line-frame' });
@@ -110,6 +110,12 @@ export class ToolsPanel {
       element('div', { className: 'tool' }, name(t('Bearing')), fields.bearing.element, frame, name(t('Offset')), fields.offset.element, on,
         name(t('From')), fields.from.element, element('span'), name(t('To')), fields.to.element, element('span')));
     this.lineParts = { group, on, choice, frame, fields };
+  }
+
+  #chooseLine(n) {
+    for (const field of Object.values(this.lineParts.fields)) field.leave();
+    this.line = n;
+    this.show(true);
   }
 
   // The group: what is on singly shows or hides together; without any, the first.

@@ -541,6 +541,10 @@ test('trails show where echoes were', async () => {
   server.silent = [];
   server.change({ gain: 5 });   // every echo falls below what is shown as strong
   await waitForScan(page);
+  // A picture that is held does not fade, however busy the machine.
+  const { scan } = await state(page);
+  await page.evaluate((last) => window.skerry.holdAfter(last), scan);
+  await page.waitForFunction((last) => window.skerry.state().newestScan > last, scan);
   const shot = await capture(page);
   const { x, y } = await page.evaluate(() => window.skerry.pixelFor(190, 2500));
   const at = (px, py) => [...shot.data.subarray(4 * (Math.floor(py) * shot.width + Math.floor(px)), 4 * (Math.floor(py) * shot.width + Math.floor(px)) + 3)];

@@ -47,6 +47,57 @@ test('single keys do what MSC.192 wants of them, and nothing while text is typed
   assert.equal(setsOf(server).length, before);
 });
 
+test('after a key for it the arrows are the bearing line\u2019s, the range marker\u2019s and the cursor\u2019s, wherever the focus was', async () => {
+  await open();
+  const tools = () => page.evaluate(() => window.skerry.tools());
+  const chosen = () => page.locator('[role=tab][aria-selected=true]').textContent();
+  await tab('Targets');
+  await page.keyboard.press('e');
+  const { bearingDeg } = (await tools()).ebls[0];
+  await page.keyboard.press('ArrowRight');
+  assert.equal((await tools()).ebls[0].bearingDeg, bearingDeg + 1);
+  await tab('Targets');
+  await page.keyboard.press('v');
+  const { rangeM } = (await tools()).vrms[0];
+  await page.keyboard.press('ArrowUp');
+  assert.ok((await tools()).vrms[0].rangeM > rangeM);
+  // The focus goes on a tab while the arrows move the cursor: it may have them, until Escape ends the mode.
+  await page.keyboard.press('Shift+C');
+  await tab('Targets');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Shift+ArrowLeft');
+  assert.ok(Math.abs((await tools()).ebls[0].bearingDeg - bearingDeg - 0.9) < 1e-6);
+  assert.equal(await chosen(), 'Targets');
+  // A box that was ticked needs no arrows; fields and tabs do.
+  await tab('Tools');
+  await page.locator('label:has(#ebl2)').click();
+  const second = (await tools()).ebls[1].bearingDeg;
+  await page.keyboard.press('ArrowLeft');
+  assert.equal((await tools()).ebls[1].bearingDeg, second - 1);
+  await tab('Tools');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await chosen(), 'Chart');
+  assert.deepEqual(page.problems, []);
+});
+
+test('a number typed for one parallel line is entered for it, and is not in the field of the next', async () => {
+  await open();
+  await tab('Tools');
+  await page.locator('#parallel > summary').click();
+  const field = page.getByLabel('Bearing of the line', { exact: true });
+  for (const [how, typed] of [['click', '123'], ['dispatchEvent', '217']]) {
+    await page.locator('.line-choice button').nth(0).click();
+    await field.click({ clickCount: 3 });
+    await page.keyboard.type(typed);
+    // As browsers of tablets do it: the focus stays in the field.
+    await page.locator('.line-choice button').nth(1)[how](...(how === 'click' ? [] : ['click']));
+    assert.equal(await field.inputValue(), '0.0', how);
+    const { lines } = await page.evaluate(() => window.skerry.tools());
+    assert.deepEqual(lines.slice(0, 2).map(({ bearingDeg }) => bearingDeg), [Number(typed), 0], how);
+  }
+  assert.deepEqual(page.problems, []);
+});
+
 test('keys are listed from their table and changed, a conflict is told, and they come back', async () => {
   await open();
   await page.keyboard.press('?');

@@ -90,6 +90,41 @@ for (const [device, finger, sizes] of [['a mouse', false, [[1280, 720], [1920, 1
   });
 }
 
+test('what is said over the picture covers nothing of the bearing scale', async () => {
+  await open(1280, 800, false, { server: { recorder: { ...RECORDER, phase: 1 }, ownShipMore: { noHeading: true } } });
+  await page.locator('#sensor-sign').waitFor();
+  await page.evaluate(() => {
+    // Those of a plotter and of an exam, as they would stand.
+    for (const [id, words] of [['exam-sign', null], ['target-problem', 'Heading is lost: no targets are acquired']]) {
+      const sign = document.getElementById(id), shown = sign.cloneNode(true);
+      Object.assign(shown, { hidden: false, textContent: words ?? sign.textContent });
+      sign.id = `real-${id}`;
+      sign.after(shown);
+    }
+  });
+  await page.keyboard.press('Shift+C');
+  await page.locator('#picture-mode').waitFor();
+  for (const [width, height] of [[1280, 800], [1280, 720], [1920, 1080], [3840, 2160], [820, 1180], [390, 844]]) {
+    await page.setViewportSize({ width, height });
+    await page.evaluate(() => window.skerry.drawn(3));
+    const found = await page.evaluate(() => {
+      const ppi = document.getElementById('ppi').getBoundingClientRect(), { radiusPx, side } = window.skerry.ppi;
+      const x = ppi.left + side / 2, y = ppi.top + side / 2, font = Math.max(10, Math.min(20, side / 62));
+      return [document.getElementById('picture-mode'), ...document.querySelectorAll('#signs p')].filter((each) => each.checkVisibility()).map((each) => {
+        const box = each.getBoundingClientRect();
+        const near = Math.hypot(Math.max(box.left - x, 0, x - box.right), Math.max(box.top - y, 0, y - box.bottom));
+        const far = Math.hypot(Math.max(x - box.left, box.right - x), Math.max(y - box.top, box.bottom - y));
+        // From the circle to the outer edge of the numbers.
+        return { text: each.textContent, beside: near - radiusPx - 2.6 * font, inside: radiusPx - far, left: box.left };
+      });
+    });
+    assert.equal(found.length, 5, `${found.map(({ text }) => text)}`);
+    for (const { text, beside, inside, left } of found) {
+      assert.ok((beside >= 0 || inside >= 0) && left >= 0, `${text} at ${width}x${height}: ${beside} px beside the scale, ${inside} within it`);
+    }
+  }
+});
+
 test('on a telephone the panel takes more of the screen when it is asked to', async () => {
   await open(390, 844, true);
   const height = () => page.locator('#tab-sections').evaluate((e) => e.clientHeight);

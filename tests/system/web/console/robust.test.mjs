@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { PNG } from 'pngjs';
-import { launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
 import { openSmall, restart, setsOf, SMALL, untilSet } from '../hands_kit.mjs';
 import { MockServer } from '../mock_server.mjs';
 import { targetList } from '../mock_targets.mjs';
@@ -46,6 +46,26 @@ test('lost graphics are told over a dark picture, and it comes back by itself', 
   await waitForScan(page);
   assert.equal(await page.locator('#echoes').evaluate((canvas) => getComputedStyle(canvas).visibility), 'visible');
   assert.deepEqual(page.problems, []);
+});
+
+test('what was kept of the picture looks as one that is drawn anew', async (t) => {
+  await open();
+  await page.locator('#afterglow').fill('50');
+  await waitForScan(page);
+  // Time stands still.
+  const { scan } = await state(page);
+  await page.evaluate((last) => window.skerry.holdAfter(last), scan);
+  await page.waitForFunction((last) => window.skerry.state().newestScan > last + 1, scan);
+  const kept = await capture(page);
+  for (let i = 0; i < 3; ++i) {
+    await page.keyboard.press('p');
+    await page.evaluate(() => window.skerry.drawn(2));
+  }
+  const anew = await capture(page);
+  let worst = 0;
+  kept.data.forEach((byte, i) => { worst = Math.max(worst, Math.abs(byte - anew.data[i])); });
+  t.diagnostic(`at most ${worst} of 255 apart`);
+  assert.ok(worst <= 8, `${worst} of 255`);
 });
 
 test('without WebGL2 the picture says why, and controls and numbers work', async () => {

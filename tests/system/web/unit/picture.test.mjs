@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import * as format from '../../../../clients/web/src/format.js';
-import { echoColours } from '../../../../clients/web/src/palette.js';
+import { echoColours, PALETTES } from '../../../../clients/web/src/palette.js';
+import { RowLook } from '../../../../clients/web/src/picture/row_look.js';
 import { addWedges } from '../../../../clients/web/src/ppi_renderer.js';
 import { sectorsOf, sectorsText } from '../../../../clients/web/src/receiver_controls.js';
 import { ScanStore, ScanTracker } from '../../../../clients/web/src/scan_store.js';
@@ -187,7 +188,7 @@ test('a wedge covers every pixel whose square its rows touch', () => {
   for (let i = 0; i < 300; ++i) {
     const from = r(), to = from + 0.0005 + r() * (i % 3 === 0 ? 0.99 : 0.02), up = r();
     const corners = [];
-    addWedges(corners, from, to, up, side);
+    addWedges(corners, from, to, up, side / 2);
     for (let k = 0; k < 50; ++k) {
       const angle = (from + (to - from) * r() - up) * 2 * Math.PI, range = r() * side / 2;
       // The centre of a pixel whose square holds that place.
@@ -217,6 +218,38 @@ test('stronger echoes are brighter and more opaque', () => {
     assert.equal(colours[3], 0);
     assert.equal(colours[1023], 255);
   }
+});
+
+test('no row looks otherwise than it was painted, but by 2 %, and few are painted anew', () => {
+  const rows = 720, turnS = 2.5, meta = new Float32Array(rows * 4), rowLook = new RowLook();
+  rowLook.resize(rows);
+  const painted = new Uint8Array(rows * 4);
+  let worst = 0, drawn = 0, offered = 0, row = 0;
+  for (let n = 0; n < 250; ++n) {
+    const nowS = n / 12, swept = [];
+    // Then there is no video: all goes out.
+    for (; n < 150 && row / rows < nowS / turnS; ++row) {
+      meta.set([nowS, 10, 4, 0], (row % rows) * 4);
+      swept.push([row % rows, 1]);
+    }
+    rowLook.update(meta, { nowS, turnS, afterglow: 0.25, sweepRow: n < 150 ? (row - 1 + rows) % rows : -1 });
+    for (const [first, count] of rowLook.take(swept, n === 0)) {
+      painted.set(rowLook.bytes.subarray(4 * first, 4 * (first + count)), 4 * first);
+      drawn += count;
+    }
+    offered += rows;
+    for (const [r] of swept) assert.deepEqual(painted.slice(4 * r, 4 * r + 4), rowLook.bytes.slice(4 * r, 4 * r + 4));
+    rowLook.bytes.forEach((byte, i) => { worst = Math.max(worst, Math.abs(byte - painted[i])); });
+  }
+  assert.ok(worst <= 6, `${worst} of 255`);
+  assert.ok(drawn < 0.6 * offered, `${drawn} of ${offered} rows`);
+  assert.equal(Math.max(...painted.filter((_, i) => i % 4 < 2)), 0, 'what is missing has gone out');
+});
+
+test('around the circle the picture has the page\u2019s own colour', () => {
+  const css = readFileSync(`${WEB}common.css`, 'utf8');
+  const found = [...css.matchAll(/--back: #([0-9a-f]{6})/g)].map(([, hex]) => [0, 2, 4].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255));
+  assert.deepEqual(found, [PALETTES.day.back, PALETTES.dusk.back, PALETTES.night.back]);
 });
 
 test('numbers read as on a ship', () => {

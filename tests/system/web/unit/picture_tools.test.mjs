@@ -71,11 +71,11 @@ test('a wedge seen from off the centre covers every pixel of the picture that it
     const angle = r() * 2 * Math.PI, own = { x: 150 * r() * Math.sin(angle), y: 150 * r() * Math.cos(angle) };
     const from = r(), to = from + 0.0005 + r() * (i % 3 === 0 ? 0.99 : 0.02), up = r();
     const corners = [];
-    addWedges(corners, from, to, up, side, own);
+    addWedges(corners, from, to, up, side / 2, own);
     for (let k = 0; k < 50; ++k) {
       const a = (from + (to - from) * r() - up) * 2 * Math.PI, range = r() * 1.75 * side / 2;
       const px = own.x + range * Math.sin(a), py = own.y + range * Math.cos(a);
-      if (Math.max(Math.abs(px), Math.abs(py)) > side / 2) continue;
+      if (Math.hypot(px, py) > side / 2) continue;
       let hit = false;
       for (let c = 0; c < corners.length && !hit; c += 6) hit = inTriangle(px, py, corners.slice(c, c + 6));
       assert.ok(hit, JSON.stringify({ from, to, up, own, px, py }));
