@@ -16,7 +16,7 @@ namespace skerry::server {
 // Thread: one at a time.
 class Checkpoints {
  public:
-  static constexpr Duration kTime = std::chrono::seconds(60);
+  static constexpr Duration kTime = std::chrono::seconds(2);
 
   Checkpoints();
   ~Checkpoints();

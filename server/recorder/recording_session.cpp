@@ -112,6 +112,11 @@ SeriesWriter::Additions RecordingSession::additions() {
                   writer_.add({{Kind::input}, item_time(), bytes_of(input)});
                 }
               },
+          .quiet =
+              [this] {
+                // An exercise says with every chunk how far its inputs are known.
+                if (host_.exercise() == nullptr) add_own_ships();
+              },
           .chunk_lost =
               [this] {
                 state_is_lost_ = true;
@@ -191,13 +196,17 @@ void RecordingSession::add_settings(RingReader& reader, UtcTime time) {
 void RecordingSession::add_ships() {
   if (plan_.inputs_only) return;
   ships_told_ = now_;
-  for (const std::uint32_t radar : plan_.radars) {
-    add({Kind::own_ship, radar}, item_time(), host_.own_ship(radar));
-  }
+  add_own_ships();
   add({Kind::traffic}, item_time(), traffic_message(host_.traffic()));
   if (auto exercise = host_.exercise_state()) {
     exercise->clear_played_marks();  // of the recording that is recorded anew: its, not this one's
     add_exercise(*exercise);
+  }
+}
+
+void RecordingSession::add_own_ships() {
+  for (const std::uint32_t radar : plan_.radars) {
+    add({Kind::own_ship, radar}, item_time(), host_.own_ship(radar));
   }
 }
 

@@ -63,6 +63,7 @@ class RecordingSession {
   // Adds nothing for a view that has just been closed: its settings are no longer known.
   void add_settings(RingReader& reader, UtcTime time);
   void add_ships();
+  void add_own_ships();
   void add_targets();
   void add_exercise(const wire::ExerciseState& exercise);
   void add_event(recording::Event::Kind kind, std::string text, const RingReader* of = nullptr,

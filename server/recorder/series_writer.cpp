@@ -144,6 +144,11 @@ void SeriesWriter::look_at_clock(Steady now, UtcTime now_utc) {
   now_ = now;
   now_utc_ = now_utc;
   if (in_chunk_ && now - chunk_begun_ >= kChunkTime) flush();
+  if (!in_chunk_ && now - chunk_begun_ >= kQuietTime) {
+    prepare_chunk();
+    additions_.quiet();
+    flush();
+  }
   const bool large = config_.roll_bytes > 0 && writer_->counts().bytes >= config_.roll_bytes;
   const bool long_enough = config_.roll_time.count() > 0 && now - file_begun_ >= config_.roll_time;
   const DiskState disk = disk_.state();

@@ -26,6 +26,9 @@ class SeriesWriter {
  public:
   using Steady = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::milliseconds kChunkTime{400};
+  // While nothing comes to be written, a chunk that says how far the recording has come begins, and
+  // ends, so long after the begin of the one before: with kChunkTime, below a second.
+  static constexpr std::chrono::milliseconds kQuietTime{600};
   // A file that is gone is followed by another so long after it began: whoever takes away each that
   // is made does not get any number.
   static constexpr std::chrono::seconds kGoneAfter{2};
@@ -36,6 +39,7 @@ class SeriesWriter {
   struct Additions {
     std::function<void()> file_begins;  // to every file
     std::function<void()> chunk_ends;   // to every chunk
+    std::function<void()> quiet;        // to a chunk that has nothing else
     std::function<void()> chunk_lost;   // what was added since the last chunk is not in the file
   };
 

@@ -8,7 +8,9 @@
 namespace skerry::system_test {
 
 // In a file that both processes map.  Spokes 0, 1, 2, ... of radar 0 as FakeHost::spoke() makes
-// them with `begin_utc_ns`.
+// them with `begin_utc_ns`.  What it says besides, how far inputs are known (Reached.first) and
+// where own ship is (OwnShip.utc_ns), bears the nanoseconds of the monotonic clock when it was
+// said.
 struct ChildsTale {
   struct Entry {
     std::atomic<std::int64_t> steady_ns;  // of the monotonic clock

@@ -2,118 +2,27 @@
 // up to a second before is there, byte for byte, and becomes a whole file again.
 //
 // SKERRY_KILLS=1000 for as many kills and cuts, and a fifth as many on a full disk; 20 without.
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <optional>
 #include <random>
 #include <thread>
 
 #include "protocol/recording/repair.hpp"
 #include "tests/system/child_process.hpp"
-#include "tests/system/recorder_child.hpp"
 #include "tests/system/small_disk.hpp"
+#include "tests/system/sudden_death_kit.hpp"
 #include "tests/unit/recorder/recorder_kit.hpp"
 
 namespace skerry::system_test {
 namespace {
 
-using recording::Kind;
-using server::RecordedHost;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
-
-constexpr std::chrono::nanoseconds kMostLost = std::chrono::seconds(1);
-
-int kills() {
-  const char* text = std::getenv("SKERRY_KILLS");
-  return text == nullptr ? 20 : std::max(1, std::atoi(text));
-}
-
-// The memory in which a child tells what it published.
-class Tale {
- public:
-  explicit Tale(std::string path) : path_(std::move(path)) {
-    const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600);
-    if (file < 0 || ::ftruncate(file, sizeof(ChildsTale)) != 0) {
-      throw std::runtime_error("no memory for the child's tale");
-    }
-    memory_ = ::mmap(nullptr, sizeof(ChildsTale), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-    ::close(file);
-    if (memory_ == MAP_FAILED) throw std::runtime_error("no memory for the child's tale");
-  }
-  ~Tale() { ::munmap(memory_, sizeof(ChildsTale)); }
-  Tale(const Tale&) = delete;
-  Tale& operator=(const Tale&) = delete;
-
-  const std::string& path() const { return path_; }
-  const ChildsTale& told() const { return *static_cast<const ChildsTale*>(memory_); }
-  UtcTime begin() const { return UtcTime(Duration(told().begin_utc_ns.load())); }
-  // Spokes that had been published then.
-  std::uint64_t published(steady_clock::time_point time) const {
-    const std::uint64_t entries = told().entries;
-    const std::uint64_t first = entries > ChildsTale::kEntries ? entries - ChildsTale::kEntries : 0;
-    std::uint64_t spokes = 0;
-    for (std::uint64_t i = first; i < entries; ++i) {
-      const ChildsTale::Entry& entry = told().told[i % ChildsTale::kEntries];
-      if (entry.steady_ns.load() <= time.time_since_epoch().count()) spokes = entry.spokes;
-    }
-    return spokes;
-  }
-
- private:
-  std::string path_;
-  void* memory_ = nullptr;
-};
-
-struct Found {
-  std::uint64_t spokes = 0;
-  std::uint64_t next = 0;     // after the last spoke
-  std::uint64_t missing = 0;  // before it
-  std::uint64_t told = 0;     // of these, told in events
-};
-
-// Every spoke of the file must be one that the child published.
-Found check_bytes(const std::string& path, UtcTime begin) {
-  Found found;
-  RecordedHost host;
-  host.begin_utc = begin;
-  auto reader = recording::RecordingReader::open(path);
-  if (!reader.ok()) return found;
-  recording::ItemCursor cursor = reader->items();
-  wire::Spoke spoke;
-  while (const auto item = cursor.next()) {
-    const std::string bytes(item->bytes.begin(), item->bytes.end());
-    if (item->topic.kind == Kind::event) {
-      recording::Event event;
-      EXPECT_TRUE(event.ParseFromString(bytes));
-      if (event.kind() == recording::Event::DISK_FULL || event.kind() == recording::Event::LOST) {
-        found.told += event.count();
-      }
-    }
-    if (item->topic.kind != Kind::spoke) continue;
-    if (!spoke.ParseFromString(bytes) || bytes != host.spoke_bytes(0, spoke.sequence())) {
-      ADD_FAILURE() << path << ": a wrong spoke at " << found.next;
-      return found;
-    }
-    // The child published some before it recorded.
-    if (found.spokes == 0) found.next = spoke.sequence();
-    EXPECT_GE(spoke.sequence(), found.next) << path;
-    found.missing += spoke.sequence() - found.next;
-    found.next = spoke.sequence() + 1;
-    ++found.spokes;
-  }
-  return found;
-}
 
 // The repaired file is whole and has the same spokes.
 void check_repair(const std::string& path, UtcTime begin, const Found& before) {
@@ -222,7 +131,7 @@ TEST_F(SuddenDeath, ADiskThatHasRoomAgainIsRecordedToAgain) {
   // Room for the longest chunk, 2 MiB, wherever the disk was found full: chunks are shorter on a
   // busy machine.
   { std::ofstream(ballast) << std::string(3 << 20, 'x'); }
-  RecordedHost host(1, 1024);
+  server::RecordedHost host(1, 1024);
   server::RecorderConfig config;
   config.folder = folder_.path("disk");
   config.reserve_bytes = 256 << 10;

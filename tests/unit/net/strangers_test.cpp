@@ -165,9 +165,9 @@ TEST_F(Strangers, StartABoardsStreamOnlyAfterTheTokenWasShown) {
   const wire::Reply refused = stranger->receive_reply();
   EXPECT_EQ(refused.code(), wire::Reply::REFUSED);
   EXPECT_NE(refused.text().find("control token"), std::string::npos) << refused.text();
-  wire::ClientMessage access;  // of nothing: it only shows the token
-  access.mutable_board_access()->set_token(kToken);
-  stranger->send(access);
+  wire::ClientMessage sign_in;
+  sign_in.mutable_sign_in()->set_token(kToken);
+  stranger->send(sign_in);
   EXPECT_EQ(stranger->receive_reply().code(), wire::Reply::OK);
   stranger->send(stream);
   EXPECT_EQ(stranger->receive_reply().code(), wire::Reply::OK);

@@ -21,15 +21,15 @@ std::string sha256(const std::string& bytes) {
   return digest;
 }
 
-TEST(Checkpoints, EndAfterAMinuteOfSpokes) {
+TEST(Checkpoints, EndAfterTwoSecondsOfSpokes) {
   Checkpoints checkpoints;
   std::string all;
   for (std::uint64_t i = 0; i < 60; ++i) {
     const std::string bytes = "spoke " + std::to_string(i);
     all += bytes;
-    EXPECT_FALSE(checkpoints.add(1, 2, spoke_of(bytes, 100 + i, static_cast<double>(i))));
+    EXPECT_FALSE(checkpoints.add(1, 2, spoke_of(bytes, 100 + i, static_cast<double>(i) / 30.0)));
   }
-  const auto ended = checkpoints.add(1, 2, spoke_of("next", 160, 60.0));
+  const auto ended = checkpoints.add(1, 2, spoke_of("next", 160, 2.0));
   ASSERT_TRUE(ended);
   EXPECT_EQ(ended->checkpoint().radar(), 1u);
   EXPECT_EQ(ended->checkpoint().view(), 2u);
