@@ -68,6 +68,14 @@ class LogTap final : public spdlog::sinks::base_sink<std::mutex> {
   Recorder* recorder_ = nullptr;  // under the sink's mutex
 };
 
+// No right of root's is needed.  A right to a higher priority is used if there is one (NetServer).
+void tell_of_root() {
+  if (geteuid() != 0) return;
+  spdlog::warn(
+      "skerryd runs as root and does not need to; start it as a user of its own, who may write "
+      "to the folder of recordings");
+}
+
 void greet(const Options& options, const NetServer& net, const std::string& what) {
   const std::string& host = options.net.bind;
   std::fprintf(stderr,
@@ -96,6 +104,7 @@ void greet(const Options& options, const NetServer& net, const std::string& what
     std::fprintf(stderr, "  %-16s %s (radar %u)\n", nmea.name().c_str(), nmea.address().c_str(),
                  nmea.radar());
   }
+  tell_of_root();
   std::fprintf(stderr, "  stop with Ctrl-C\n");
   if (options.print_ports) {
     std::printf("tcp %u http %u\n", net.tcp_port(), net.http_port());
@@ -226,14 +235,6 @@ int run(const Options& options, LogTap& tap) {
   return 0;
 }
 
-// No right of root's is needed.  A right to a higher priority is used if there is one (NetServer).
-void tell_of_root() {
-  if (geteuid() != 0) return;
-  spdlog::warn(
-      "skerryd runs as root and does not need to; start it as a user of its own, who may write "
-      "to the folder of recordings");
-}
-
 // What radars allocate the network frees, on other threads.  With glibc's arena for each thread and
 // its threshold for mmap that grows with what is freed, a server held a sixth more than it used,
 // and more for a quarter of an hour (class_check --open-sea).
@@ -256,7 +257,6 @@ int main(int argc, char** argv) {
     const auto options = read_options(argc, argv);
     if (!options) return 0;
     spdlog::set_level(spdlog::level::from_str(options->log_level));
-    if (!options->check_only && options->verify.empty()) tell_of_root();
     return run(*options, *tap);
   } catch (const std::exception& error) {
     std::istringstream lines(error.what());  // a ConfigError has one for each error of a file

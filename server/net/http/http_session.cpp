@@ -1,7 +1,6 @@
 #include "server/net/http/http_session.hpp"
 
 #include <fmt/format.h>
-#include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
 #include <array>
@@ -37,6 +36,10 @@ std::optional<std::string_view> header_of(const http::request<http::string_body>
   const auto found = request.find(field);
   if (found == request.end()) return std::nullopt;
   return std::string_view(found->value().data(), found->value().size());
+}
+
+std::string_view bearer(const http::request<http::string_body>& request) {
+  return token_of(header_of(request, http::field::authorization).value_or(""));
 }
 
 // All of them as one, as they may be read.  Source: RFC 9110, 5.3.
@@ -130,6 +133,7 @@ const std::array<HttpSession::Route, 4> HttpSession::kRoutes = {
      {"/controls.json", &HttpSession::answer_controls},
      {"/status", &HttpSession::answer_status},
      {"/metrics", &HttpSession::answer_metrics}}};
+
 // Times of reading are check()'s: those of the stream would close it, and nothing could be said.
 void HttpSession::wait(std::chrono::milliseconds time) {
   if (buffer_.size() > 0) return read();  // requests sent one behind the other
@@ -181,8 +185,7 @@ void HttpSession::on_read(error_code error) {
   if (error) return answer_unreadable(error);
   has_served_ = true;
   Request request = parser_->release();
-  const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
-  if (context_.gate.knows(token, utc_now())) slot_->trust();
+  if (context_.gate.knows(bearer(request), utc_now())) slot_->trust();
   if (auto refused = refusal(request)) {
     const std::string_view text = refused->body;
     context_.complain("http refused",
@@ -250,8 +253,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
                                   [&](const Route& each) { return each.path == path; });
   const bool is_file = route == kRoutes.end();
-  const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
-  const Who who = context_.gate.who(slot_->peer().on_own_host, token, utc_now());
+  const Who who = context_.gate.who(slot_->peer().on_own_host, bearer(request), utc_now());
   if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
   }
@@ -267,16 +269,7 @@ WebAnswer HttpSession::answer_controls(const Request&) const {
 }
 
 WebAnswer HttpSession::answer_status(const Request&) const {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  WebAnswer json{.mime = "application/json"};
-  const auto written = google::protobuf::util::MessageToJsonString(
-      slot_->is_trusted() ? context_.status() : context_.status_for_strangers(), &json.body,
-      options);
-  if (!written.ok()) return web_error(500, "500: " + written.ToString());
-  return json;
+  return json_answer(slot_->is_trusted() ? context_.status() : context_.status_for_strangers());
 }
 
 WebAnswer HttpSession::answer_metrics(const Request& request) const {
@@ -289,8 +282,7 @@ WebAnswer HttpSession::answer_metrics(const Request& request) const {
 WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
   const NetConfig& config = context_.config;
   const TcpPeer& peer = slot_->peer();
-  const auto token = token_of(header_of(request, http::field::authorization).value_or(""));
-  const Who who = context_.gate.who(peer.on_own_host, token, utc_now());
+  const Who who = context_.gate.who(peer.on_own_host, bearer(request), utc_now());
   const auto method = request.method_string();
   const auto right = signalk_right({method.data(), method.size()}, path);
   error_code error;
@@ -303,7 +295,7 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
       .address = error ? config.bind : local.address().to_string(),
       .origin = "Signal K display " + peer.text,
       .refusal = why_not(who, right, context_.ship_of(site_->radars().front().number)),
-      .has_token = !token.empty() && who.role && who.more.empty(),
+      .has_token = !bearer(request).empty() && who.role && who.more.empty(),
       .is_known = who.role.has_value()};
   const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
   if (!reads && !context_.changes.take(peer, std::chrono::steady_clock::now())) {
@@ -321,10 +313,8 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
 bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   const auto wanted = signalk_stream(*site_, path);
   if (!wanted) return false;
-  const StreamRight right(
-      context_, slot_->peer().on_own_host,
-      std::string(token_of(header_of(request, http::field::authorization).value_or(""))),
-      site_->radars().front().number);
+  const StreamRight right(context_, slot_->peer().on_own_host, std::string(bearer(request)),
+                          site_->radars().front().number);
   if (const auto refused = right.refusal_of("signalk.stream")) {
     send(web_error(401, "401: " + *refused), true, false);
     return true;

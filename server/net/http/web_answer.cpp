@@ -1,6 +1,7 @@
 #include "server/net/http/web_answer.hpp"
 
 #include <fmt/format.h>
+#include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
 #include <array>
@@ -56,6 +57,17 @@ bool clean(std::string_view path) {
 WebAnswer web_error(unsigned status, std::string text) {
   text += '\n';
   return {.status = status, .body = std::move(text)};
+}
+
+WebAnswer json_answer(const google::protobuf::Message& message) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  WebAnswer json{.mime = "application/json"};
+  const auto written = google::protobuf::util::MessageToJsonString(message, &json.body, options);
+  if (!written.ok()) return web_error(500, "500: " + written.ToString());
+  return json;
 }
 
 std::string http_refusal(const std::string& reason) {

@@ -1,6 +1,8 @@
 // Answers to HTTP requests, decided without a socket.
 #pragma once
 
+#include <google/protobuf/message.h>
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +21,9 @@ struct WebAnswer {
 
 // An error with its text as the body.
 WebAnswer web_error(unsigned status, std::string text);
+
+// A message as JSON, with all its fields and their names as the schema has them.
+WebAnswer json_answer(const google::protobuf::Message& message);
 
 // The whole response to a connection whose request is not even read, for want of a place: 503.
 std::string http_refusal(const std::string& reason);

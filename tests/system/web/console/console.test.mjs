@@ -419,16 +419,6 @@ test('a refused change is told, and the old value comes back', async () => {
   assert.equal(server.received.filter((m) => m.kind === 'signIn').at(-1).signIn.token, 'geheim');
 });
 
-test('who has a token says so before anything else, and asks anew for what was refused without', async () => {
-  await open({ mayLook: (token) => token === 'geheim' });
-  await page.locator('#token').waitFor();
-  const seen = server.received.length;
-  await page.locator('#token').fill('geheim');
-  await page.locator('#token').press('Tab');
-  await page.waitForFunction(() => window.skerry.settings()?.gain === 50);
-  assert.deepEqual(server.received.slice(seen, seen + 2).map((m) => m.kind), ['signIn', 'subscribe']);
-});
-
 test('course and speed are ordered, also a course of zero', async () => {
   await openFlat({ headingDeg: 37 });
   await page.locator('#order-course').fill('0');

@@ -253,3 +253,14 @@ test('hostile names and a wrong clock change neither the page nor its layout', a
     if (path !== 'conning') await context.close();
   }
 });
+
+test('who has a token says so before anything else, and asks anew for what was refused without', async () => {
+  server = new MockServer({ ...SMALL, mayLook: (token) => token === 'geheim' });
+  page = await openConsole(browser, await server.start());
+  await page.locator('#token').waitFor();
+  const seen = server.received.length;
+  await page.locator('#token').fill('geheim');
+  await page.locator('#token').press('Tab');
+  await page.waitForFunction(() => window.skerry.settings()?.gain === 50);
+  assert.deepEqual(server.received.slice(seen, seen + 2).map((m) => m.kind), ['signIn', 'subscribe']);
+});
