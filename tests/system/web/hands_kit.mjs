@@ -30,5 +30,5 @@ export async function untilSet(server, wanted, ms = 15000) {
     if (found) return found;
     await new Promise((resolve) => setTimeout(resolve, 20));
   }
-  throw new Error(`no such order: ${wanted}`);
+  throw new Error(`no such order: ${wanted}; the orders were ${JSON.stringify(setsOf(server))}`);
 }

@@ -174,6 +174,7 @@ test('the picture has the screen by a key, a window of its own, and a second one
 
   await page.locator('#beside').selectOption('0');
   const frame = page.frameLocator('#second');
+  await frame.locator('#range-now', { hasText: /^6$/ }).waitFor();  // while it builds itself its buttons still move
   await frame.locator('#range-less').click();
   await untilSet(server, (set) => set.view > 0 && set.rangeNm === 3);
   await frame.locator('#range-now', { hasText: /^3$/ }).waitFor();
