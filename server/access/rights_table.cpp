@@ -49,6 +49,9 @@ constexpr auto kRights = std::to_array<Right>({
     {"GET /ws", Scope::open, 0, "begin the native protocol; each message has its own right"},
     {"GET /status", Scope::any, kAll, "read the server's status"},
     {"GET /metrics", Scope::any, kAll, "read the metrics"},
+    {"GET /setups", Scope::any, kAll, "see and use the set-ups that consoles have kept"},
+    {"PUT /setups", Scope::any, kConsole, "keep a console's set-up"},
+    {"DELETE /setups", Scope::any, kConsole, "delete a set-up that is kept"},
     // Signal K, on the same port.
     {"signalk.discover", Scope::open, 0, "learn that a Signal K server is here, and log in"},
     {"signalk.read", Scope::ship, kAll, "read radars, controls, targets and ships"},

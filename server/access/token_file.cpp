@@ -17,6 +17,7 @@
 #include "protocol/digest/digest.hpp"
 #include "protocol/nmea/log_time.hpp"
 #include "protocol/picture/label_text.hpp"
+#include "server/config/whole_file.hpp"
 #include "server/config/yaml_message.hpp"
 
 namespace skerry::server {
@@ -74,31 +75,11 @@ class Handle {
   void lock() {
     if (::flock(number_, LOCK_EX) != 0) throw cannot("lock", file_);
   }
-  void write_all(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = ::write(number_, text.data(), text.size());
-      if (written < 0 && errno != EINTR) throw cannot("write", file_);
-      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (::fsync(number_) != 0) throw cannot("write", file_);
-  }
 
  private:
   int number_;
   fs::path file_;
 };
-
-void write_whole(const fs::path& file, std::string_view text) {
-  const fs::path part = file.string() + ".part";
-  try {
-    Handle(part, O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR).write_all(text);
-    if (::rename(part.c_str(), file.c_str()) != 0) throw cannot("replace", file);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw;
-  }
-}
 
 }  // namespace
 
@@ -203,7 +184,7 @@ void change_tokens(const fs::path& file, const std::function<void(TokenFile&)>& 
   TokenFile tokens;
   if (fs::exists(file)) tokens = TokenFile::read(file);
   change(tokens);
-  write_whole(file, tokens.text());
+  write_whole(file, tokens.text(), S_IRUSR | S_IWUSR);
 }
 
 }  // namespace skerry::server

@@ -158,10 +158,12 @@ const std::vector<Room>& table() {
       {"server/access_tool",
        {"protocol/picture/label_text.hpp", "protocol/quantity/", "echo/tool_console/",
         "server/access/"}},
+      // What consoles keep on the server.
+      {"server/setups", {"protocol/digest/", "protocol/wire/printable_text.hpp", "server/config/"}},
       // The network: what all speakers share, and a room for each that speaks.
       {"server/net/common",
        {"protocol/", "server/access/", "server/core/", "server/displays/radar_emulation.hpp",
-        "server/navigation/"}},
+        "server/navigation/", "server/setups/"}},
       {"server/net/native", {"protocol/", "server/access/", "server/core/", "server/net/common/"}},
       {"server/net/outputs",
        {"protocol/", "server/core/", "server/displays/radar_emulation.hpp", "server/net/common/"}},
@@ -173,7 +175,7 @@ const std::vector<Room>& table() {
       {"server/net/live", {"protocol/", "server/core/", "server/live/", "server/net/common/"}},
       {"server/net/http",
        {"protocol/", "server/access/", "server/core/", "server/net/common/", "server/net/native/",
-        "server/net/signalk/"}},
+        "server/net/signalk/", "server/setups/"}},
       {"server/net", {"protocol/", "server/core/", "server/net/"}},
       // Video and all that belongs to it, to the disk.
       {"server/recorder", {"protocol/", "server/core/"}},

@@ -48,6 +48,8 @@ struct NetConfig {
   std::string control_token;
   // File of tokens (server/access/token_file.hpp); empty: none, and other hosts may look.
   std::string tokens;
+  // Folder of consoles' set-ups (server/setups/setup_shelf.hpp); empty: browsers alone keep some.
+  std::string setups;
   // Names, without port, by which browsers may address this server, besides localhost and, when
   // `bind` is no loopback address, any IP literal.
   std::vector<std::string> allowed_hosts;

@@ -78,6 +78,10 @@ NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
       log_pace_(config.limits.log_period),
       settings_version_(host.settings_version()),
       world_version_(host.world_version()) {
+  if (!config.setups.empty()) {
+    setups.emplace(SetupShelf::Config{
+        config.setups, [this](SetupShelf::Task task) { asio::post(io, std::move(task)); }});
+  }
   const wire::Hello told = host.hello();
   for (const wire::RadarInfo& info : told.radars()) {
     ships_.resize(std::max<std::size_t>(ships_.size(), info.radar() + 1));

@@ -27,6 +27,7 @@
 #include "server/net/common/net_config.hpp"
 #include "server/net/common/recording_news.hpp"
 #include "server/net/common/spoke_feed.hpp"
+#include "server/setups/setup_shelf.hpp"
 
 namespace skerry::server {
 
@@ -82,6 +83,7 @@ class NetContext {
   // Heeds a changed file of tokens, and tokens that have ended.  Call it once a second.
   void look_at_tokens();
   ChangeBudgets changes;
+  std::optional<SetupShelf> setups;  // of consoles; nothing: this server keeps none
 
   // Counts a client's breach of a limit, and writes it to the log, but no more than one line of a
   // kind every PeerLimits::log_period.  `kind` is a short fixed name.

@@ -11,11 +11,12 @@
 #include <string>
 #include <utility>
 
-#include "server/net/common/access_policy.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/controls_page.hpp"
+#include "server/net/http/http_request.hpp"
 #include "server/net/http/metrics_page.hpp"
+#include "server/net/http/setup_routes.hpp"
 #include "server/net/http/ws_transport.hpp"
 #include "server/net/native/native_session.hpp"
 #include "server/net/signalk/signalk_delta_session.hpp"
@@ -26,32 +27,10 @@ namespace skerry::server {
 namespace {
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::uint64_t kMaxBodyBytes = 4 * 1024;  // of changes by Signal K
+constexpr std::uint64_t kMaxBodyBytes = SetupShelf::kMostBytes;  // Signal K's are shorter
 constexpr std::size_t kFirstRead = 4096;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
-
-std::optional<std::string_view> header_of(const http::request<http::string_body>& request,
-                                          http::field field) {
-  const auto found = request.find(field);
-  if (found == request.end()) return std::nullopt;
-  return std::string_view(found->value().data(), found->value().size());
-}
-
-std::string_view bearer(const http::request<http::string_body>& request) {
-  return token_of(header_of(request, http::field::authorization).value_or(""));
-}
-
-// All of them as one, as they may be read.  Source: RFC 9110, 5.3.
-std::string headers_of(const http::request<http::string_body>& request, http::field field) {
-  std::string joined;
-  const auto [begin, end] = request.equal_range(field);
-  for (auto header = begin; header != end; ++header) {
-    if (!joined.empty()) joined += ", ";
-    joined.append(header->value().data(), header->value().size());
-  }
-  return joined;
-}
 
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:
@@ -83,7 +62,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   }
 
  private:
-  using Request = http::request<http::string_body>;
+  using Request = HttpRequest;
 
   void wait(std::chrono::milliseconds time);  // for the first byte of a request
   void read();
@@ -185,7 +164,7 @@ void HttpSession::on_read(error_code error) {
   if (error) return answer_unreadable(error);
   has_served_ = true;
   Request request = parser_->release();
-  if (context_.gate.knows(bearer(request), utc_now())) slot_->trust();
+  if (context_.gate.knows(bearer_of(request), utc_now())) slot_->trust();
   if (auto refused = refusal(request)) {
     const std::string_view text = refused->body;
     context_.complain("http refused",
@@ -204,6 +183,17 @@ void HttpSession::on_read(error_code error) {
   if (site_ != nullptr && is_signalk_path(path)) {
     if (upgrades && upgrade_signalk(request, path)) return;
     return send(answer_signalk(request, std::move(path)), with_body, request.keep_alive());
+  }
+  if (is_setup_path(path)) {
+    const auto method = request.method_string();
+    return answer_setups(
+        context_, slot_->peer(),
+        {.method = {method.data(), method.size()},
+         .path = std::move(path),
+         .body = std::move(request.body()),
+         .who = context_.gate.who(slot_->peer().on_own_host, bearer_of(request), utc_now())},
+        [self = shared_from_this(), with_body, keep_alive = request.keep_alive()](
+            const WebAnswer& answer) { self->send(answer, with_body, keep_alive); });
   }
   send(answer(request), with_body, request.keep_alive());
 }
@@ -225,27 +215,11 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
   if (slot_->place() == Place::refused || slot_->place() == Place::on_trial) {
     return web_error(503, "503: " + slot_->reason());
   }
-  const auto host = header_of(request, http::field::host);
-  if (!host || request.count(http::field::host) != 1) {
-    return web_error(400, "400: a request needs one Host header");
-  }
-  error_code error;
-  const auto bound = asio::ip::make_address(context_.config.bind, error);
-  const HostPolicy policy{.allowed_hosts = context_.config.allowed_hosts,
-                          .any_ip_literal = !error && !is_loopback(bound)};
-  if (auto text = host_refusal(*host, policy)) return web_error(403, "403: " + *text);
-  // Any page may send a request that only reads; the browser does not show it the answer.
-  const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
-  if (reads && !websocket::is_upgrade(request)) return std::nullopt;
-  if (request.count(http::field::origin) > 1) return web_error(400, "400: more than one Origin");
-  if (auto text = origin_refusal(header_of(request, http::field::origin), *host)) {
-    return web_error(403, "403: " + *text);
-  }
-  return std::nullopt;
+  return refusal_of(request, context_.config);
 }
 
 WebAnswer HttpSession::answer(const Request& request) const {
-  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+  if (!only_reads(request)) {
     return web_error(405, "405: only GET and HEAD are served here");
   }
   const std::string_view target(request.target().data(), request.target().size());
@@ -253,7 +227,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
                                   [&](const Route& each) { return each.path == path; });
   const bool is_file = route == kRoutes.end();
-  const Who who = context_.gate.who(slot_->peer().on_own_host, bearer(request), utc_now());
+  const Who who = context_.gate.who(slot_->peer().on_own_host, bearer_of(request), utc_now());
   if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
   }
@@ -282,7 +256,7 @@ WebAnswer HttpSession::answer_metrics(const Request& request) const {
 WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
   const NetConfig& config = context_.config;
   const TcpPeer& peer = slot_->peer();
-  const Who who = context_.gate.who(peer.on_own_host, bearer(request), utc_now());
+  const Who who = context_.gate.who(peer.on_own_host, bearer_of(request), utc_now());
   const auto method = request.method_string();
   const auto right = signalk_right({method.data(), method.size()}, path);
   error_code error;
@@ -295,9 +269,9 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
       .address = error ? config.bind : local.address().to_string(),
       .origin = "Signal K display " + peer.text,
       .refusal = why_not(who, right, context_.ship_of(site_->radars().front().number)),
-      .has_token = !bearer(request).empty() && who.role && who.more.empty(),
+      .has_token = !bearer_of(request).empty() && who.role && who.more.empty(),
       .is_known = who.role.has_value()};
-  const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
+  const bool reads = only_reads(request);
   if (!reads && !context_.changes.take(peer, std::chrono::steady_clock::now())) {
     const std::string refusal = context_.changes.refusal(peer);
     context_.complain("too many changes", peer.text + ": " + refusal);
@@ -313,7 +287,7 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
 bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   const auto wanted = signalk_stream(*site_, path);
   if (!wanted) return false;
-  const StreamRight right(context_, slot_->peer().on_own_host, std::string(bearer(request)),
+  const StreamRight right(context_, slot_->peer().on_own_host, std::string(bearer_of(request)),
                           site_->radars().front().number);
   if (const auto refused = right.refusal_of("signalk.stream")) {
     send(web_error(401, "401: " + *refused), true, false);
@@ -360,7 +334,9 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
     response_.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
   }
   if (!answer.location.empty()) response_.set(http::field::location, answer.location);
-  if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD");
+  if (answer.status == 405) {
+    response_.set(http::field::allow, beast::string_view(answer.allow.data(), answer.allow.size()));
+  }
   if (answer.status == 401) response_.set(http::field::www_authenticate, "Bearer");
   if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
   response_.keep_alive(keep_alive);

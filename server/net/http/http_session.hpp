@@ -10,10 +10,10 @@
 
 namespace skerry::server {
 
-// Serves GET and HEAD, and of Signal K all its methods; keeps the connection open between requests;
-// bounded in bytes and in time (PeerLimits, NetConfig::http_timeout).  Hands the socket to a
-// NativeSession or a Signal K session after an upgrade. `site` is nullptr where no Signal K is
-// served; it and `files` must outlive the session. Thread: net-0.
+// Serves GET and HEAD, and of Signal K and set-ups all their methods; keeps the connection open
+// between requests; bounded in bytes and in time (PeerLimits, NetConfig::http_timeout).  Hands the
+// socket to a NativeSession or a Signal K session after an upgrade. `site` is nullptr where no
+// Signal K is served; it and `files` must outlive the session. Thread: net-0.
 void begin_http_session(NetContext& context, const WebFiles& files, SignalkSite* site,
                         TcpSocket socket, ConnectionSlotPtr slot);
 

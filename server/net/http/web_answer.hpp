@@ -17,6 +17,7 @@ struct WebAnswer {
   std::string body = {};
   std::string_view vary = {};  // the request header that decided about the answer; a literal
   std::string location = {};   // of a redirection
+  std::string_view allow = "GET, HEAD";  // of 405: the methods that there are; a literal
 };
 
 // An error with its text as the body.

@@ -8,6 +8,7 @@
 
 #include "protocol/wire/schema.hpp"
 #include "server/net/common/access_policy.hpp"
+#include "server/net/common/net_clock.hpp"
 #include "server/net/native/native_session.hpp"
 
 namespace skerry::server {

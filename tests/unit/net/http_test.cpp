@@ -1,10 +1,13 @@
 // HTTP as seen by a client: answers, limits, and who may open a WebSocket.
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -279,6 +282,72 @@ TEST(NetServer, APortInUseIsNamedWithWhatToDo) {
   expect_named(config, {"no address", "--bind"});
   config.bind = "203.0.113.1";  // an address this machine does not have
   expect_named(config, {"203.0.113.1", "--bind"});
+}
+
+// The routes of set-ups; what a set-up is has its tests in tests/unit/setups.
+class HttpSetups : public testing::Test {
+ protected:
+  HttpSetups() {
+    NetConfig config = test_config();
+    config.setups = folder_;
+    server_.emplace(host_, config, kConsolePage);
+    server_->start();
+  }
+  ~HttpSetups() override {
+    server_->stop();
+    std::filesystem::remove_all(folder_);
+  }
+  std::string ask(const std::string& method, const std::string& path, const std::string& body = {},
+                  const std::string& headers = {}) {
+    return http_exchange(server_->http_port(),
+                         method + " " + path + " HTTP/1.1\r\nHost: localhost\r\n" + headers +
+                             "Connection: close\r\nContent-Length: " + std::to_string(body.size()) +
+                             "\r\n\r\n" + body);
+  }
+
+  const std::string folder_ = [] {
+    std::string pattern = testing::TempDir() + "skerry-http-setups-XXXXXX";
+    return std::string(::mkdtemp(pattern.data()));
+  }();
+  const std::string document_ =
+      R"({"kind": "skerry set-up", "version": 1, "name": "a b", "parts": {"keys": {}}})";
+  FakeHost host_;
+  std::optional<NetServer> server_;
+};
+
+TEST_F(HttpSetups, AreListedReadKeptAndDeleted) {
+  EXPECT_TRUE(ask("GET", "/setups").ends_with(R"({"keeps":true,"setups":[]})"));
+  EXPECT_TRUE(ask("GET", "/setups/a%20b").starts_with("HTTP/1.1 404 "));
+  const std::string kept = ask("PUT", "/setups/a%20b", document_);
+  EXPECT_TRUE(kept.starts_with("HTTP/1.1 200 ")) << kept;
+  EXPECT_NE(kept.find(R"("name":"a b")"), std::string::npos) << "the list as it is now: " << kept;
+  EXPECT_TRUE(ask("GET", "/setups/a%20b").ends_with("\r\n\r\n" + document_));
+  EXPECT_TRUE(ask("HEAD", "/setups/a%20b").ends_with("\r\n\r\n"));
+  EXPECT_TRUE(ask("DELETE", "/setups/a%20b").ends_with(R"({"keeps":true,"setups":[]})"));
+  EXPECT_TRUE(ask("DELETE", "/setups/a%20b").starts_with("HTTP/1.1 404 "));
+}
+
+TEST_F(HttpSetups, WhatIsWrongIsRefusedWithItsReason) {
+  const std::string post = ask("POST", "/setups/a", document_);
+  EXPECT_TRUE(post.starts_with("HTTP/1.1 405 ")) << post;
+  EXPECT_NE(post.find("Allow: GET, HEAD, PUT, DELETE\r\n"), std::string::npos) << post;
+  const std::string list = ask("PUT", "/setups", document_);
+  EXPECT_NE(list.find("Allow: GET, HEAD\r\n"), std::string::npos) << list;
+  EXPECT_TRUE(ask("PUT", "/setups/other", document_).starts_with("HTTP/1.1 400 "));
+  EXPECT_TRUE(ask("PUT", "/setups/a/../b", document_).starts_with("HTTP/1.1 405 ")) << "no path";
+  const std::string other_page = "Origin: http://example.org\r\n";
+  EXPECT_TRUE(ask("PUT", "/setups/a%20b", document_, other_page).starts_with("HTTP/1.1 403 "));
+  EXPECT_TRUE(ask("DELETE", "/setups/a%20b", {}, other_page).starts_with("HTTP/1.1 403 "));
+  EXPECT_TRUE(ask("PUT", "/setups/a", std::string(SetupShelf::kMostBytes + 1, ' '))
+                  .starts_with("HTTP/1.1 413 "));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(Http, AServerWithoutAFolderForSetUpsSaysWhatIsMissing) {
+  EXPECT_EQ(body_of(http_get(server_.http_port(), "/setups")), R"({"keeps":false,"setups":[]})");
+  const std::string answer = http_get(server_.http_port(), "/setups/a");
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 404 ")) << answer;
+  EXPECT_NE(answer.find("--setups"), std::string::npos) << answer;
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ class ServerWithTokens : public testing::Test {
     host_.board = std::make_shared<FakeBoard>();
     NetConfig config = test_config();
     config.tokens = file_.string();
+    config.setups = (folder_ / "setups").string();
     server_.emplace(host_, config, std::span<const WebFile>{});
     server_->start();
   }
@@ -180,6 +181,23 @@ TEST_F(ServerWithTokens, HttpTakesItAsBearer) {
     EXPECT_THAT(http("HEAD", path, "skerry_guess"), StartsWith("HTTP/1.1 401"));
   }
   EXPECT_THAT(http("GET", "/controls.json", "skerry_guess"), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(ServerWithTokens, SetUpsAreSeenByAllAndKeptByWhoHasAConsole) {
+  const std::string path = "/setups/night%20%C3%A4";
+  const std::string document =
+      R"({"kind": "skerry set-up", "version": 1, "name": "night \u00e4", "parts": {}})";
+  EXPECT_THAT(http("GET", "/setups", "skerry_guess"), StartsWith("HTTP/1.1 401"));
+  for (const Role role : kEveryRole) {
+    const bool keeps = role != access::OBSERVER && role != access::ASSESSOR;
+    const std::string& token = tokens_[role];
+    EXPECT_THAT(http("GET", "/setups", token), StartsWith("HTTP/1.1 200")) << name_of(role);
+    EXPECT_THAT(http("PUT", path, token, document),
+                StartsWith(keeps ? "HTTP/1.1 200" : "HTTP/1.1 403"))
+        << name_of(role);
+    EXPECT_THAT(http("DELETE", path, token), StartsWith(keeps ? "HTTP/1.1 200" : "HTTP/1.1 403"))
+        << name_of(role);
+  }
 }
 
 TEST_F(ServerWithTokens, SignalKReadsAndChangesByRole) {

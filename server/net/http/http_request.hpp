@@ -1,0 +1,31 @@
+// What a request's header says, before it is known what is asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/net/common/asio.hpp"
+#include "server/net/common/net_config.hpp"
+#include "server/net/http/web_answer.hpp"
+
+namespace skerry::server {
+
+using HttpRequest = http::request<http::string_body>;
+
+std::optional<std::string_view> header_of(const HttpRequest& request, http::field field);
+
+// All of them as one, as they may be read.  Source: RFC 9110, 5.3.
+std::string headers_of(const HttpRequest& request, http::field field);
+
+// The token of "Authorization: Bearer"; empty if there is none.
+std::string_view bearer_of(const HttpRequest& request);
+
+// GET and HEAD change nothing.
+bool only_reads(const HttpRequest& request);
+
+// Why a browser's request is not served, if so: a Host that is not this server's (DNS rebinding),
+// or a page of another origin that would change something (cross-site request).
+std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config);
+
+}  // namespace skerry::server
