@@ -27,6 +27,7 @@ import { Greeting } from './panel/greeting.js';
 import { InstructorChoice } from './panel/instructor_choice.js';
 import { PictureHealth } from './panel/picture_health.js';
 import { Screens } from './panel/screens.js';
+import { SetupServer } from './panel/setup_server.js';
 import { SetupStore } from './panel/setup_store.js';
 import { Setups } from './panel/setups.js';
 import { ShipOrders } from './panel/ship_orders.js';
@@ -130,6 +131,7 @@ const radar = new RadarConsole(renderer.maxRows, {
     showAvailability();
   },
   settings: (settings) => {
+    if (!isTold && !isWatching) setups.look();
     isTold = true;
     subscription.takeSettings(settings);
     receiver.takeSettings(settings);
@@ -319,8 +321,8 @@ $('help-open').addEventListener('click', () => help.open());
 new Pinch($('ppi'), (by) => orders(() => receiver.stepRange(by))());
 
 // What a set-up keeps.
-const setups = new SetupStore();
-setups.addPart('picture', {
+const setupStore = new SetupStore();
+setupStore.addPart('picture', {
   take: () => ({ ...picture }),
   put: (values) => {
     picture.change(values);
@@ -328,9 +330,9 @@ setups.addPart('picture', {
     applyPicture();
   },
 });
-setups.addPart('receiver', { take: () => subscription.valuesOf(radar.settings), put: (values) => subscription.give(values) });
-setups.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
-new Setups(setups, notify);
+setupStore.addPart('receiver', { take: () => subscription.valuesOf(radar.settings), put: (values) => subscription.give(values) });
+setupStore.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
+const setups = new Setups(setupStore, new SetupServer(), notify);
 
 openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts, chart });
 requestAnimationFrame(frame);

@@ -33,7 +33,7 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, mayLook: () => true, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), chart: chartAt, at: OWN,
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), chart: chartAt, at: OWN, setups: null,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
@@ -83,6 +83,7 @@ export class MockServer {
         response.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify({ radars }));
         return;
       }
+      if (/^setups(\/|$)/.test(name)) { this.#answerSetups(request, response, decodeURIComponent(name.slice(7))); return; }
       if (!files.has(name)) { response.writeHead(404).end(); return; }
       response.writeHead(200, {
         'Content-Type': MIME[extname(name)], 'Cache-Control': 'no-store',
@@ -105,6 +106,19 @@ export class MockServer {
     this.targeting = setInterval(() => this.showTargets(), 500);
     this.exercising = setInterval(() => this.showExercise(0.25), 250);
     return `http://${this.host}:${this.port}/`;
+  }
+
+  // As server/net/http/setup_routes.cpp. setups: a Map of name and document, or null where none are kept.
+  async #answerSetups(request, response, name) {
+    let body = '';
+    for await (const piece of request) body += piece;
+    const reply = (status, text) => response.writeHead(status).end(text);
+    if (name !== '' && this.refuse) { reply(403, `403: ${this.refuse.text}`); return; }
+    if (request.method === 'PUT') this.setups.set(name, body);
+    else if (name !== '' && !this.setups?.has(name)) { reply(404, '404: there is no set-up of this name'); return; }
+    else if (request.method === 'DELETE') this.setups.delete(name);
+    else if (name !== '') { reply(200, this.setups.get(name)); return; }
+    reply(200, JSON.stringify({ keeps: this.setups !== null, setups: [...this.setups?.keys() ?? []].map((key) => ({ name: key, bytes: this.setups.get(key).length })) }));
   }
 
   async stop() {

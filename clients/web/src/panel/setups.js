@@ -1,33 +1,79 @@
-// The part of the panel that keeps set-ups by name: save, load, delete, as a file and from one.
+// The part of the panel that keeps set-ups by name: save, load, delete, as a file and from one. They are kept on the server,
+// where every console has them, or in this browser alone.
 import { t } from '../language/language.js';
 import { shortName } from '../names.js';
 import { $ } from '../widgets.js';
 
 const REVOKE_MS = 10000;
+const FRESH_MS = 3000;  // what another console has saved is looked for when a hand comes near, but not more often
+const CONTROLS = ['setup-list', 'setup-load', 'setup-delete', 'setup-download'];
 
 export class Setups {
-  // store: SetupStore.  notify(text, kind).
-  constructor(store, notify) {
-    Object.assign(this, { store, notify });
+  // store: SetupStore.  server: SetupServer.  notify(text, kind).
+  constructor(store, server, notify) {
+    Object.assign(this, { store, server, notify, lookedAt: -Infinity });
     $('setup-form').addEventListener('submit', (event) => { event.preventDefault(); this.#save(); });
     $('setup-load').addEventListener('click', () => this.#withChosen((setup) => this.#put(setup)));
-    $('setup-delete').addEventListener('click', () => this.#withChosen(({ name }) => { store.remove(name); this.#show(); }));
+    $('setup-delete').addEventListener('click', () => this.#delete());
     $('setup-download').addEventListener('click', () => this.#withChosen((setup) => this.#download(setup)));
     $('setup-upload').addEventListener('click', () => $('setup-file').click());
     $('setup-file').addEventListener('change', () => this.#upload());
+    for (const come of ['pointerenter', 'focusin']) $('setups').addEventListener(come, () => this.#lookAgain());
     this.#show();
   }
 
-  #show(chosen) {
-    const { names } = this.store;
-    $('setup-list').replaceChildren(...(names.length > 0 ? names.map((name) => new Option(shortName(name), name)) : [new Option(t('None yet'), '')]));
-    if (chosen) $('setup-list').value = chosen;
-    for (const id of ['setup-list', 'setup-load', 'setup-delete', 'setup-download']) $(id).disabled = names.length === 0;
+  // A new connection: what the server keeps is asked for.
+  async look() {
+    this.lookedAt = performance.now();
+    try {
+      await this.server.look();
+    } catch (error) {
+      this.server.keeps = false;
+      this.notify(t('The set-ups of the server cannot be read: {why}', { why: shortName(error.message, 200) }));
+    }
+    this.#show();
   }
 
-  #withChosen(run) {
-    const setup = this.store.setups[$('setup-list').value];
-    if (setup) run(setup);
+  #lookAgain() {
+    if (this.server.keeps && performance.now() - this.lookedAt > FRESH_MS) this.look();
+  }
+
+  // chosen: [where, name] of the set-up that is to be the chosen one; without, it stays as it is.
+  #show(chosen) {
+    const list = $('setup-list');
+    const kept = { server: this.server.keeps ? this.server.names : [], browser: this.store.names };
+    const wanted = chosen ? chosen.join(':') : list.value;
+    const options = (where) => kept[where].map((name) => new Option(shortName(name), `${where}:${name}`));
+    const group = (where, label) => {
+      const made = Object.assign(document.createElement('optgroup'), { label });
+      made.append(...options(where));
+      return kept[where].length > 0 ? [made] : [];
+    };
+    if (this.server.keeps) list.replaceChildren(...group('server', t('On the server')), ...group('browser', t('In this browser')));
+    else list.replaceChildren(...options('browser'));
+    const isEmpty = list.options.length === 0;
+    if (isEmpty) list.replaceChildren(new Option(t('None yet'), ''));
+    if ([...list.options].some(({ value }) => value === wanted)) list.value = wanted;
+    for (const id of CONTROLS) $(id).disabled = isEmpty;
+    $('setup-where-row').hidden = !this.server.keeps;
+    $('setups-note').textContent = this.server.keeps ? '' : t('kept in this browser');
+  }
+
+  #chosen() {
+    const { value } = $('setup-list');
+    const colon = value.indexOf(':');
+    return { where: value.slice(0, colon), name: value.slice(colon + 1) };
+  }
+
+  async #withChosen(run) {
+    const { where, name } = this.#chosen();
+    try {
+      const setup = where === 'server' ? this.store.fromFile(await this.server.read(name)) : this.store.setups[name];
+      if (setup) run(setup);
+    } catch (error) {
+      this.notify(`${shortName(name)}: ${error.message}`);
+      if (where === 'server') this.look();
+    }
   }
 
   #save() {
@@ -37,14 +83,36 @@ export class Setups {
     $('setup-name').value = '';
   }
 
-  #keep(setup) {
+  async #keep(setup) {
+    const { name } = setup;
+    if (this.server.keeps && $('setup-where').value === 'server') {
+      try {
+        await this.server.save(name, this.store.toFile(setup));
+        this.notify(t('Set-up kept on the server: {name}', { name }), 'info');
+        this.#show(['server', name]);
+      } catch (error) {
+        this.notify(t('The server did not keep the set-up {name}: {why}', { name, why: shortName(error.message, 200) }));
+      }
+      return;
+    }
     try {
       this.store.save(setup);
-      this.notify(t('Set-up kept in this browser: {name}', { name: setup.name }), 'info');
+      this.notify(t('Set-up kept in this browser: {name}', { name }), 'info');
     } catch {
       this.notify(t('This browser keeps no set-ups (its storage is full or switched off)'));
     }
-    this.#show(setup.name);
+    this.#show(['browser', name]);
+  }
+
+  async #delete() {
+    const { where, name } = this.#chosen();
+    try {
+      if (where === 'server') await this.server.remove(name);
+      else this.store.remove(name);
+    } catch (error) {
+      this.notify(`${shortName(name)}: ${error.message}`);
+    }
+    this.#show();
   }
 
   #put(setup) {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, afterEach, before, test } from 'node:test';
-import { launch } from '../browser.mjs';
+import { launch, openConsole } from '../browser.mjs';
 import { openSmall, setsOf, untilSet } from '../hands_kit.mjs';
 
 let browser, server, page, url;
@@ -221,8 +221,43 @@ test('a set-up is kept by name, used, saved to a file and read from one', async 
   await page.locator('#setup-file').setInputFiles({ name: 'photo.json', mimeType: 'application/json', buffer: Buffer.from('{"a": 1}') });
   await notice('photo.json: the file is no set-up of this console');
   await page.locator('#setup-file').setInputFiles({ name: 'own.json', mimeType: 'application/json', buffer: Buffer.from(text) });
-  await page.waitForFunction(() => document.querySelector('#setup-list').value === 'Harbour <b>night</b>');
+  await page.waitForFunction(() => document.querySelector('#setup-list').value === 'browser:Harbour <b>night</b>');
   assert.deepEqual(page.problems, []);
+});
+
+test('a set-up is kept on the server, where another console uses and deletes it; a refusal is told', async () => {
+  await open({ server: { setups: new Map([['<img src=x onerror=alert(1)>', '{"kind": "photo"}']]) } });
+  const fill = (id, value) => page.locator(`#${id}`).fill(String(value));
+  await tab('Set-up');
+  await fill('gain', 61);
+  await page.waitForFunction(() => window.skerry.settings().gain === 61);
+  await fill('setup-name', 'Nacht \u00e4/../%');
+  await page.locator('#setup-form button').click();
+  await notice('Set-up kept on the server: Nacht \u00e4/../%');
+  assert.equal(JSON.parse(server.setups.get('Nacht \u00e4/../%')).parts.receiver.gain, 61);
+  await page.locator('#setup-where').selectOption('browser');
+  await fill('setup-name', 'mine');
+  await page.locator('#setup-form button').click();
+  await notice('Set-up kept in this browser: mine');
+  await fill('gain', 20);
+  await page.waitForFunction(() => window.skerry.settings().gain === 20);
+
+  const other = await openConsole(browser, url);
+  await other.getByRole('tab', { name: 'Set-up', exact: true }).click();
+  assert.deepEqual(await other.locator('#setup-list option').allTextContents(), ['<img src=x onerror=alert(1)>', 'Nacht \u00e4/../%']);
+  await other.locator('#setup-load').click();
+  await other.locator('.notice', { hasText: 'the file is no set-up of this console' }).waitFor();
+  await other.locator('#setup-list').selectOption({ label: 'Nacht \u00e4/../%' });
+  await other.locator('#setup-load').click();
+  await untilSet(server, (set) => set.gain === 61);
+  server.refuse = { code: 4, text: 'to delete a set-up is for trainee' };
+  await other.locator('#setup-delete').click();
+  await other.locator('.notice', { hasText: 'to delete a set-up is for trainee' }).waitFor();
+  server.refuse = null;
+  await other.locator('#setup-delete').click();
+  await other.waitForFunction(() => document.querySelectorAll('#setup-list option').length === 1);
+  assert.equal(server.setups.size, 1);
+  await other.context().close();
 });
 
 test('what instructors have is shown only where the console is said to be theirs; an exam is told', async () => {
