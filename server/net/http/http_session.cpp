@@ -32,6 +32,16 @@ constexpr std::size_t kFirstRead = 4096;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
 
+// The pages need nothing from elsewhere, have no code or style in their text, and are in no frame
+// of another site's; addresses of theirs are told to nobody.  Sources: Content Security Policy
+// Level 3, Referrer Policy (W3C).
+constexpr std::array<std::pair<const char*, const char*>, 3> kForBrowsers = {
+    {{"X-Content-Type-Options", "nosniff"},
+     {"Referrer-Policy", "no-referrer"},
+     {"Content-Security-Policy",
+      "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; "
+      "object-src 'none'"}}};
+
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:
   HttpSession(NetContext& context, const WebFiles& files, SignalkSite* site, TcpSocket socket,
@@ -329,7 +339,7 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
   response_.set(http::field::server, "skerryd");
   response_.set(http::field::content_type, answer.mime);
   response_.set(http::field::cache_control, "no-cache");
-  response_.set("X-Content-Type-Options", "nosniff");
+  for (const auto& [name, value] : kForBrowsers) response_.set(name, value);
   if (!answer.vary.empty()) {
     response_.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
   }
