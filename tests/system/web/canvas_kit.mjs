@@ -30,6 +30,7 @@ async function setUp({ spokes, cells, rangeM, bytes }) {
       side: 400, upDeg: 0, rangeM, ownAt: { x: 0, y: 0 }, jumps: 0, palette: 'day', colours: 'basic', afterglow: 0.25, nowS: 100, turnS: 3,
       echo: 1, trails: 1, trailS: 0, sweepRow: -1, trueTrails: false, doppler: 0, motion: { eastM: 0, northM: 0, jumps: 0 },
     };
+    let colours = '';
     for (const step of steps) {
       now = { ...now, put: null, clear: false, ...step };
       store.trailS = now.trailS;
@@ -48,7 +49,8 @@ async function setUp({ spokes, cells, rangeM, bytes }) {
         }
       }
       const view = Object.assign(new ViewGeometry(now.side, 20, 1), { upDeg: now.upDeg, rangeM: now.rangeM, ownAt: now.ownAt, jumps: now.jumps });
-      renderer.setEchoColours(echoColourTable(now.colours, now.palette));
+      if (`${now.colours} ${now.palette}` !== colours) renderer.setEchoColours(echoColourTable(now.colours, now.palette));
+      colours = `${now.colours} ${now.palette}`;
       renderer.draw(store, view, {
         palette: PALETTES[now.palette], turnS: now.turnS, nowS: now.nowS, afterglow: now.afterglow, sweepRow: now.sweepRow,
         videoM: rangeM, echo: now.echo, trails: now.trails, trueTrails: now.trueTrails ? trueTrails : null, trailS: now.trailS,
