@@ -44,6 +44,7 @@ import * as status from './picture/status.js';
 import { Tools } from './picture/tools.js';
 import { ToolsPanel } from './picture/tools_panel.js';
 import { Playback } from './playback.js';
+import { PpiCanvas } from './ppi_canvas.js';
 import { PpiRenderer } from './ppi_renderer.js';
 import * as readouts from './readouts.js';
 import { ReceiverControls } from './receiver_controls.js';
@@ -59,8 +60,8 @@ const READOUTS_MS = 100;
 const seconds = () => performance.now() / 1000;
 
 const languageProblem = await openLanguage();  // before any text is made
-const health = new PictureHealth($('echoes'), (canvas) => new PpiRenderer(canvas));
-const { renderer } = health;
+const choices = new URLSearchParams(location.search);
+const health = new PictureHealth($('echoes'), { webgl: (canvas) => new PpiRenderer(canvas), plain: (canvas) => new PpiCanvas(canvas) }, choices.get('canvas'));
 const tabs = new Tabs($('tabs'), $('tab-sections'));
 const availability = new Availability();
 
@@ -74,6 +75,8 @@ status.buildTools();
 
 const notices = new Notices($('notices'));
 if (languageProblem) notices.show(languageProblem);
+health.noted = (note) => notices.show(note, 'info');
+if (health.note) health.noted(health.note);
 const picture = new PictureSettings();
 const tools = new Tools();
 const stage = new Stage(picture, (text, kind) => notices.show(text, kind));
@@ -84,7 +87,6 @@ const toolsPanel = new ToolsPanel(tools, markers);
 const overlay = new Overlay($('graticule'), $('marks'));
 const layers = new Layers($('layers'), ['chart', 'map-lines', 'graticule', 'target-marks', 'marks'].map($));
 const frames = { drawn: 0, rate: new Rate(2) };
-const choices = new URLSearchParams(location.search);
 const radarChoice = choices.get('radar');
 
 let connection;
@@ -116,7 +118,7 @@ const targets = new TargetConsole({
 });
 const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
 
-const radar = new RadarConsole(renderer.maxRows, {
+const radar = new RadarConsole(health.renderer.maxRows, {
   hello: (hello, wanted) => {
     greeting.take(hello, wanted);
     recording.greet(hello.canRecord);
@@ -212,7 +214,7 @@ function draw() {
   // A picture that stands still does not fade.
   const held = radar.heldAfter !== null || playback.isPaused;
   const drawnS = held ? Math.min(nowS, radar.lastSpokeS) : nowS;
-  renderer.draw(radar.store, view, {
+  health.renderer.draw(radar.store, view, {
     palette, turnS, nowS: drawnS,
     afterglow: picture.afterglow / 100,
     sweepRow: radar.isTurning(nowS) && !held ? radar.store.lastRow : -1,
@@ -289,7 +291,7 @@ function showReadouts() {
 // The panel and the keys.
 function applyPicture() {
   radar.store.trailS = picture.trailS;
-  renderer.setEchoColours(echoColourTable(picture.echo, picture.palette));
+  health.setEchoColours(echoColourTable(picture.echo, picture.palette));
 }
 const picturePanel = bindPicture({
   picture, stage, markers, notify, headingDeg: () => radar.headingDeg(),
@@ -334,5 +336,5 @@ setupStore.addPart('receiver', { take: () => subscription.valuesOf(radar.setting
 setupStore.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
 const setups = new Setups(setupStore, new SetupServer(), notify);
 
-openTestAccess({ radar, connection: () => connection, renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts, chart });
+openTestAccess({ radar, connection: () => connection, renderer: () => health.renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts, chart });
 requestAnimationFrame(frame);

@@ -6,6 +6,7 @@
 // only sectors that look otherwise than they were painted are coloured anew (row_look.js).
 // Both are exact at each pixel's own bearing and range; nothing is interpolated.
 // While own ship sails over the picture (true motion) the disc stays: each row lies where it was seen from.
+import { discFor, ownOnDisc, trailTurn, videoEnd } from './picture/disc.js';
 import { drawsInSoftware } from './picture/layers.js';
 import { RowLook } from './picture/row_look.js';
 import { SIDE as TRAILS_SIDE, TILE } from './picture/true_trails.js';
@@ -16,6 +17,8 @@ const CORNER = 0;   // of the vertex shader: where its attribute is
 const EDGE_PX = 2;  // a wedge reaches so far beyond its rows: half a pixel's diagonal, and rounding
 
 export class PpiRenderer {
+  kind = 'webgl2';
+
   // Error: throws if the browser has no WebGL2.
   constructor(canvas) {
     this.canvas = canvas;
@@ -157,16 +160,8 @@ export class PpiRenderer {
   // Whether the whole of it was made anew.
   #updateDisc(store, view, side, runs) {
     const gl = this.gl;
-    const metresPerPixel = view.rangeM / (view.radius * view.pixelRatio);
-    const own = ownOnDisc(view);
-    const wanted = { upDeg: view.upDeg, metresPerPixel, jumps: view.jumps };
-    const halfPixelDeg = 28 / (view.radius * view.pixelRatio);
-    const turned = this.drawn && Math.abs(((wanted.upDeg - this.drawn.upDeg + 540) % 360) - 180);
-    const keep = this.drawn && this.drawn.metresPerPixel === metresPerPixel && this.drawn.jumps === view.jumps &&
-      turned <= halfPixelDeg;
-    if (keep && runs.length === 0) return false;
-    if (keep) wanted.upDeg = this.drawn.upDeg;
-
+    const own = ownOnDisc(view), wanted = discFor(view, this.drawn);
+    if (wanted.stays && runs.length === 0) return false;
     this.drawn = wanted;
 
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -176,13 +171,13 @@ export class PpiRenderer {
     gl.useProgram(program);
     gl.uniform1f(at('halfSide'), side / 2);
     gl.uniform2f(at('own'), own.x, own.y);
-    gl.uniform1f(at('metresPerPixel'), metresPerPixel);
+    gl.uniform1f(at('metresPerPixel'), wanted.metresPerPixel);
     gl.uniform1f(at('upTurn'), wanted.upDeg / 360);
     gl.uniform1i(at('hasDoppler'), store.doppler ? 1 : 0);
     this.#bind(at, { cells: this.textures.cells, meta: this.textures.meta, doppler: this.textures.doppler });
-    this.#fill(view, side, keep ? runs : null, store.rows);
+    this.#fill(view, side, wanted.stays ? runs : null, store.rows);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    return !keep;
+    return !wanted.stays;
   }
 
   // Draws where the rows of these runs lie; null: everywhere.
@@ -208,24 +203,21 @@ export class PpiRenderer {
     const { gl, rows } = this;
     gl.bindTexture(gl.TEXTURE_2D, this.textures.rowLook);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rows.rows, 1, gl.RGBA, gl.UNSIGNED_BYTE, rows.bytes);
-    const own = ownOnDisc(view), pixelsPerM = (view.radius * view.pixelRatio) / view.rangeM;
-    const videoPx = look.videoM > 0 && view.rangeM > 0 ? look.videoM * pixelsPerM : Infinity;
+    const own = ownOnDisc(view), video = videoEnd(view, look.videoM);
     const { trueTrails } = look;
-    const { program, at } = this.#screen({
-      trueTrails: trueTrails !== null, videoLimit: videoPx < view.radius * view.pixelRatio + Math.hypot(own.x, own.y) - 0.5,
-    });
+    const { program, at } = this.#screen({ trueTrails: trueTrails !== null, videoLimit: video.isSeen });
     gl.viewport(0, 0, side, side);
     gl.useProgram(program);
     gl.uniform1f(at('halfSide'), side / 2);
     gl.uniform1f(at('radius'), view.radius * view.pixelRatio);
     gl.uniform2f(at('own'), own.x, own.y);
-    gl.uniform1f(at('videoPx'), videoPx);
+    gl.uniform1f(at('videoPx'), video.px);
     gl.uniform1f(at('trails'), look.trails);
     if (trueTrails) {
       const { cellM, own: cell, nowTick, lifeTicks } = trueTrails.look(look.nowS, look.trailS);
-      const up = (view.upDeg * Math.PI) / 180, cells = 1 / (pixelsPerM * cellM);
-      gl.uniform2f(at('eastward'), cells * Math.cos(up), cells * Math.sin(up));
-      gl.uniform2f(at('northward'), -cells * Math.sin(up), cells * Math.cos(up));
+      const { eastward, northward } = trailTurn(view, cellM);
+      gl.uniform2f(at('eastward'), ...eastward);
+      gl.uniform2f(at('northward'), ...northward);
       gl.uniform2f(at('ownCell'), cell[0], cell[1]);
       gl.uniform1f(at('nowTick'), nowTick);
       gl.uniform1f(at('lifeTicks'), lifeTicks);
@@ -265,12 +257,6 @@ export class PpiRenderer {
     }
     return { width: side, height: side, data: out };
   }
-}
-
-// Own ship in the disc's pixels from the centre, y up.
-function ownOnDisc(view) {
-  const scale = view.radius * view.pixelRatio;
-  return { x: view.ownAt.x * scale, y: view.ownAt.y * scale };
 }
 
 // Triangles that cover the bearings from..to (in turns) and EDGE_PX beyond, out to `radius` from the middle of the disc, seen from `own`.

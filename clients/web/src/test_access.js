@@ -10,6 +10,7 @@
 //   pixelFor(deg, m)      {x, y} on the picture of a true bearing and a range
 //   at(x, y)              { bearingDeg, rangeM, inside } of such a pixel
 //   tools()               the measuring tools, as picture/tools.js has them
+//   renderer()            what draws the echoes: 'webgl2', '2d', or '' where nothing can
 //   capture()             draws a frame now: { width, height, base64 } of RGBA, top row first, device pixels
 //   readPolar()           { rows, cols, cells, meta } in base64: row r is true bearing r/rows of a turn;
 //                         cells: echo and trail, a byte each; meta: time s, cell size m, cells, scan, floats
@@ -61,9 +62,10 @@ export function openTestAccess({ radar, connection, renderer, drawNow, view, fra
     pixelFor: (bearingDeg, rangeM) => view().toPixel(bearingDeg, rangeM),
     at: (x, y) => view().fromPixel(x, y),
     tools: () => { const { ebls, vrms, lines, active } = tools; return structuredClone({ ebls, vrms, lines, active }); },
+    renderer: () => renderer().kind ?? '',
     capture: () => {
       drawNow();
-      const { width, height, data } = renderer.readPixels();
+      const { width, height, data } = renderer().readPixels();
       return { width, height, base64: base64(data) };
     },
     readPolar: () => {

@@ -1,5 +1,6 @@
 // What a picture of the console costs: CPU milliseconds of the whole browser for each picture drawn, in software rendering,
-// beside a page that only fills a canvas of the same size, in turns within the same run; medians.
+// beside a page that only fills a canvas of the same size, in turns within the same run; medians. The console is measured as WebGL2
+// draws it and as the 2D canvas does.
 //   SKERRYD=... SKERRY=... node frame_cost.mjs [--rounds 5] [--seconds 8] [--sizes 1280x800,1920x1080] [--before FOLDER,FOLDER]
 // FOLDER: the pages (clients/web) of another tree, to compare with. Not part of npm test.
 import { readFileSync, readdirSync } from 'node:fs';
@@ -45,7 +46,9 @@ function fill(side) {
   draw();
 }
 
-const PAGES = { floor: null, console: fileURLToPath(new URL('../../../clients/web', import.meta.url)), ...Object.fromEntries(values.before.split(',').filter(Boolean).map((folder) => [folder, folder])) };
+const WEB = fileURLToPath(new URL('../../../clients/web', import.meta.url));
+const QUERIES = { webgl2: '?canvas=webgl2', '2d': '?canvas=2d' };
+const PAGES = { floor: null, webgl2: WEB, '2d': WEB, ...Object.fromEntries(values.before.split(',').filter(Boolean).map((folder) => [folder, folder])) };
 const median = (list) => list.sort((a, b) => a - b)[list.length >> 1];
 const browser = await launch();
 const servers = {};
@@ -55,14 +58,14 @@ for (const [width, height] of SIZES) {
   const found = Object.fromEntries(Object.keys(PAGES).map((name) => [name, []]));
   let side = 0;
   for (let round = 0; round < Number(values.rounds); ++round) {
-    for (const name of ['console', ...Object.keys(PAGES).filter((each) => each !== 'console')]) {
+    for (const name of ['webgl2', ...Object.keys(PAGES).filter((each) => each !== 'webgl2')]) {
       const context = await browser.newContext({ viewport: { width, height } });
       const page = await context.newPage();
       if (servers[name]) {
-        await page.goto(`http://127.0.0.1:${servers[name].http}/`);
+        await page.goto(`http://127.0.0.1:${servers[name].http}/${QUERIES[name] ?? ''}`);
         // A turn and more, so that the whole picture is there.
         await page.waitForFunction(() => (window.skerry?.lastScan()?.spokes ?? 0) > 0, null, { timeout: 60000 });
-        if (name === 'console') side = await page.evaluate(() => document.getElementById('echoes').width);
+        if (name === 'webgl2') side = await page.evaluate(() => document.getElementById('echoes').width);
       } else {
         await page.setContent('<body style="margin: 0; background: #000">');
         await page.evaluate(fill, side);

@@ -556,21 +556,6 @@ test('a lost graphics context is drawn anew', async () => {
   checkPicture(await capture(page));
 });
 
-test('a browser without WebGL2 is told so', async () => {
-  server = new MockServer();
-  const url = await server.start();
-  const context = await browser.newContext();
-  page = await context.newPage();
-  await page.addInitScript(() => {
-    const original = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-      return kind === 'webgl2' ? null : original.call(this, kind, ...rest);
-    };
-  });
-  await page.goto(url);
-  await page.locator('#alarm', { hasText: 'WebGL2' }).waitFor();
-});
-
 // The short form of soak.mjs, which goes on for hours.
 test('half a minute of 4096 spokes of 1024 cells keeps the memory bounded', async (t) => {
   await open({ headingDeg: 37, rpm: 24 });

@@ -68,17 +68,17 @@ test('what was kept of the picture looks as one that is drawn anew', async (t) =
   assert.ok(worst <= 8, `${worst} of 255`);
 });
 
-test('without WebGL2 the picture says why, and controls and numbers work', async () => {
+test('a browser that cannot draw at all says why, and controls and numbers work', async () => {
   server = new MockServer({ ...SMALL, headingDeg: 37 });
   const url = await server.start();
   const context = await browser.newContext();
   await context.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : original.call(this, kind, ...rest); };
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' || this.id === 'echoes' ? null : original.call(this, kind, ...rest); };
   });
   page = await context.newPage();
   await page.goto(url);
-  await page.locator('#alarm', { hasText: 'no WebGL2' }).waitFor();
+  await page.locator('#alarm', { hasText: 'cannot draw the radar picture: there is no 2D canvas' }).waitFor();
   await page.waitForFunction(() => document.getElementById('heading').textContent === '037.0');
   await setSlider('gain', 63);
   await untilSet(server, (set) => set.gain === 63);

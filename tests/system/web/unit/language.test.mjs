@@ -26,7 +26,7 @@ const FROM_TABLES = {
   'src/keys/key_names.js': ['t(NAMED[part])'],
   'src/language/page_words.js': ['t(keyOf(parentElement', 't(keyOf(element'],
   'src/locks.js': ['t(text)'],                                              // BOXES
-  'src/panel/picture_health.js': ['t(LOST)', 't(LOST_LONG)', 't(NO_WEBGL)'],
+  'src/panel/picture_health.js': ['t(LOST)', 't(why)'],
   'src/panel/tabs.js': ['t(title)'],                                         // TABS
   'src/picture/picture_panel.js': ['t(label)', 't(MODES[mode])'],            // LAYERS
   'src/picture/standing.js': ['t(WORDS[orientation])'],
