@@ -34,7 +34,7 @@ import { ShipOrders } from './panel/ship_orders.js';
 import { Subscription } from './panel/subscription.js';
 import { Tabs } from './panel/tabs.js';
 import { Layout } from './picture/fit.js';
-import { Layers } from './picture/layers.js';
+import { drawsInSoftware, Layers } from './picture/layers.js';
 import { Pace } from './picture/pace.js';
 import { bindPicture, showMode } from './picture/picture_panel.js';
 import { pictureKeys } from './picture/picture_keys.js';
@@ -236,7 +236,7 @@ function draw() {
   frames.rate.add(nowS, frames.drawn);
 }
 
-const pace = new Pace();
+const pace = new Pace(() => health.renderer.kind === '2d' || drawsInSoftware());
 let readoutsAt = 0;
 function frame() {
   requestAnimationFrame(frame);  // first: a fault in one picture is not the end of all

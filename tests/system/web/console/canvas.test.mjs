@@ -97,6 +97,17 @@ test('only what has changed is painted, and it looks as one that is painted anew
   assert.equal(idle, 1);
 });
 
+// Both renderers ask disc.js what stays, so neither tells on the other here.
+test('what was painted before a change of the view looks as what is painted after it', async () => {
+  server = new MockServer();
+  page = await openBench(browser, await server.start());
+  for (const change of [{ rangeM: 3 * NM }, { rangeM: 12 * NM }, { ownAt: { x: 0.75, y: 0 }, jumps: 1 }, { upDeg: 41 }, { palette: 'dusk' }, { colours: 'levels' }]) {
+    const found = await page.evaluate(([before, after, most]) => window.apart(window.paint('2d', before), window.paint('2d', after), most),
+                                      [[{ put: TURN }, change], [{ ...change, put: TURN }], MOST]);
+    assert.equal(found.off, 0, JSON.stringify({ change, found }));
+  }
+});
+
 // A console in a browser that has no WebGL2.
 async function open(options = {}, query = '') {
   server = new MockServer({ rpm: 60, spokes: 1024, cells: 512, headingDeg: 37, ...options });

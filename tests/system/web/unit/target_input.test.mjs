@@ -57,9 +57,14 @@ test('a drag straight outward is no zone all round', () => {
 test('a picture is due twelve times a second in software, with each frame else, and at once after a hand', () => {
   const hands = { handlers: new Map(), addEventListener(kind, run) { this.handlers.set(kind, run); } };
   const count = (pace) => Array.from({ length: 60 }, (_, i) => pace.isDue((i * 1000) / 60)).filter(Boolean).length;
-  assert.equal(count(new Pace(1000 / 12, hands)), 12);
-  assert.equal(count(new Pace(0, hands)), 60);
-  const pace = new Pace(1000 / 12, hands);
+  assert.equal(count(new Pace(() => true, hands)), 12);
+  assert.equal(count(new Pace(() => false, hands)), 60);
+  let lost = false;
+  const changing = new Pace(() => lost, hands);
+  assert.equal(count(changing), 60);
+  lost = true;
+  assert.deepEqual([changing.isDue(1100), changing.isDue(1117)], [true, false], 'another renderer has come');
+  const pace = new Pace(() => true, hands);
   assert.equal(pace.isDue(0), true);
   assert.equal(pace.isDue(10), false);
   hands.handlers.get('pointermove')();
