@@ -32,15 +32,10 @@ constexpr std::size_t kFirstRead = 4096;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
 
-// The pages need nothing from elsewhere, have no code or style in their text, and are in no frame
-// of another site's; addresses of theirs are told to nobody.  Sources: Content Security Policy
-// Level 3, Referrer Policy (W3C).
-constexpr std::array<std::pair<const char*, const char*>, 3> kForBrowsers = {
-    {{"X-Content-Type-Options", "nosniff"},
-     {"Referrer-Policy", "no-referrer"},
-     {"Content-Security-Policy",
-      "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; "
-      "object-src 'none'"}}};
+// What an answer is stays as it is said, and addresses of pages are told to nobody.
+// Source: Referrer Policy (W3C).
+constexpr std::array<std::pair<const char*, const char*>, 2> kForBrowsers = {
+    {{"X-Content-Type-Options", "nosniff"}, {"Referrer-Policy", "no-referrer"}}};
 
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:

@@ -87,8 +87,7 @@ export class MockServer {
       if (!files.has(name)) { response.writeHead(404).end(); return; }
       response.writeHead(200, {
         'Content-Type': MIME[extname(name)], 'Cache-Control': 'no-store',
-        // As skerryd (http_session.cpp).
-        'Content-Security-Policy': "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; object-src 'none'",
+        'Content-Security-Policy': "default-src 'self'",
       }).end(readFileSync(WEB + name));
     });
     this.sockets = new WebSocketServer({ server: this.http, path: '/ws' });
