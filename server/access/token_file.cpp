@@ -1,16 +1,11 @@
 #include "server/access/token_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/random.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <set>
 #include <stdexcept>
 
@@ -56,30 +51,6 @@ std::string in_quotes(std::string_view text) {
   }
   return out + "\"";
 }
-
-std::runtime_error cannot(const char* what, const fs::path& file) {
-  return std::runtime_error(fmt::format("cannot {} {}: {}", what, file.string(), strerror(errno)));
-}
-
-// An open file, closed at its end.
-class Handle {
- public:
-  Handle(const fs::path& file, int flags, mode_t mode)
-      : number_(::open(file.c_str(), flags | O_CLOEXEC, mode)), file_(file) {
-    if (number_ < 0) throw cannot("open", file);
-  }
-  ~Handle() { ::close(number_); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-
-  void lock() {
-    if (::flock(number_, LOCK_EX) != 0) throw cannot("lock", file_);
-  }
-
- private:
-  int number_;
-  fs::path file_;
-};
 
 }  // namespace
 
@@ -178,13 +149,12 @@ std::string digest_of(std::string_view token) {
 }
 
 void change_tokens(const fs::path& file, const std::function<void(TokenFile&)>& change) {
-  // Of a file of its own: the one of tokens is another after each change.
-  Handle lock(file.string() + ".lock", O_RDWR | O_CREAT, S_IRUSR | S_IWUSR);
-  lock.lock();
-  TokenFile tokens;
-  if (fs::exists(file)) tokens = TokenFile::read(file);
-  change(tokens);
-  write_whole(file, tokens.text(), S_IRUSR | S_IWUSR);
+  while_locked(file, [&] {
+    TokenFile tokens;
+    if (fs::exists(file)) tokens = TokenFile::read(file);
+    change(tokens);
+    write_whole(file, tokens.text(), S_IRUSR | S_IWUSR);
+  });
 }
 
 }  // namespace skerry::server

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -40,6 +42,9 @@ class OpenFile {
   void sync() {
     if (::fsync(number_) != 0) throw cannot("write", file_);
   }
+  void lock() {
+    if (::flock(number_, LOCK_EX) != 0) throw cannot("lock", file_);
+  }
 
  private:
   int number_;
@@ -60,6 +65,12 @@ void write_whole(const fs::path& file, std::string_view text, mode_t mode) {
   }
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   OpenFile(folder, O_RDONLY | O_DIRECTORY, 0).sync();
+}
+
+void while_locked(const fs::path& file, const std::function<void()>& change) {
+  OpenFile lock(file.string() + ".lock", O_RDWR | O_CREAT, S_IRUSR | S_IWUSR);
+  lock.lock();
+  change();
 }
 
 }  // namespace skerry::server

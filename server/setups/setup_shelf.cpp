@@ -33,10 +33,32 @@ std::string text_of(const Struct& object, const char* key) {
   return found == object.fields().end() ? std::string() : found->second.string_value();
 }
 
-std::optional<std::string> name_in(const std::string& document) {
+// Empty if it is one.
+std::string why_no_name(std::string_view name) {
+  const std::size_t most = SetupShelf::kMostNameBytes;
+  if (!name.empty() && name.size() <= most && printable(name, most) == name) return {};
+  return fmt::format("a set-up's name is 1 to {} bytes of printable text", most);
+}
+
+struct Read {
+  std::string name = {};
+  std::string wrong = {};  // empty: it is a set-up
+};
+
+Read read_setup(const std::string& document) {
   Struct object;
-  if (!JsonStringToMessage(document, &object).ok() || text_of(object, "kind") != kKind) return {};
-  return text_of(object, "name");
+  const auto read = JsonStringToMessage(document, &object);
+  if (!read.ok()) return {.wrong = "no set-up: not a JSON object: " + read.ToString()};
+  if (text_of(object, "kind") != kKind) {
+    return {.wrong = fmt::format("no set-up: its \"kind\" is to be \"{}\"", kKind)};
+  }
+  const auto parts = object.fields().find("parts");
+  if (parts == object.fields().end() || !parts->second.has_struct_value()) {
+    return {.wrong = "no set-up: its \"parts\" are to be an object"};
+  }
+  Read setup{.name = text_of(object, "name")};
+  setup.wrong = why_no_name(setup.name);
+  return setup;
 }
 
 // Readable where the name is, and another for every name.
@@ -54,26 +76,6 @@ fs::path file_name_of(const std::string& name) {
 }
 
 }  // namespace
-
-std::optional<std::string> why_no_setup(std::string_view name, const std::string& document) {
-  if (name.empty() || name.size() > SetupShelf::kMostNameBytes ||
-      printable(name, SetupShelf::kMostNameBytes) != name) {
-    return fmt::format("a set-up's name is 1 to {} bytes of printable text",
-                       SetupShelf::kMostNameBytes);
-  }
-  Struct object;
-  const auto read = JsonStringToMessage(document, &object);
-  if (!read.ok()) return "no set-up: not a JSON object: " + read.ToString();
-  if (text_of(object, "kind") != kKind) {
-    return fmt::format("no set-up: its \"kind\" is to be \"{}\"", kKind);
-  }
-  if (text_of(object, "name") != name) return "the \"name\" in the set-up is not that of its path";
-  const auto parts = object.fields().find("parts");
-  if (parts == object.fields().end() || !parts->second.has_struct_value()) {
-    return "no set-up: its \"parts\" are to be an object";
-  }
-  return std::nullopt;
-}
 
 SetupShelf::SetupShelf(Config config) : config_(std::move(config)) {
   read_folder();
@@ -127,11 +129,11 @@ void SetupShelf::read_folder() {
     }
     std::ifstream stream(file, std::ios::binary);
     std::string document{std::istreambuf_iterator<char>(stream), {}};
-    const std::string name = name_in(document).value_or("");
-    if (const auto wrong = why_no_setup(name, document)) {
-      leave(*wrong);
-    } else if (!kept_.emplace(name, Kept{std::move(document), file}).second) {
-      leave("its name is another's too: " + name);
+    const Read read = read_setup(document);
+    if (!read.wrong.empty()) {
+      leave(read.wrong);
+    } else if (!kept_.emplace(read.name, Kept{std::move(document), file}).second) {
+      leave("its name is another's too: " + read.name);
     }
   }
 }
@@ -158,7 +160,7 @@ void SetupShelf::keep(std::string name, std::string document, Done done) {
   if (document.size() > kMostBytes) {
     return done({413, fmt::format("a set-up has at most {} bytes", kMostBytes)});
   }
-  if (auto wrong = why_no_setup(name, document)) return done({400, std::move(*wrong)});
+  if (std::string wrong = why_no_name(name); !wrong.empty()) return done({400, std::move(wrong)});
   const auto known = kept_.find(name);
   if (known == kept_.end() && kept_.size() + waiting_ >= kMost) {
     return done(
@@ -166,21 +168,32 @@ void SetupShelf::keep(std::string name, std::string document, Done done) {
   }
   const fs::path file =
       known == kept_.end() ? config_.folder / file_name_of(name) : known->second.file;
-  change([file, document] { write_whole(file, document, kMode); },
-         [this, name, document, file] {
-           kept_.insert_or_assign(name, Kept{document, file});
-         },
-         std::move(done));
+  change(
+      [file, name, document]() -> Outcome {
+        const Read read = read_setup(document);
+        if (!read.wrong.empty()) return {400, read.wrong};
+        if (read.name != name) return {400, "the \"name\" in the set-up is not that of its path"};
+        write_whole(file, document, kMode);
+        return {};
+      },
+      [this, name, document, file] {
+        kept_.insert_or_assign(name, Kept{document, file});
+      },
+      std::move(done));
 }
 
 void SetupShelf::remove(const std::string& name, Done done) {
   const auto known = kept_.find(name);
   if (known == kept_.end()) return done({404, "there is no set-up of this name"});
-  change([file = known->second.file] { fs::remove(file); }, [this, name] { kept_.erase(name); },
-         std::move(done));
+  change(
+      [file = known->second.file]() -> Outcome {
+        fs::remove(file);
+        return {};
+      },
+      [this, name] { kept_.erase(name); }, std::move(done));
 }
 
-void SetupShelf::change(Task write, Task then, Done done) {
+void SetupShelf::change(std::function<Outcome()> write, Task then, Done done) {
   if (waiting_ == kMostWaiting) {
     return done({503, "too many set-ups are being written; try again in a second"});
   }
@@ -189,7 +202,7 @@ void SetupShelf::change(Task write, Task then, Done done) {
                      done = std::move(done)] {
     Outcome outcome;
     try {
-      write();
+      outcome = write();
     } catch (const std::exception& error) {
       outcome = {507, error.what()};
     }

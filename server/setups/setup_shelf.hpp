@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -68,7 +67,7 @@ class SetupShelf {
   };
   void read_folder();
   // Runs `write` on the other thread, then `then` on this one if it went well, and `done`.
-  void change(Task write, Task then, Done done);
+  void change(std::function<Outcome()> write, Task then, Done done);
 
   Config config_;
   std::map<std::string, Kept, std::less<>> kept_;  // by name
@@ -81,8 +80,5 @@ class SetupShelf {
   bool ends_ = false;
   std::thread disk_;
 };
-
-// What is wrong with the document as the set-up `name`; nothing if it is one.
-std::optional<std::string> why_no_setup(std::string_view name, const std::string& document);
 
 }  // namespace skerry::server

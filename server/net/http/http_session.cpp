@@ -27,7 +27,8 @@ namespace skerry::server {
 namespace {
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::uint64_t kMaxBodyBytes = SetupShelf::kMostBytes;  // Signal K's are shorter
+constexpr std::uint64_t kMaxBodyBytes = SetupShelf::kMostBytes;
+constexpr std::uint64_t kMaxOtherBodyBytes = 4 * 1024;  // of all but set-ups
 constexpr std::size_t kFirstRead = 4096;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
@@ -177,6 +178,9 @@ void HttpSession::on_read(error_code error) {
     return send(*refused, request.method() != http::verb::head, false);
   }
   std::string path = clean_path({request.target().data(), request.target().size()});
+  if (request.body().size() > kMaxOtherBodyBytes && !is_setup_path(path)) {
+    return send(web_error(413, "413: the request body is too long"), true, false);
+  }
   const bool upgrades = websocket::is_upgrade(request);
   if (path == "/ws" && upgrades) {
     return upgrade(std::move(request), [self = shared_from_this()] {

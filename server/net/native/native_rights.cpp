@@ -41,7 +41,7 @@ void NativeSession::look_at_rights() {
   auto refused = subscribed_ ? why_not_allowed(*subscribed_) : std::nullopt;
   if (!refused && streamed_) refused = why_not_allowed(*streamed_);
   if (!refused) return;
-  // Later: the feed is telling its readers, and this session leaves them.
+  // Not at once: the feed goes through its readers now, and this session leaves them.
   asio::post(context_.io, [weak = weak_from_this(), text = *std::move(refused)] {
     const auto self = weak.lock();
     if (self == nullptr || self->failed_ || self->closed_) return;

@@ -353,6 +353,15 @@ TEST_F(HttpSetups, WhatIsWrongIsRefusedWithItsReason) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(HttpSetups, AloneMayHaveALongBody) {
+  const std::string body(4097, ' ');
+  for (const char* path :
+       {"/signalk/v2/api/vessels/self/radars/skerry0/controls/gain", "/status"}) {
+    EXPECT_TRUE(ask("PUT", path, body).starts_with("HTTP/1.1 413 ")) << path;
+  }
+  EXPECT_TRUE(ask("PUT", "/setups/a", body).starts_with("HTTP/1.1 400 "));
+}
+
 TEST_F(Http, AServerWithoutAFolderForSetUpsSaysWhatIsMissing) {
   EXPECT_EQ(body_of(http_get(server_.http_port(), "/setups")), R"({"keeps":false,"setups":[]})");
   const std::string answer = http_get(server_.http_port(), "/setups/a");

@@ -230,9 +230,9 @@ TEST(ForStrangers, FoldersAndAddressesAreLeftOutAndTheNumbersStay) {
   output.set_address("192.0.2.8:6002");
   output.set_interface_address("192.0.2.1");
   output.set_last_display("192.0.2.9:6002");
-  status.mutable_recorder()->set_folder("/home/operator/secret");
+  status.mutable_recorder()->set_folder("/recordings/secret");
   status.mutable_recorder()->set_file("watch.mcap");
-  status.mutable_recorder()->set_problem("/home/operator/secret/watch.mcap: cannot be written");
+  status.mutable_recorder()->set_problem("/recordings/secret/watch.mcap: cannot be written");
   status.mutable_playback()->set_last_by("console 192.0.2.7:50000");
   status.mutable_playback()->set_problem("behind: reaches 83x of 100x");
   leave_out_for_strangers(status);

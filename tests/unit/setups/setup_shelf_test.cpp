@@ -6,12 +6,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <condition_variable>
+#include <csignal>
 #include <deque>
 #include <fstream>
+#include <iterator>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace skerry::server {
@@ -179,6 +183,26 @@ TEST_F(Setups, AFolderThatIsNoneIsRefusedByName) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("--setups: " + (folder_ / "setups").string()));
   }
+}
+
+// A file may have no more than 16 bytes, as on a full disk: nothing of it is left behind.
+TEST_F(Setups, ADiskWithoutRoomKeepsTheOneBeforeWhole) {
+  SetupShelf shelf(config());
+  const std::string first = setup("a");
+  ASSERT_EQ(keep(shelf, "a", first).status, 204u);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{16, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const SetupShelf::Outcome outcome = keep(shelf, "a", setup("a", R"({"x": {}})"));
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(outcome.status, 507u);
+  EXPECT_THAT(outcome.text, HasSubstr("cannot write"));
+  ASSERT_EQ(files().size(), 1u);
+  std::ifstream stream(files().front());
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), first);
 }
 
 // The folder has gone: what was kept before stands, and the console is told.
