@@ -61,7 +61,8 @@ const seconds = () => performance.now() / 1000;
 
 const languageProblem = await openLanguage();  // before any text is made
 const choices = new URLSearchParams(location.search);
-const health = new PictureHealth($('echoes'), { webgl: (canvas) => new PpiRenderer(canvas), plain: (canvas) => new PpiCanvas(canvas) }, choices.get('canvas'));
+const renderers = { webgl: (canvas) => new PpiRenderer(canvas), plain: (canvas) => new PpiCanvas(canvas) };
+const health = new PictureHealth($('echoes'), renderers, choices.get('canvas'));
 const tabs = new Tabs($('tabs'), $('tab-sections'));
 const availability = new Availability();
 
@@ -332,9 +333,18 @@ setupStore.addPart('picture', {
     applyPicture();
   },
 });
-setupStore.addPart('receiver', { take: () => subscription.valuesOf(radar.settings), put: (values) => subscription.give(values) });
-setupStore.addPart('keys', { take: () => ({ ...keys.changed }), put: (values) => { keys.replace(values); showKeyHints(keys); } });
+setupStore.addPart('receiver', {
+  take: () => subscription.valuesOf(radar.settings),
+  put: (values) => subscription.give(values),
+});
+setupStore.addPart('keys', {
+  take: () => ({ ...keys.changed }),
+  put: (values) => { keys.replace(values); showKeyHints(keys); },
+});
 const setups = new Setups(setupStore, new SetupServer(), notify);
 
-openTestAccess({ radar, connection: () => connection, renderer: () => health.renderer, drawNow: draw, view: () => view, frames, recording, playback, tabs, tools, targets, alerts, chart });
+openTestAccess({
+  radar, connection: () => connection, renderer: () => health.renderer, drawNow: draw, view: () => view, frames,
+  recording, playback, tabs, tools, targets, alerts, chart,
+});
 requestAnimationFrame(frame);

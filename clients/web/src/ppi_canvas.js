@@ -1,9 +1,10 @@
-// PpiCanvas: the polar memory drawn as a plan position indicator by the processor, on a 2D canvas: what PpiRenderer draws, for
-// browsers without WebGL2. Same two passes, same rules, no shader: canvas/polar_pass.js, canvas/colour_pass.js.
+// PpiCanvas: the polar memory drawn as a plan position indicator by the processor, on a 2D canvas: what PpiRenderer
+// draws, for browsers without WebGL2. Same two passes, same rules, no shader: canvas/polar_pass.js,
+// canvas/colour_pass.js.
 //
-// A picture costs what has changed in it: only pixels that new spokes touch are made anew, only sectors that look otherwise than they
-// were painted (row_look.js) are coloured anew, and only the boxes around these are put on the canvas. It costs the most when all is
-// new (range, size, orientation): once through all pixels.
+// A picture costs what has changed in it: only pixels that new spokes touch are made anew, only sectors that look
+// otherwise than they were painted (row_look.js) are coloured anew, and only the boxes around these are put on the
+// canvas. It costs the most when all is new (range, size, orientation): once through all pixels.
 import { ColourPass } from './canvas/colour_pass.js';
 import { PolarPass } from './canvas/polar_pass.js';
 import { circleSpans, eachSpan } from './canvas/spans.js';
@@ -20,7 +21,8 @@ export class PpiCanvas {
   // Error: throws if the browser has no 2D canvas.
   constructor(canvas) {
     this.canvas = canvas;
-    // In plain memory. With `desynchronized` a picture costs a third less, but Chromium without a graphics processor shows none.
+    // In plain memory. With `desynchronized` a picture costs a third less, but Chromium without a graphics processor
+    // shows none.
     this.context = canvas.getContext('2d', { alpha: false, willReadFrequently: true });
     if (!this.context) throw new Error('there is no 2D canvas');
     this.maxRows = MAX_SPOKES;
@@ -93,11 +95,14 @@ export class PpiCanvas {
   // Where these rows lie, as [first, count]; gives the boxes around each.
   #sectors(runs, own, take) {
     const { rows } = this.rows, upTurn = this.drawn.upDeg / 360;
-    return runs.map(([first, count]) => eachSpan(this.circle, this.side, own, (first - 0.5) / rows - upTurn, (first + count - 0.5) / rows - upTurn, take))
+    const turnOf = (row) => (row - 0.5) / rows - upTurn;
+    return runs
+      .map(([first, count]) => eachSpan(this.circle, this.side, own, turnOf(first), turnOf(first + count), take))
       .filter((box) => box !== null);
   }
 
-  // What the colours need of true trails; key: of what is seen of them but where spokes come. New trails are where those are.
+  // What the colours need of true trails; key: of what is seen of them but where spokes come. New trails are where
+  // those are.
   #trails({ trueTrails, nowS, trailS }, view, own) {
     if (!trueTrails.dirty.includes(0)) this.painted = '';  // cleared, or of another range
     trueTrails.dirty.fill(0);
@@ -118,11 +123,15 @@ export class PpiCanvas {
       return;
     }
     const boxes = this.#sectors(sectors, own, take);
-    const left = Math.min(...boxes.map((box) => box.left)), top = Math.min(...boxes.map((box) => box.top));
-    const around = { left, top, right: Math.max(...boxes.map((box) => box.right)), bottom: Math.max(...boxes.map((box) => box.bottom)) };
+    const around = {
+      left: Math.min(...boxes.map((box) => box.left)), top: Math.min(...boxes.map((box) => box.top)),
+      right: Math.max(...boxes.map((box) => box.right)), bottom: Math.max(...boxes.map((box) => box.bottom)),
+    };
     const area = (box) => (box.right - box.left) * (box.bottom - box.top);
     const put = boxes.reduce((sum, box) => sum + area(box), 0) < area(around) ? boxes : [around];
-    for (const box of put) context.putImageData(paint.image, 0, 0, box.left, box.top, box.right - box.left, box.bottom - box.top);
+    for (const { left, top, right, bottom } of put) {
+      context.putImageData(paint.image, 0, 0, left, top, right - left, bottom - top);
+    }
   }
 
   // The canvas as RGBA, top row first.

@@ -18,7 +18,8 @@ async function setUp({ spokes, cells, rangeM, bytes }) {
   const video = Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0));
   const makers = { webgl2: PpiRenderer, '2d': PpiCanvas };
 
-  // Paints `steps`, one after another, with one renderer, and gives the last picture. A step, kept by those after it until changed:
+  // Paints `steps`, one after another, with one renderer, and gives the last picture. A step, kept by those after it
+  // until changed:
   //   side, upDeg, rangeM, ownAt, jumps: of the view;  palette, colours, afterglow, nowS, turnS, echo, trails, trailS, sweepRow: of the look
   //   trueTrails: those instead of the store's
   //   put: [first, count, at s, gain 0..1] of spokes that come, doppler: their class;  clear: the store is emptied
@@ -61,7 +62,8 @@ async function setUp({ spokes, cells, rangeM, bytes }) {
     return data;
   };
 
-  // How far both pictures are apart: pixels of the circle, those more than `most` of 255 off in any colour, and the worst of the others.
+  // How far both pictures are apart: pixels of the circle, those more than `most` of 255 off in any colour, and the
+  // worst of the others.
   window.apart = (a, b, most) => {
     const found = { pixels: 0, off: 0, worst: 0, lit: 0 };
     for (let i = 0; i < a.length; i += 4) {

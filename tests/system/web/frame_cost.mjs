@@ -1,6 +1,6 @@
-// What a picture of the console costs: CPU milliseconds of the whole browser for each picture drawn, in software rendering,
-// beside a page that only fills a canvas of the same size, in turns within the same run; medians. The console is measured as WebGL2
-// draws it and as the 2D canvas does.
+// What a picture of the console costs: CPU milliseconds of the whole browser for each picture drawn, in software
+// rendering, beside a page that only fills a canvas of the same size, in turns within the same run; medians. The
+// console is measured as WebGL2 draws it and as the 2D canvas does.
 //   SKERRYD=... SKERRY=... node frame_cost.mjs [--rounds 5] [--seconds 8] [--sizes 1280x800,1920x1080] [--before FOLDER,FOLDER]
 // FOLDER: the pages (clients/web) of another tree, to compare with. Not part of npm test.
 import { readFileSync, readdirSync } from 'node:fs';

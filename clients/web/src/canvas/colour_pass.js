@@ -1,6 +1,6 @@
-// ColourPass: the disc in colours, as the second shader of shaders.js has it, in whole numbers: red, green and blue of a pixel in one
-// (0xBBGGRR, as ImageData has them where the lowest byte comes first). Sums of two or three bytes stay below 256.
-// Error: at most 3 of 255 beside the shader's for the same disc; held by canvas.test.mjs.
+// ColourPass: the disc in colours, as the second shader of shaders.js has it, in whole numbers: red, green and blue
+// of a pixel in one (0xBBGGRR, as ImageData has them where the lowest byte comes first). Sums of two or three bytes
+// stay below 256. Error: at most 3 of 255 beside the shader's for the same disc; held by canvas.test.mjs.
 import { SWEEP_MOST } from '../picture/row_look.js';
 import { SIDE as TRAILS_SIDE } from '../picture/true_trails.js';
 import { ROW_SHIFT } from './polar_pass.js';
@@ -8,7 +8,10 @@ import { ROW_SHIFT } from './polar_pass.js';
 const OPAQUE = 0xff000000;
 const GRADIENT = 1024;  // steps of the sea's colour from the centre to the edge
 
-const packed = ([r, g, b], by = 1) => Math.round(255 * by * r) | (Math.round(255 * by * g) << 8) | (Math.round(255 * by * b) << 16);
+function packed(colour, by = 1) {
+  const [r, g, b] = colour.map((part) => Math.round(255 * by * part));
+  return r | (g << 8) | (b << 16);
+}
 
 // weight: 0..256 of the colour over what is there.
 function mix(under, over, weight) {
@@ -41,7 +44,8 @@ export class ColourPass {
     this.trueTrailPart = 0.8 * look.trails * 256;
     const limit = video.isSeen ? [own.x, own.y, video.px] : null;
     // A quarter of a pixel is not seen.
-    const key = JSON.stringify([palette.sea, palette.back, palette.brilliance, look.echo, limit?.map((v) => Math.round(4 * v))]);
+    const seen = limit?.map((v) => Math.round(4 * v));
+    const key = JSON.stringify([palette.sea, palette.back, palette.brilliance, look.echo, seen]);
     if (key === this.key && colours === this.colours) return;
     Object.assign(this, { key, colours, back: packed(palette.back), trailColour: packed(palette.trail) });
     for (let light = 0; light < 256; ++light) this.sweeps[light] = packed(palette.sweep, (light / 255) * SWEEP_MOST);
@@ -78,7 +82,8 @@ export class ColourPass {
     }
   }
 
-  // Colours the pixels from..to of line y; trails: { own, ownCell, eastward, northward, nowTick, lifeTicks, cells } of true trails, or null.
+  // Colours the pixels from..to of line y; trails: { own, ownCell, eastward, northward, nowTick, lifeTicks, cells }
+  // of true trails, or null.
   colour(y, from, to, trails) {
     const { disc, looks, pixels, ground, sweeps, echoes, trailColour, trailPart, side } = this;
     for (let i = y * side + from, end = y * side + to; i < end; ++i) {
@@ -105,7 +110,8 @@ export class ColourPass {
     const east = right * eastward[0] + up * eastward[1], north = right * northward[0] + up * northward[1];
     const reach = TRAILS_SIDE / 2 - 1;
     if (east >= reach || east <= -reach || north >= reach || north <= -reach) return 0;
-    const column = Math.floor(ownCell[0] + east) & (TRAILS_SIDE - 1), row = Math.floor(ownCell[1] + north) & (TRAILS_SIDE - 1);
+    const column = Math.floor(ownCell[0] + east) & (TRAILS_SIDE - 1);
+    const row = Math.floor(ownCell[1] + north) & (TRAILS_SIDE - 1);
     const tick = cells[row * TRAILS_SIDE + column];
     if (tick === 0) return 0;
     const fresh = lifeTicks < 0 ? 0.8 : Math.min(1, Math.max(0, 1 - (nowTick - tick) / lifeTicks));

@@ -1,6 +1,6 @@
-// PolarPass: polar memory to a disc of the screen's pixels, as the first shader of shaders.js does it: for every pixel the strongest
-// cell that its square touches. Where each pixel lies as own ship sees it is worked out once, and serves until she is put elsewhere;
-// while she sails, it is worked out for the pixels that are made.
+// PolarPass: polar memory to a disc of the screen's pixels, as the first shader of shaders.js does it: for every
+// pixel the strongest cell that its square touches. Where each pixel lies as own ship sees it is worked out once, and
+// serves until she is put elsewhere; while she sails, it is worked out for the pixels that are made.
 const TAU = 2 * Math.PI;
 const MOST_ROWS = 32, MOST_CELLS = 20;  // as of the shader
 

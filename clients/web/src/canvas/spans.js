@@ -1,5 +1,5 @@
-// Which pixels lie where, as spans of a line each: those of a circle, and those of a sector seen from own ship. Lines are counted
-// from the top; a pixel lies where its middle does.
+// Which pixels lie where, as spans of a line each: those of a circle, and those of a sector seen from own ship. Lines
+// are counted from the top; a pixel lies where its middle does.
 const MOST_RAD = Math.PI / 6;
 const EDGE_PX = 2;  // a sector reaches so far beyond its rows: half a pixel's diagonal, and rounding
 
@@ -17,8 +17,8 @@ export function circleSpans(side, radius) {
   return spans;
 }
 
-// Calls take(y, from, to) for what lies within `circle` (of circleSpans) on the bearings from..to, in turns from the top clockwise
-// as own ship sees them. Gives the box around it, { left, top, right, bottom }, or null.
+// Calls take(y, from, to) for what lies within `circle` (of circleSpans) on the bearings from..to, in turns from the
+// top clockwise as own ship sees them. Gives the box around it, { left, top, right, bottom }, or null.
 export function eachSpan(circle, side, own, from, to, take) {
   const box = { left: side, top: side, right: 0, bottom: 0 };
   const total = (to - from) * 2 * Math.PI, parts = Math.ceil(total / MOST_RAD);
@@ -31,7 +31,8 @@ export function eachSpan(circle, side, own, from, to, take) {
 
 function eachSpanOf(circle, side, own, a, b, box, take) {
   const half = side / 2, middle = (a + b) / 2, reach = 2 * side;
-  // Within three lines: right of the sector's left side, left of its right one, not behind own ship. x, y: normals inwards.
+  // Within three lines: right of the sector's left side, left of its right one, not behind own ship. x, y: normals
+  // inwards.
   const normals = [Math.cos(a), -Math.sin(a), -Math.cos(b), Math.sin(b), Math.sin(middle), Math.cos(middle)];
   const ends = [0, reach * Math.cos(a), reach * Math.cos(b)];
   const top = Math.max(0, Math.floor(half - own.y - Math.max(...ends) - 2 * EDGE_PX));

@@ -1,5 +1,5 @@
-// Who draws the picture, and in words why it is not WebGL2 or why there is none. A graphics context that the browser took away comes
-// back by itself, as a rule within seconds; if not, the processor draws on.
+// Who draws the picture, and in words why it is not WebGL2 or why there is none. A graphics context that the browser
+// took away comes back by itself, as a rule within seconds; if not, the processor draws on.
 import { later, t } from '../language/language.js';
 
 const NO_WEBGL = later('Drawn without WebGL: this browser has no WebGL2. The processor draws the picture, with more work for it.');
@@ -22,8 +22,8 @@ class NoRenderer {
 }
 
 export class PictureHealth {
-  // make: { webgl, plain }: each makes a renderer of a canvas, or throws if it cannot; wanted: '2d' for the plain one, 'webgl2' or
-  // null for WebGL2 where there is any.
+  // make: { webgl, plain }: each makes a renderer of a canvas, or throws if it cannot; wanted: '2d' for the plain
+  // one, 'webgl2' or null for WebGL2 where there is any.
   constructor(canvas, make, wanted) {
     Object.assign(this, { canvas, make, text: '' });
     this.note = '';       // to be told once

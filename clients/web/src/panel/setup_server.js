@@ -30,7 +30,8 @@ export class SetupServer {
   async #take(response) {
     const { keeps, setups } = await response.json();
     this.keeps = keeps === true;
-    this.names = (Array.isArray(setups) ? setups : []).map(({ name }) => String(name)).sort((a, b) => a.localeCompare(b));
+    const names = (Array.isArray(setups) ? setups : []).map(({ name }) => String(name));
+    this.names = names.sort((a, b) => a.localeCompare(b));
   }
 
   // Error: throws with the server's reason.
@@ -44,7 +45,8 @@ export class SetupServer {
     } catch {
       throw new Error(t('the server does not answer'));
     }
-    if (!response.ok) throw new Error((await response.text()).replace(/^\d+: /, '').trim() || `HTTP ${response.status}`);
-    return response;
+    if (response.ok) return response;
+    const reason = (await response.text()).replace(/^\d+: /, '').trim();
+    throw new Error(reason || `HTTP ${response.status}`);
   }
 }

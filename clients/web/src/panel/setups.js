@@ -1,5 +1,5 @@
-// The part of the panel that keeps set-ups by name: save, load, delete, as a file and from one. They are kept on the server,
-// where every console has them, or in this browser alone.
+// The part of the panel that keeps set-ups by name: save, load, delete, as a file and from one. They are kept on the
+// server, where every console has them, or in this browser alone.
 import { t } from '../language/language.js';
 import { shortName } from '../names.js';
 import { $ } from '../widgets.js';
@@ -11,7 +11,7 @@ const CONTROLS = ['setup-list', 'setup-load', 'setup-delete', 'setup-download'];
 export class Setups {
   // store: SetupStore.  server: SetupServer.  notify(text, kind).
   constructor(store, server, notify) {
-    Object.assign(this, { store, server, notify, lookedAt: -Infinity });
+    Object.assign(this, { store, server, notify, lookedAt: -Infinity, replaces: null });
     $('setup-form').addEventListener('submit', (event) => { event.preventDefault(); this.#save(); });
     $('setup-load').addEventListener('click', () => this.#withChosen((setup) => this.#put(setup)));
     $('setup-delete').addEventListener('click', () => this.#delete());
@@ -49,8 +49,8 @@ export class Setups {
       made.append(...options(where));
       return kept[where].length > 0 ? [made] : [];
     };
-    if (this.server.keeps) list.replaceChildren(...group('server', t('On the server')), ...group('browser', t('In this browser')));
-    else list.replaceChildren(...options('browser'));
+    list.replaceChildren(...(this.server.keeps
+      ? [...group('server', t('On the server')), ...group('browser', t('In this browser'))] : options('browser')));
     const isEmpty = list.options.length === 0;
     if (isEmpty) list.replaceChildren(new Option(t('None yet'), ''));
     if ([...list.options].some(({ value }) => value === wanted)) list.value = wanted;
@@ -79,24 +79,35 @@ export class Setups {
   #save() {
     const name = shortName($('setup-name').value);
     if (name === '') { $('setup-name').focus(); return; }
-    this.#keep(this.store.take(name));
-    $('setup-name').value = '';
+    this.#keep(this.store.take(name), () => { $('setup-name').value = ''; });
   }
 
-  async #keep(setup) {
+  // One of another console's is replaced only if that is asked for twice.
+  async #keep(setup, kept = () => {}) {
     const { name } = setup;
     if (this.server.keeps && $('setup-where').value === 'server') {
       try {
+        if (this.replaces !== name) await this.server.look();
+        if (this.replaces !== name && this.server.names.includes(name)) {
+          this.replaces = name;
+          this.notify(t('The server has a set-up {name}: once more replaces it', { name }));
+          this.#show();
+          return;
+        }
+        this.replaces = null;
         await this.server.save(name, this.store.toFile(setup));
+        kept();
         this.notify(t('Set-up kept on the server: {name}', { name }), 'info');
         this.#show(['server', name]);
       } catch (error) {
-        this.notify(t('The server did not keep the set-up {name}: {why}', { name, why: shortName(error.message, 200) }));
+        const why = shortName(error.message, 200);
+        this.notify(t('The server did not keep the set-up {name}: {why}', { name, why }));
       }
       return;
     }
     try {
       this.store.save(setup);
+      kept();
       this.notify(t('Set-up kept in this browser: {name}', { name }), 'info');
     } catch {
       this.notify(t('This browser keeps no set-ups (its storage is full or switched off)'));

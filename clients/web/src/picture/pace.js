@@ -1,5 +1,6 @@
 // Pace: when the next picture is due. Where the browser draws with the processor alone it is drawn every EVERY_MS, so
-// that spokes and other programs have their share, and at once when the operator does something; elsewhere with each frame.
+// that spokes and other programs have their share, and at once when the operator does something; elsewhere with each
+// frame.
 const EVERY_MS = 1000 / 12;
 const SOONER_MS = 1;  // frames do not come to the millisecond
 const HANDS = ['pointerdown', 'pointermove', 'pointerup', 'keydown', 'keyup', 'input', 'change', 'click', 'wheel'];

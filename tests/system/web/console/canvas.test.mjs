@@ -1,24 +1,20 @@
-// The picture that the processor draws (ppi_canvas.js): as WebGL2's, on the same spokes; and the console without WebGL2.
+// The picture that the processor draws (ppi_canvas.js): as WebGL2's, on the same spokes; and the console without
+// WebGL2.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { capture, openConsole, state, waitForScan } from '../browser.mjs';
 import { openBench } from '../canvas_kit.mjs';
+import { eachTest } from '../each_test.mjs';
 import { angleBetween, blobAt, echoPixels, leadingEdge } from '../measure.mjs';
 import { coastM, NM, TARGETS } from '../mock_scene.mjs';
 import { MockServer } from '../mock_server.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
-// A pixel counts as another one when a colour is more than MOST of 255 off. Of all pixels at most MOST_PART may be: those at whose
-// very edge a cell begins, which single and double precision may put on either side.
+// A pixel counts as another one when a colour is more than MOST of 255 off. Of all pixels at most MOST_PART may be:
+// those at whose very edge a cell begins, which single and double precision may put on either side.
 const MOST = 3, MOST_PART = 0.002;
 const TURN = [0, 720, 100];
 

@@ -1,20 +1,15 @@
 // The clauses of a radar display (clients/web/CLAUSES.md), D1 to D9 and D13, where no other test proves them: measured on the
 // screen of a real Chromium.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { capture, launch, waitForScan } from '../browser.mjs';
+import { test } from 'node:test';
+import { capture, waitForScan } from '../browser.mjs';
 import { beyond, frames, ink, layer, openClauses, pixel, ppi, runs, text, until } from '../clauses_kit.mjs';
+import { eachTest } from '../each_test.mjs';
 import { angleBetween, blobAt } from '../measure.mjs';
 import { NM } from '../mock_scene.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 async function open(options) {
   ({ server, page } = await openClauses(browser, options));

@@ -1,23 +1,18 @@
 // The clauses of symbols, colours, default settings and keys (clients/web/CLAUSES.md), D8 to D12, and of targets, B8 and B11, where
 // no other test proves them: measured on the screen of a real Chromium.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { capture, launch, waitForScan } from '../browser.mjs';
+import { capture, waitForScan } from '../browser.mjs';
 import { frames, hueOf, layer, openClauses, pixel, ppi, runs, text, until } from '../clauses_kit.mjs';
+import { eachTest } from '../each_test.mjs';
 import { angleBetween, placeOf } from '../measure.mjs';
 import { NM } from '../mock_scene.mjs';
 import { ais, alert, placeAt, target } from '../mock_targets.mjs';
 import { apart, canvas, extent, isDrawn, listed, pixelOf, placeOnPage, plane, plus, rgba, show, targetState, waitFor } from '../targets_kit.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 // 10 pixels a mm where symbols are measured.
 async function open(list, options) {

@@ -1,21 +1,16 @@
 // The console in a real Chromium, on a server whose picture is known in closed form.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { capture, launch, openConsole, openTab, state, waitForScan } from '../browser.mjs';
+import { capture, openConsole, openTab, state, waitForScan } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { angleBetween, blobAt, echoPixels, leadingEdge, placeOf, isEcho } from '../measure.mjs';
 import { coastM, LAND_DEPTH_M, NM, TARGETS } from '../mock_scene.mjs';
 import { CONTROLS, MockServer, ServerMessage } from '../mock_server.mjs';
 import { random } from '../random.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 // Turns are a second long, unless a test is about their length.
 async function open(options = {}, viewport, query = '') {

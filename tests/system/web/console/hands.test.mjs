@@ -1,18 +1,13 @@
 // The console by hand: keys and their dialog, two fingers, screens, set-ups by name, and whose console it is.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, afterEach, before, test } from 'node:test';
-import { launch, openConsole } from '../browser.mjs';
+import { test } from 'node:test';
+import { openConsole } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { openSmall, setsOf, untilSet } from '../hands_kit.mjs';
 
 let browser, server, page, url;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 async function open(options) {
   ({ server, page, url } = await openSmall(browser, options));
 }
@@ -242,6 +237,18 @@ test('a set-up is kept on the server, where another console uses and deletes it;
   await fill('gain', 20);
   await page.waitForFunction(() => window.skerry.settings().gain === 20);
 
+  await page.locator('#setup-where').selectOption('server');
+  const kept = () => JSON.parse(server.setups.get('Nacht \u00e4/../%')).parts.receiver.gain;
+  await fill('setup-name', 'Nacht \u00e4/../%');
+  await page.locator('#setup-form button').click();
+  await notice('once more replaces it');
+  assert.deepEqual([kept(), await page.locator('#setup-name').inputValue()], [61, 'Nacht \u00e4/../%']);
+  await page.locator('#setup-form button').click();
+  await page.waitForFunction(() => document.querySelector('#setup-name').value === '');
+  assert.equal(kept(), 20);
+  await fill('gain', 30);
+  await page.waitForFunction(() => window.skerry.settings().gain === 30);
+
   const other = await openConsole(browser, url);
   await other.getByRole('tab', { name: 'Set-up', exact: true }).click();
   assert.deepEqual(await other.locator('#setup-list option').allTextContents(), ['<img src=x onerror=alert(1)>', 'Nacht \u00e4/../%']);
@@ -249,7 +256,7 @@ test('a set-up is kept on the server, where another console uses and deletes it;
   await other.locator('.notice', { hasText: 'the file is no set-up of this console' }).waitFor();
   await other.locator('#setup-list').selectOption({ label: 'Nacht \u00e4/../%' });
   await other.locator('#setup-load').click();
-  await untilSet(server, (set) => set.gain === 61);
+  await untilSet(server, (set) => set.view === 0 && set.gain === 20 && setsOf(server).at(-1) === set);
   server.refuse = { code: 4, text: 'to delete a set-up is for trainee' };
   await other.locator('#setup-delete').click();
   await other.locator('.notice', { hasText: 'to delete a set-up is for trainee' }).waitFor();

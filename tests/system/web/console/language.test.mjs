@@ -1,20 +1,15 @@
 // The console in German: no English is left over, everything has its room at every size, and the choice of a language is kept.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { launch, openConsole } from '../browser.mjs';
+import { test } from 'node:test';
+import { openConsole } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { openSmall } from '../hands_kit.mjs';
 import { faultsOfPage, speaker, textsOfPage } from '../language_kit.mjs';
 import { MockServer } from '../mock_server.mjs';
 import { ais, alert, target, targetList } from '../mock_targets.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 const MOTION = { courseDeg: 90, speedKn: 8, relativeCourseDeg: 120, relativeSpeedKn: 14, cpaNm: 0.3, tcpaMin: 6 };
 const TRIAL = { order: { courseDeg: 20, speedKn: 10, delayMin: 1, turnRateDegMin: 0, accelerationKnMin: 0 }, beginsS: 30, outcomes: [{ target: 1, cpaNm: 2, tcpaMin: 7, isDangerous: false }] };

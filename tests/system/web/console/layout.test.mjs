@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { after, afterEach, before, test } from 'node:test';
-import { launch, openConsole } from '../browser.mjs';
+import { test } from 'node:test';
+import { openConsole } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { openSmall } from '../hands_kit.mjs';
 import { MockExercise } from '../mock_exercise.mjs';
 import { MockServer } from '../mock_server.mjs';
@@ -14,13 +15,7 @@ const RECORDER = { phase: 0, file: '', folder: '/recordings', fileBytes: 0, tota
   spokes: 0, spokesLost: 0, marks: 0, problem: '', inputsOnly: false };
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 // With everything unfolded.
 async function open(width, height, finger, options = {}) {
   ({ server, page } = await openSmall(browser, { query: '?instructor=1', server: { recorder: { ...RECORDER } },

@@ -1,19 +1,14 @@
 // The picture and its measuring tools in a real Chromium, measured on the screen.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { capture, launch, openConsole, waitForScan } from '../browser.mjs';
+import { test } from 'node:test';
+import { capture, openConsole, waitForScan } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { angleBetween, blobAt } from '../measure.mjs';
 import { NM, TARGETS } from '../mock_scene.mjs';
 import { MockServer } from '../mock_server.mjs';
 
 let browser, server, page, url;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 const OWN = { latitudeDeg: 60.3925, longitudeDeg: 5.3233 };
 const SHIP = { courseOverGroundDeg: 37, speedOverGroundKn: 12, lengthM: 120, beamM: 20 };

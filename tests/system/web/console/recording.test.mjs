@@ -1,17 +1,12 @@
 // Recorder and playback in the console, in a real Chromium on the mock server.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { capture, launch, openConsole, openTab, state, waitForScan } from '../browser.mjs';
+import { test } from 'node:test';
+import { capture, openConsole, openTab, state, waitForScan } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { MockServer } from '../mock_server.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 const recorder = () => ({ phase: 0, file: '', folder: '/recordings', fileBytes: 0, totalBytes: 0, seconds: 0, bytesPerSecond: 0,
   freeBytes: 80e9, spokes: 0, spokesLost: 0, marks: 0, problem: '', inputsOnly: false });

@@ -1,21 +1,16 @@
 // The console when something goes wrong: the graphics, a script, the link, the server, a value, a name.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { capture, launch, openConsole, state, waitForScan } from '../browser.mjs';
+import { capture, openConsole, state, waitForScan } from '../browser.mjs';
+import { eachTest } from '../each_test.mjs';
 import { openSmall, restart, setsOf, SMALL, untilSet } from '../hands_kit.mjs';
 import { MockServer } from '../mock_server.mjs';
 import { targetList } from '../mock_targets.mjs';
 import { waitFor } from '../targets_kit.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 async function open(options) {
   ({ server, page } = await openSmall(browser, options));
 }

@@ -1,19 +1,13 @@
 // Targets in the console, in a real Chromium: symbols and vectors by the pixels of their canvas, orders as the server gets them.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { launch } from '../browser.mjs';
+import { test } from 'node:test';
+import { eachTest } from '../each_test.mjs';
 import { NM } from '../mock_scene.mjs';
 import { ais, alert, placeAt, target } from '../mock_targets.mjs';
 import { apart, canvas, extent, isDrawn, isRed, listed, openTargets, pixelOf, placeOnPage, plane, plus, rgba, show, targetState, waitFor } from '../targets_kit.mjs';
 
 let browser, server, page;
-before(async () => { browser = await launch(); });
-after(() => browser?.close());
-afterEach(async () => {
-  await page?.context().close();
-  await server?.stop();
-  page = server = null;
-});
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
 async function open(list, options) {
   ({ server, page } = await openTargets(browser, list, options));
