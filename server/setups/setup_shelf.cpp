@@ -96,7 +96,7 @@ void SetupShelf::run_disk() {
   while (true) {
     change_.wait(lock, [this] { return ends_ || !writes_.empty(); });
     if (writes_.empty()) return;
-    const Task write = std::move(writes_.front());
+    Task write = std::move(writes_.front());
     writes_.pop_front();
     lock.unlock();
     write();
@@ -198,23 +198,26 @@ void SetupShelf::change(std::function<Outcome()> write, Task then, Done done) {
     return done({503, "too many set-ups are being written; try again in a second"});
   }
   ++waiting_;
-  const auto task = [this, write = std::move(write), then = std::move(then),
-                     done = std::move(done)] {
+  // What `then` and `done` hold belongs to the shelf's thread: they are moved through the disk's
+  // thread and back, so that no copy is left there to be destroyed.
+  Task task = [this, write = std::move(write), then = std::move(then),
+               done = std::move(done)]() mutable {
     Outcome outcome;
     try {
       outcome = write();
     } catch (const std::exception& error) {
       outcome = {507, error.what()};
     }
-    config_.post([this, outcome = std::move(outcome), then, done] {
-      --waiting_;
-      if (outcome.status == 204) then();
-      done(outcome);
-    });
+    config_.post(
+        [this, outcome = std::move(outcome), then = std::move(then), done = std::move(done)] {
+          --waiting_;
+          if (outcome.status == 204) then();
+          done(outcome);
+        });
   };
   {
     const std::lock_guard lock(mutex_);
-    writes_.push_back(task);
+    writes_.push_back(std::move(task));
   }
   change_.notify_one();
 }

@@ -14,8 +14,11 @@
 #include <deque>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace skerry::server {
@@ -38,18 +41,29 @@ class Loop {
     tasks_.push_back(std::move(task));
     come_.notify_one();
   }
+  // As post(), and comes back once the task is run.
+  void post_and_wait(SetupShelf::Task task) {
+    post(std::move(task));
+    std::unique_lock lock(mutex_);
+    run_.wait(lock, [this] { return tasks_.empty() && !runs_; });
+  }
   void run_one() {
     std::unique_lock lock(mutex_);
     come_.wait(lock, [this] { return !tasks_.empty(); });
     SetupShelf::Task task = std::move(tasks_.front());
     tasks_.pop_front();
+    runs_ = true;
     lock.unlock();
-    task();
+    std::exchange(task, {})();
+    lock.lock();
+    runs_ = false;
+    run_.notify_one();
   }
 
  private:
   std::mutex mutex_;
-  std::condition_variable come_;
+  std::condition_variable come_, run_;
+  bool runs_ = false;
   std::deque<SetupShelf::Task> tasks_;
 };
 
@@ -156,6 +170,22 @@ TEST_F(Setups, ThatWaitForTheDiskAreAtMostSoMany) {
   EXPECT_EQ(refused, 3u);
   for (std::size_t i = 0; i < SetupShelf::kMostWaiting; ++i) loop_.run_one();
   EXPECT_EQ(kept, SetupShelf::kMostWaiting);
+}
+
+// What waits for an answer may hold a connection, which only its own thread may end.
+TEST_F(Setups, WhatWaitsForAnAnswerEndsOnTheShelfsThread) {
+  SetupShelf shelf({folder_ / "setups",
+                    [this](SetupShelf::Task task) { loop_.post_and_wait(std::move(task)); }});
+  std::thread::id ended_on;
+  {
+    const std::shared_ptr<int> waits(new int(0), [&](const int* gone) {
+      delete gone;
+      ended_on = std::this_thread::get_id();
+    });
+    shelf.keep("a", setup("a"), [waits](const SetupShelf::Outcome&) { ++*waits; });
+  }
+  loop_.run_one();
+  EXPECT_EQ(ended_on, std::this_thread::get_id());
 }
 
 TEST_F(Setups, FilesThatAreNoneAreLeftAlone) {
