@@ -3,7 +3,7 @@
 // Row r holds what was seen at TRUE bearing r / rows of a turn, so that a turning ship does not smear
 // its picture. Each row keeps the cell size and the time it was painted with: after a change of range
 // the old rows are still drawn where they belong until the antenna has passed over them.
-// Two bytes a cell: the echo, and the trail, which is full where an echo is and fades with time.
+// Two bytes a cell: the echo, and the trail: 255 where an echo is (the echo is drawn there), 254 when it has gone, and it fades with time.
 // Doppler classes, if spokes have them, lie beside it: two bits a cell.
 import { MAX_CELLS, MAX_SPOKES } from './messages.js';
 
@@ -13,6 +13,7 @@ const TRAIL_THRESHOLD = 112;
 // A turning ship makes the antenna skip rows. So many are filled from their neighbour; more is a jump
 // of the heading, not a turn.
 const MAX_FILL = 6;
+const HERE = 255, GONE = 254;  // the trail's byte
 
 export class ScanStore {
   // maxRows: of the renderer's textures. Above it neighbouring spokes share a row, the stronger wins.
@@ -86,7 +87,7 @@ export class ScanStore {
       const echo = keepOld && cells[i] > scratch[c] ? cells[i] : scratch[c];
       const trail = cells[i + 1] - fade;
       cells[i] = echo;
-      cells[i + 1] = this.trailS !== 0 && echo >= TRAIL_THRESHOLD ? 255 : trail > 0 ? trail : 0;
+      cells[i + 1] = this.trailS !== 0 && echo >= TRAIL_THRESHOLD ? HERE : trail > 0 ? Math.min(trail, GONE) : 0;
     }
     if (this.doppler) this.#paintDoppler(row, spoke.doppler);
     meta[row * 4] = nowS;

@@ -9,7 +9,8 @@ export function isEcho(shot, x, y) {
   return g > 130 && g > b + 60 && r > 40;
 }
 
-const place = (shot, bearingDeg, rangeM) => {
+// The pixel of a true bearing and a range in the shot itself: the page may have another size by now.
+export const place = (shot, bearingDeg, rangeM) => {
   const angle = (bearingDeg - shot.upDeg) * Math.PI / 180;
   const r = (rangeM / shot.rangeM) * shot.radiusPx;
   return { x: ((shot.own ?? shot.centre).x + r * Math.sin(angle)) * shot.pixelRatio, y: ((shot.own ?? shot.centre).y - r * Math.cos(angle)) * shot.pixelRatio };

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { capture, waitForScan } from '../browser.mjs';
 import { beyond, frames, ink, layer, openClauses, pixel, ppi, runs, text, until } from '../clauses_kit.mjs';
 import { eachTest } from '../each_test.mjs';
-import { angleBetween, blobAt } from '../measure.mjs';
+import { angleBetween, blobAt, place } from '../measure.mjs';
 import { NM } from '../mock_scene.mjs';
 
 let browser, server, page;
@@ -279,8 +279,8 @@ test('trails are back within two turns after a change of range and a reset of tr
   await open({ headingDeg: 0 });
   const lengths = await page.locator('#trails option').evaluateAll((all) => all.map((each) => Number(each.value)));
   assert.ok(lengths.length >= 8 && lengths.includes(0) && lengths.includes(-1));
-  await page.locator('#trails').selectOption('360');
-  await until(page, 'trail-state', 'R 6 min');
+  await page.locator('#trails').selectOption('-1');
+  await until(page, 'trail-state', 'R permanent');
   await waitForScan(page);
   server.change({ gain: 5 });   // no echo is strong any more: what is seen is the trail
   await waitForScan(page);
@@ -293,14 +293,15 @@ test('trails are back within two turns after a change of range and a reset of tr
     const shot = await capture(page);
     // The echo is a few pixels: the bluest within one of its place.
     const at = ({ x, y }) => Math.max(...[-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => shot.data[4 * (Math.floor(y + dy) * shot.width + Math.floor(x + dx)) + 2])));
-    const over = at(await pixelFor(190, 2500)) - at(await pixelFor(176, 2500));
+    const over = at(place(shot, 190, 2500)) - at(place(shot, 176, 2500));
     t.diagnostic(`${what}: ${over} above the sea`);
     assert.ok(over > 40, `${what}: ${over} above the sea`);
     await page.evaluate(() => window.skerry.holdAfter(null));
   };
   const pressed = async (key, id, wanted) => { await page.keyboard.press(key); await until(page, id, wanted); };
   const mode = async (name, id, wanted) => { await page.locator(`input[name=trail-mode][value=${name}] + span`).click(); await until(page, id, wanted); };
-  await back('before', async () => {});
+  await back('permanent', async () => {});
+  await back('6 min', async () => { await page.locator('#trails').selectOption('360'); await until(page, 'trail-state', 'R 6 min'); });
   for (const nm of [3, 6]) await back(`relative, ${nm} NM`, () => setRange(nm));
   await back('true', () => mode('true', 'trail-state', 'T 6 min'));
   for (const nm of [3, 6]) await back(`true, ${nm} NM`, () => setRange(nm));

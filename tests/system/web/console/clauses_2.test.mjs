@@ -6,7 +6,7 @@ import { PNG } from 'pngjs';
 import { capture, waitForScan } from '../browser.mjs';
 import { frames, hueOf, layer, openClauses, pixel, ppi, runs, text, until } from '../clauses_kit.mjs';
 import { eachTest } from '../each_test.mjs';
-import { angleBetween, placeOf } from '../measure.mjs';
+import { angleBetween, place, placeOf } from '../measure.mjs';
 import { NM } from '../mock_scene.mjs';
 import { ais, alert, placeAt, target } from '../mock_targets.mjs';
 import { apart, canvas, extent, isDrawn, listed, pixelOf, placeOnPage, plane, plus, rgba, show, targetState, waitFor } from '../targets_kit.mjs';
@@ -245,7 +245,7 @@ test('by day, dusk and night: a dark background, echoes of one hue, red for dang
   server.change({ gain: 5 });
   await waitForScan(page);
   await waitForScan(page);
-  const shot = await capture(page), trail = await page.evaluate(() => window.skerry.pixelFor(190, 2500));
+  const shot = await capture(page), trail = place(shot, 190, 2500);
   const p = [...shot.data.subarray(4 * (Math.floor(trail.y) * shot.width + Math.floor(trail.x)), 4 * (Math.floor(trail.y) * shot.width + Math.floor(trail.x)) + 3)];
   assert.ok(p[2] > p[0] + 40 && angleBetween(hueOf(p), seen.day) > 60, `trail ${p}`);
   assert.deepEqual(page.problems, []);

@@ -124,7 +124,8 @@ test('what the operator sees is what was measured', async () => {
 
 test('a turning ship keeps its coast in place, without gaps', async (t) => {
   await openFlat({ headingDeg: 350 });
-  const turn = setInterval(() => { server.headingDeg = (server.headingDeg + 0.12) % 360; }, 40);  // 3 deg/s
+  const ship = server;
+  const turn = setInterval(() => { ship.headingDeg = (ship.headingDeg + 0.12) % 360; }, 40);  // 3 deg/s
   t.after(() => clearInterval(turn));
   await waitForScan(page);
   await waitForScan(page);

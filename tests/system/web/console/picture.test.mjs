@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { capture, openConsole, waitForScan } from '../browser.mjs';
 import { eachTest } from '../each_test.mjs';
-import { angleBetween, blobAt } from '../measure.mjs';
+import { angleBetween, blobAt, place } from '../measure.mjs';
 import { NM, TARGETS } from '../mock_scene.mjs';
 import { MockServer } from '../mock_server.mjs';
 
@@ -400,7 +400,7 @@ test('true and relative trails show where echoes were, and neither is lost by th
   const blue = async () => {
     const shot = await capture(page);
     const at = ({ x, y }) => shot.data[4 * (Math.floor(y) * shot.width + Math.floor(x)) + 2];
-    return at(await pixelFor(190, 2500)) - at(await pixelFor(150, 2500));
+    return at(place(shot, 190, 2500)) - at(place(shot, 150, 2500));
   };
   await until('motion', 'RM(R)');
   assert.ok(await blue() > 40, `relative: ${await blue()}`);

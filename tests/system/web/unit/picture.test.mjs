@@ -109,6 +109,19 @@ test('a trail fades with time and moves to a new range with its echo', () => {
   assert.deepEqual(trail(store, 0), [0, 0, 0, 0]);
 });
 
+test('a trail shows as soon as its echo has gone, also where it does not fade', () => {
+  for (const trailS of [360, 1800, -1]) {
+    const store = new ScanStore();
+    store.trailS = trailS;
+    store.put(spoke({ cells: Uint8Array.from([0, 0, 200, 0]) }), 0, false);
+    for (const nowS of [0.5, 1]) {
+      store.put(spoke({ cells: Uint8Array.from([0, 0, 30, 0]) }), nowS, false);
+      // 255 is an echo's own place, where no trail is drawn.
+      assert.ok(trail(store, 0)[2] >= 252 && trail(store, 0)[2] < 255, `${trailS} s: ${trail(store, 0)}`);
+    }
+  }
+});
+
 test('painted rows are told once, in runs', () => {
   const store = new ScanStore();
   for (const index of [250, 251, 252, 3, 4, 255]) store.put(spoke({ index }), 1, false);
