@@ -57,6 +57,8 @@ class RadarUnit {
 
   // Once in a unit's life.
   void start(const Epoch& epoch);
+  // Spokes are stamped by it from the next sector on.  Thread: any.
+  void set_utc(const UtcClock& clock) { utc_.set(clock); }
   // Before start(): makes what the first sector needs and would make late.  Cost: 60 ms or so for
   // the first radar of a set, less for others like it.
   void warm_up();
@@ -91,7 +93,7 @@ class RadarUnit {
   // and its tables are made, until then `shown`.
   RangeScale range_to_show(RangeScale shown);
   // True if there is something to be published.
-  bool make_sector(std::uint64_t first, const Epoch& epoch);
+  bool make_sector(std::uint64_t first);
   void publish(std::uint64_t first, const Epoch& epoch,
                std::chrono::steady_clock::time_point begun);
   void skip(std::uint64_t first);
@@ -105,6 +107,7 @@ class RadarUnit {
   TablesAhead tables_ahead_;
   RadarViewList views_;
   Latest<echo::RadarControls> radar_controls_;
+  Latest<UtcClock> utc_;
   // The present sector's.  Thread: the unit's.
   std::shared_ptr<const RadarViews> shown_;  // as in given_.views
   SectorInputs given_;
