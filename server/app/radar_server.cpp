@@ -33,6 +33,12 @@ std::size_t count_radars(const scenario::Scenario& scenario) {
   return count;
 }
 
+void log_lines(const std::vector<LoadWatch::Line>& lines) {
+  for (const LoadWatch::Line& line : lines) {
+    spdlog::log(line.is_warning ? spdlog::level::warn : spdlog::level::info, line.text);
+  }
+}
+
 std::string utc_text(UtcTime time) {
   const auto ms = std::chrono::floor<std::chrono::milliseconds>(time);
   return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} UTC",
@@ -147,6 +153,18 @@ void RadarServer::start() {
                [this, follower = ClockFollower(zero)](const std::stop_token&) mutable {
                  look_at_clock(follower);
                });
+  load_.start("load", LoadWatch::kLook, [this](const std::stop_token&) {
+    log_lines(load_watch_.look(pace(), std::chrono::steady_clock::now()));
+  });
+}
+
+std::vector<RadarPace> RadarServer::pace() const {
+  std::vector<RadarPace> pace;
+  for (const auto& mount : radars_) {
+    const RadarCounters counters = mount->unit.counters();
+    pace.push_back({mount->unit.config().radar, counters.sectors, counters.sectors_skipped});
+  }
+  return pace;
 }
 
 void RadarServer::look_at_clock(ClockFollower& follower) {
@@ -166,6 +184,8 @@ void RadarServer::look_at_clock(ClockFollower& follower) {
 
 void RadarServer::stop() {
   clock_.stop();
+  load_.stop();
+  log_lines(load_watch_.end());
   rain_.stop();
   shore_.stop();
   for (auto& board : boards_) board->stop();

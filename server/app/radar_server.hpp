@@ -12,6 +12,7 @@
 #include "echo/chart/chart_source.hpp"
 #include "server/app/chart_desk.hpp"
 #include "server/app/control/control_desk.hpp"
+#include "server/app/load_watch.hpp"
 #include "server/app/shore_thread.hpp"
 #include "server/board/board_unit.hpp"
 #include "server/core/paced_thread.hpp"
@@ -95,6 +96,7 @@ class RadarServer : public RadarHost {
   Instant instant() const;
   // Follows the system's clock, where it was set.
   void look_at_clock(ClockFollower& follower);
+  std::vector<RadarPace> pace() const;
   void mount_boards(const scenario::Scenario& scenario);
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
@@ -106,7 +108,8 @@ class RadarServer : public RadarHost {
   ReadClocks clocks_ = read_clocks;
   Latest<Epoch> epoch_;   // none before start()
   Latest<UtcClock> utc_;  // the same
-  PacedThread clock_;
+  PacedThread clock_, load_;
+  LoadWatch load_watch_;  // load's
   std::unique_ptr<CoastService> coast_;
   ChartDesk chart_desk_;
   Airwaves airwaves_;

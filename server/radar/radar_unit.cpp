@@ -171,6 +171,7 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
     } else if (make_sector(first)) {
       publish(first, epoch, begun);
     }
+    sectors_.fetch_add(1, std::memory_order_relaxed);
   }
 }
 
@@ -195,7 +196,8 @@ void RadarUnit::publish(std::uint64_t first, const Epoch& epoch,
 }
 
 RadarCounters RadarUnit::counters() const {
-  return {spokes_.load(),
+  return {sectors_.load(),
+          spokes_.load(),
           spokes_late_.load(),
           sectors_skipped_.load(),
           static_cast<double>(lateness_max_ns_.load()) * 1e-6,

@@ -26,6 +26,7 @@ struct Epoch {
 };
 
 struct RadarCounters {
+  std::uint64_t sectors = 0;          // that the antenna has passed, in standby too
   std::uint64_t spokes = 0;           // published
   std::uint64_t spokes_late = 0;      // in sectors published more than a sector after their end
   std::uint64_t sectors_skipped = 0;  // never made: the radar was more than kGiveUp late
@@ -114,7 +115,7 @@ class RadarUnit {
   std::vector<ViewSector> made_;
   double mean_ns_ = 0.0;  // per cell
 
-  std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
+  std::atomic<std::uint64_t> sectors_{0}, spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
   std::atomic<std::int64_t> lateness_max_ns_{0};
   std::atomic<double> render_ns_per_cell_{0.0};
   std::atomic<std::uint32_t> scan_{0}, coast_edges_{0};
