@@ -23,11 +23,14 @@ std::optional<Message> parsed(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
+// At the time of its item: what else the recording has goes by that, also where UTC of spokes
+// steps.
 std::optional<Spoke> spoke_of(const Item& item) {
   const auto message = parsed<wire::Spoke>(item.bytes);
   if (!message) return std::nullopt;
   auto spoke = from_message(*message);
   if (!spoke) return std::nullopt;
+  spoke->header.utc = item.time;
   return *std::move(spoke);
 }
 

@@ -33,6 +33,7 @@ struct NotRead {
   std::string text() const;  // "3 spokes and 1 chunk could not be read whole"; empty: nothing was
 };
 
+// Spokes have the times of their items.
 // Thread: one at a time; the reader outlives it.
 class RecordedTurns {
  public:
@@ -64,7 +65,8 @@ struct SpokesRead {
   NotRead not_read;
 };
 
-// Calls `line` with every spoke of that part.  Error: `progress` gave up, or there are none.
+// Calls `line` with every spoke of that part, at the time of its item.  Error: `progress` gave up,
+// or there are none.
 Result<SpokesRead, recording::RecordingError> each_spoke(
     const recording::RecordingReader& reader, const RecordedPart& part,
     const std::function<void(Spoke)>& line,

@@ -134,12 +134,13 @@ Result<ExportReport, RecordingError> export_capture(
       }
     } else {
       const auto message = parsed<wire::Spoke>(item->bytes);
-      const auto spoke =
+      auto spoke =
           message ? from_message(*message) : Result<Spoke, WireError>(Failure{WireError{}});
       if (!spoke) {
         ++report.spokes_refused;
         continue;
       }
+      spoke->header.utc = item->time;  // as all else, also where UTC of spokes steps
       sink.add(*spoke);
       ++report.spokes;
     }

@@ -1,5 +1,6 @@
 #include "server/app/radar_server.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -30,6 +31,20 @@ std::size_t count_radars(const scenario::Scenario& scenario) {
   for (const auto& ship : scenario.own_ships())
     count += static_cast<std::size_t>(ship.radars_size());
   return count;
+}
+
+void log_lines(const std::vector<LoadWatch::Line>& lines) {
+  for (const LoadWatch::Line& line : lines) {
+    spdlog::log(line.is_warning ? spdlog::level::warn : spdlog::level::info, line.text);
+  }
+}
+
+std::string utc_text(UtcTime time) {
+  const auto ms = std::chrono::floor<std::chrono::milliseconds>(time);
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} UTC",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(
+                         std::chrono::floor<std::chrono::seconds>(time))),
+                     (ms.time_since_epoch() % std::chrono::seconds(1)).count());
 }
 
 }  // namespace
@@ -124,8 +139,9 @@ RadarServer::~RadarServer() { stop(); }
 
 void RadarServer::start() {
   for (auto& radar : radars_) radar->unit.warm_up();
-  const Epoch epoch{std::chrono::steady_clock::now(),
-                    std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())};
+  const ClockReading zero = clocks_();
+  const Epoch epoch{zero.steady, zero.utc};
+  utc_.set(UtcClock{{}, epoch.utc});
   epoch_.set(epoch);
   inputs_.began(epoch.utc, kServerName);
   coast_->start();
@@ -133,9 +149,43 @@ void RadarServer::start() {
   rain_.start();
   for (auto& radar : radars_) radar->unit.start(epoch);
   for (auto& board : boards_) board->start(epoch.steady, epoch.utc);
+  clock_.start("clock", ClockFollower::kLook,
+               [this, follower = ClockFollower(zero)](const std::stop_token&) mutable {
+                 look_at_clock(follower);
+               });
+  load_.start("load", LoadWatch::kLook, [this](const std::stop_token&) {
+    log_lines(load_watch_.look(pace(), std::chrono::steady_clock::now()));
+  });
+}
+
+std::vector<RadarPace> RadarServer::pace() const {
+  std::vector<RadarPace> pace;
+  for (const auto& mount : radars_) {
+    const RadarCounters counters = mount->unit.counters();
+    pace.push_back({mount->unit.config().radar, counters.sectors, counters.sectors_skipped});
+  }
+  return pace;
+}
+
+void RadarServer::look_at_clock(ClockFollower& follower) {
+  const UtcClock before = follower.clock();
+  const auto step = follower.look(clocks_());
+  const UtcClock& clock = follower.clock();
+  if (clock == before) return;
+  if (step) {
+    spdlog::warn("the system's clock was set by {:+.3f} s, from {} to {}; all UTC follows",
+                 in_seconds(step->by()), utc_text(step->before), utc_text(step->after));
+  }
+  inputs_.follows(clock);
+  utc_.set(clock);
+  for (auto& board : boards_) board->set_utc(clock);
+  for (auto& radar : radars_) radar->unit.set_utc(clock);
 }
 
 void RadarServer::stop() {
+  clock_.stop();
+  load_.stop();
+  log_lines(load_watch_.end());
   rain_.stop();
   shore_.stop();
   for (auto& board : boards_) board->stop();
@@ -258,11 +308,11 @@ RadarServer::Instant RadarServer::instant() const {
   if (!epoch) {
     now.state = timeline_.latest();
     now.time = now.state->time;
-    now.utc = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+    now.utc = clocks_().utc;
     return now;
   }
   now.time = ScenarioTime(std::chrono::steady_clock::now() - epoch->steady);
-  now.utc = epoch->utc + now.time.time_since_epoch();
+  now.utc = utc_.get()->at(now.time);
   now.state = timeline_.at(now.time);
   return now;
 }

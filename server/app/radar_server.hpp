@@ -12,9 +12,12 @@
 #include "echo/chart/chart_source.hpp"
 #include "server/app/chart_desk.hpp"
 #include "server/app/control/control_desk.hpp"
+#include "server/app/load_watch.hpp"
 #include "server/app/shore_thread.hpp"
 #include "server/board/board_unit.hpp"
+#include "server/core/paced_thread.hpp"
 #include "server/core/radar_host.hpp"
+#include "server/core/utc_clock.hpp"
 #include "server/radar/radar_unit.hpp"
 #include "server/radar/rain_ahead.hpp"
 #include "server/replay/input_log.hpp"
@@ -42,6 +45,10 @@ class RadarServer : public RadarHost {
   RecordingPort* recording() override { return recorder_; }
   void set_targets(TargetPort* plotters) { plotters_ = plotters; }  // as set_recording()
   TargetPort* targets() override { return plotters_; }
+
+  // Other clocks than this machine's, for tests; the steady one must be this machine's.
+  // Before start().
+  void set_clocks(ReadClocks clocks) { clocks_ = std::move(clocks); }
 
   // Scenario time 0 is now.
   void start();
@@ -87,6 +94,9 @@ class RadarServer : public RadarHost {
     WorldStatePtr state;
   };
   Instant instant() const;
+  // Follows the system's clock, where it was set.
+  void look_at_clock(ClockFollower& follower);
+  std::vector<RadarPace> pace() const;
   void mount_boards(const scenario::Scenario& scenario);
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
@@ -95,7 +105,11 @@ class RadarServer : public RadarHost {
   TargetPort* plotters_ = nullptr;
   std::string scenario_name_;
   mutable Timeline timeline_;  // to look at a tick is to make it
-  Latest<Epoch> epoch_;        // none before start()
+  ReadClocks clocks_ = read_clocks;
+  Latest<Epoch> epoch_;   // none before start()
+  Latest<UtcClock> utc_;  // the same
+  PacedThread clock_, load_;
+  LoadWatch load_watch_;  // load's
   std::unique_ptr<CoastService> coast_;
   ChartDesk chart_desk_;
   Airwaves airwaves_;

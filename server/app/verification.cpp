@@ -66,7 +66,7 @@ int verify(const VerifyOptions& options) {
   ExerciseReplay replay(*exercise, plan, *chart, options.workers);
   Comparison comparison(*reader, *exercise);
   std::optional<VideoFile> video;
-  if (!options.video.empty()) video.emplace(options.video, *reader);
+  if (!options.video.empty()) video.emplace(options.video, *reader, exercise->zero);
   replay.run(
       [&](const Sector& sector) {
         for (const SpokePtr& spoke : sector.spokes) {

@@ -84,7 +84,7 @@ void BoardUnit::set_shared_ring(std::string ring_name, std::size_t ring_bytes) {
 
 void BoardUnit::start(Clock::time_point zero, UtcTime utc_zero) {
   zero_ = zero;
-  utc_zero_ = utc_zero;
+  set_utc({{}, utc_zero});
   thread_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), fmt::format("board-{}", radar_).c_str());
     run(stop);
@@ -139,8 +139,8 @@ void BoardUnit::step() {
 
 bool BoardUnit::step_once(Clock::time_point now) {
   const double cpu_before = thread_cpu_s();
-  board_.advance(ScenarioTime(std::max(Duration{}, Duration(now - zero_))), utc_zero_,
-                 sweeps_wanted(), batch_);
+  const ScenarioTime time(std::max(Duration{}, Duration(now - zero_)));
+  board_.advance(time, utc_.get()->at(time) - time.time_since_epoch(), sweeps_wanted(), batch_);
   const double cpu_s = thread_cpu_s() - cpu_before;
   // Before anybody can react to a fault and so change its reason.
   log_.look_at(

@@ -15,6 +15,8 @@
 #include "server/board/board.hpp"
 #include "server/board/shared_ring.hpp"
 #include "server/core/board_port.hpp"
+#include "server/core/latest.hpp"
+#include "server/core/utc_clock.hpp"
 
 namespace skerry::server {
 
@@ -71,6 +73,8 @@ class BoardUnit final : public BoardPort {
   void set_shared_ring(std::string ring_name, std::size_t ring_bytes);
   // Once in a unit's life.  When scenario time 0 was, on the clocks outside.
   void start(std::chrono::steady_clock::time_point zero, UtcTime utc_zero);
+  // What records are stamped with from the next step on.  Thread: any.
+  void set_utc(const UtcClock& clock) { utc_.set(clock); }
   // Ends the thread and the shared ring.
   void stop();
 
@@ -104,7 +108,7 @@ class BoardUnit final : public BoardPort {
   FormatRing records_{kRingBlocks, kRingBytes};
   FormatRing signals_{kRingBlocks, kRingBytes};
   Clock::time_point zero_;
-  UtcTime utc_zero_;
+  Latest<UtcClock> utc_;
   BoardBatch batch_;  // board-N, as the next two
   Clock::time_point window_begun_{};
   std::uint64_t window_bytes_ = 0;

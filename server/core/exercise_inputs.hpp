@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "protocol/quantity/time.hpp"
 
 namespace skerry::server {
 
@@ -12,6 +15,12 @@ struct ExerciseDocument {
   std::string name;        // "scenario.yaml"
   std::string media_type;  // "application/yaml"
   std::string bytes;
+};
+
+// When scenario time 0 was by the clock as it was then, and as it is now: by that runs a recording
+// that begins now.
+struct ScenarioZero {
+  UtcTime then, now;
 };
 
 // All inputs since scenario time 0 are kept, some kilobytes an hour, so that a recording that
@@ -28,6 +37,8 @@ class ExerciseInputs {
   // since() gives from now on: ask for this after spokes were taken and before inputs are, and
   // write it behind them.
   virtual std::vector<std::string> reached() const = 0;
+  // When scenario time 0 was.  Nothing before it was.
+  virtual std::optional<ScenarioZero> zero() const { return std::nullopt; }
   // Documents that never change while the server runs.
   virtual std::vector<ExerciseDocument> documents() const = 0;
 };

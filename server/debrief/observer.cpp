@@ -265,7 +265,7 @@ std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
       reader, exercise,
       options.until_s ? std::optional(seconds_as_duration(*options.until_s)) : std::nullopt,
       "--until"));
-  const double end_s = std::min(whole_s, in_seconds(summary.end - exercise.epoch));
+  const double end_s = std::min(whole_s, in_seconds(summary.end - exercise.zero));
   Debrief debrief;
   const scenario::ExerciseSheet& sheet = plan.scenario.exercise();
   debrief.exercise = plan.scenario.name();
@@ -278,7 +278,7 @@ std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
   debrief.limits = options.limits;
   Observer observer(exercise, plan, options, debrief);
   if (!observer.run(end_s, progress)) return std::nullopt;
-  for (HappenedLine& line : setting_lines(reader, exercise.epoch, plan.scenario)) {
+  for (HappenedLine& line : setting_lines(reader, exercise.zero, plan.scenario)) {
     if (line.when.at_s > end_s) continue;
     line.when.exercise_s = exercise_at(debrief, line.when.at_s);
     debrief.happened.push_back(std::move(line));
@@ -286,7 +286,7 @@ std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
   std::stable_sort(
       debrief.happened.begin(), debrief.happened.end(),
       [](const HappenedLine& a, const HappenedLine& b) { return a.when.at_s < b.when.at_s; });
-  debrief.known = known_views(reader, exercise.epoch, end_s, plan.scenario,
+  debrief.known = known_views(reader, exercise.zero, end_s, plan.scenario,
                               [&](double at_s) { return exercise_at(debrief, at_s); });
   debrief.reactions = reactions_to(debrief.happened, debrief.passings, debrief.own_ships);
   return debrief;

@@ -70,7 +70,7 @@ Scan RadarTurns::turn() {
     maker_.turn(next_, given_.radar);
     step_to(maker_.clock().time_of(next_));
     given_.state = state_;
-    maker_.make(next_, UtcTime{}, given_, out);
+    maker_.make(next_, given_, out);
     for (const ViewSector& part : out) {
       for (const SpokePtr& spoke : part.sector.spokes) {
         scan.spokes[spoke->header.index] = *spoke;

@@ -74,7 +74,7 @@ Player::~Player() { stop(); }
 
 void Player::start() {
   began_ = steady_clock::now();
-  began_utc_ = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+  utc_.emplace(ClockReading{began_, read_clocks().utc});
   thread_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "playback");
     try {
@@ -278,10 +278,18 @@ void Player::play(Piece& piece) {
     std::unique_lock lock(mutex_);
     const PlayClock clock = clock_;
     lock.unlock();
+    const SteadyTime now = steady_clock::now();
+    if (now - looked_ >= ClockFollower::kLook) {
+      looked_ = now;
+      if (const auto step = utc_->look(read_clocks())) {
+        spdlog::warn("the system's clock was set by {:+.3f} s; all UTC follows",
+                     in_seconds(step->by()));
+      }
+    }
     for (std::size_t i = 0; i < piece.spokes.size(); ++i) {
       const Duration since = clock.due(piece.times[i]) - began_;
       SpokeHeader& header = piece.spokes[i]->header;
-      header.utc = began_utc_ + since;
+      header.utc = utc_->clock().at(ScenarioTime(since));
       header.scenario_time = ScenarioTime(std::max(Duration::zero(), since));
     }
   }

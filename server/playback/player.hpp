@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "protocol/recording/reader.hpp"
+#include "server/core/utc_clock.hpp"
 #include "server/playback/pace_watch.hpp"
 #include "server/playback/piece_reader.hpp"
 #include "server/playback/play_clock.hpp"
@@ -142,7 +143,8 @@ class Player {
   std::uint64_t seen_ = 0;              // of changes_
   PaceWatch pace_;
   SteadyTime began_{};
-  UtcTime began_utc_{};
+  std::optional<ClockFollower> utc_;  // from start(); its thread's, as the next
+  SteadyTime looked_{};               // at the clocks
 
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;

@@ -82,6 +82,7 @@ echo::RadarSet RadarUnit::set_on_air() const {
 }
 
 void RadarUnit::start(const Epoch& epoch) {
+  set_utc({{}, epoch.utc});
   thread_ = std::jthread([this, epoch](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), fmt::format("radar-{}", config_.radar).c_str());
     go_before_others();
@@ -133,7 +134,7 @@ RangeScale RadarUnit::range_to_show(RangeScale shown) {
   return ready && !coast_comes ? wished : shown;
 }
 
-bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
+bool RadarUnit::make_sector(std::uint64_t first) {
   if (!gather(first)) {
     skip(first);
     return false;
@@ -141,8 +142,9 @@ bool RadarUnit::make_sector(std::uint64_t first, const Epoch& epoch) {
   const Airwaves::Set set =
       airwaves_.set(config_.radar, maker_.emission(given_.radar, given_.on_air));
   given_.emissions = set.emissions;
+  given_.utc = *utc_.get();
   if (inputs_ != nullptr) inputs_->took(config_.radar, first, given_, set.changed);
-  maker_.make(first, epoch.utc, given_, made_);
+  maker_.make(first, given_, made_);
   return !made_.empty();
 }
 
@@ -166,9 +168,10 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
     const auto begun = std::chrono::steady_clock::now();
     if (begun > end_of(first) + kGiveUp) {
       skip(first);
-    } else if (make_sector(first, epoch)) {
+    } else if (make_sector(first)) {
       publish(first, epoch, begun);
     }
+    sectors_.fetch_add(1, std::memory_order_relaxed);
   }
 }
 
@@ -193,7 +196,8 @@ void RadarUnit::publish(std::uint64_t first, const Epoch& epoch,
 }
 
 RadarCounters RadarUnit::counters() const {
-  return {spokes_.load(),
+  return {sectors_.load(),
+          spokes_.load(),
           spokes_late_.load(),
           sectors_skipped_.load(),
           static_cast<double>(lateness_max_ns_.load()) * 1e-6,

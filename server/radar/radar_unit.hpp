@@ -26,6 +26,7 @@ struct Epoch {
 };
 
 struct RadarCounters {
+  std::uint64_t sectors = 0;          // that the antenna has passed, in standby too
   std::uint64_t spokes = 0;           // published
   std::uint64_t spokes_late = 0;      // in sectors published more than a sector after their end
   std::uint64_t sectors_skipped = 0;  // never made: the radar was more than kGiveUp late
@@ -57,6 +58,8 @@ class RadarUnit {
 
   // Once in a unit's life.
   void start(const Epoch& epoch);
+  // Spokes are stamped by it from the next sector on.  Thread: any.
+  void set_utc(const UtcClock& clock) { utc_.set(clock); }
   // Before start(): makes what the first sector needs and would make late.  Cost: 60 ms or so for
   // the first radar of a set, less for others like it.
   void warm_up();
@@ -91,7 +94,7 @@ class RadarUnit {
   // and its tables are made, until then `shown`.
   RangeScale range_to_show(RangeScale shown);
   // True if there is something to be published.
-  bool make_sector(std::uint64_t first, const Epoch& epoch);
+  bool make_sector(std::uint64_t first);
   void publish(std::uint64_t first, const Epoch& epoch,
                std::chrono::steady_clock::time_point begun);
   void skip(std::uint64_t first);
@@ -105,13 +108,14 @@ class RadarUnit {
   TablesAhead tables_ahead_;
   RadarViewList views_;
   Latest<echo::RadarControls> radar_controls_;
+  Latest<UtcClock> utc_;
   // The present sector's.  Thread: the unit's.
   std::shared_ptr<const RadarViews> shown_;  // as in given_.views
   SectorInputs given_;
   std::vector<ViewSector> made_;
   double mean_ns_ = 0.0;  // per cell
 
-  std::atomic<std::uint64_t> spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
+  std::atomic<std::uint64_t> sectors_{0}, spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
   std::atomic<std::int64_t> lateness_max_ns_{0};
   std::atomic<double> render_ns_per_cell_{0.0};
   std::atomic<std::uint32_t> scan_{0}, coast_edges_{0};

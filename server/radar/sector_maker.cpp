@@ -132,7 +132,7 @@ std::function<std::shared_ptr<const void>()> SectorMaker::ahead(const SectorInpu
   };
 }
 
-void SectorMaker::make(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
+void SectorMaker::make(std::uint64_t first, const SectorInputs& inputs,
                        std::vector<ViewSector>& out) {
   out.clear();
   if (!inputs.radar.transmit) return;
@@ -142,14 +142,14 @@ void SectorMaker::make(std::uint64_t first, UtcTime epoch, const SectorInputs& i
   scenes_.set_rig(inputs.radar.blanked, inputs.radar.bearing_alignment_deg);
   renderer_.render(*scenes_.build(inputs.state, inputs.coast, inputs.emissions), first,
                    kSectorSpokes);
-  cut_spokes(first, epoch, inputs, out);
+  cut_spokes(first, inputs, out);
 }
 
 echo::RadarFaults SectorMaker::faults_of(const SectorInputs& inputs) const {
   return radar_faults(inputs.state->own_ships[config_.own_ship]);
 }
 
-void SectorMaker::cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
+void SectorMaker::cut_spokes(std::uint64_t first, const SectorInputs& inputs,
                              std::vector<ViewSector>& out) {
   const std::uint32_t cells = config_.geometry.cells;
   const WorldState& state = *inputs.state;
@@ -173,7 +173,7 @@ void SectorMaker::cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInp
     header.index = static_cast<std::uint32_t>(n % config_.geometry.spokes_per_turn);
     header.geometry = config_.geometry;
     header.scenario_time = clock_.time_of(n);
-    header.utc = epoch + header.scenario_time.time_since_epoch();
+    header.utc = inputs.utc.at(header.scenario_time);
     const Duration dt = header.scenario_time - state.time;
     const double turned_deg = own.pace * own.rate_of_turn_deg_s * in_seconds(dt);
     header.heading =

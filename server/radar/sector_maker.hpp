@@ -11,6 +11,7 @@
 #include "echo/receiver/controls.hpp"
 #include "protocol/quantity/time.hpp"
 #include "protocol/video/spoke.hpp"
+#include "server/core/utc_clock.hpp"
 #include "server/core/worker_pool.hpp"
 #include "server/radar/airwaves.hpp"
 #include "server/radar/picture_maker.hpp"
@@ -49,6 +50,7 @@ struct SectorInputs {
   WorldStatePtr state;             // of the tick that the sector begins in
   CoastInSightPtr coast;
   EmissionsPtr emissions;  // with its own of this sector
+  UtcClock utc;            // what spokes are stamped with
 };
 
 // The spokes of a sector in one view.
@@ -89,15 +91,13 @@ class SectorMaker {
   // what holds them.  Changes nothing of what make() makes.
   std::function<std::shared_ptr<const void>()> ahead(const SectorInputs& inputs) const;
 
-  // One sector of every view; none in standby.  `epoch`: when scenario time 0 was.
-  void make(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
-            std::vector<ViewSector>& out);
+  // One sector of every view; none in standby.
+  void make(std::uint64_t first, const SectorInputs& inputs, std::vector<ViewSector>& out);
 
  private:
   void take_views(const SectorInputs& inputs);
   echo::RadarFaults faults_of(const SectorInputs& inputs) const;
-  void cut_spokes(std::uint64_t first, UtcTime epoch, const SectorInputs& inputs,
-                  std::vector<ViewSector>& out);
+  void cut_spokes(std::uint64_t first, const SectorInputs& inputs, std::vector<ViewSector>& out);
 
   RadarConfig config_;
   WorkerPool workers_;

@@ -258,6 +258,8 @@ void Recorder::carry_out(Order order, std::chrono::steady_clock::time_point now)
       records_.store(false, std::memory_order_relaxed);
       session_->stop(order.origin, now);
       show(session_->state(now));
+      if (auto line = full_disk_.end(session_->state(now).spokes_lost())) spdlog::warn(*line);
+      full_disk_ = {};
       session_.reset();
       finishing_ = true;
       spdlog::info("recorder: stopped by {}", order.origin);
@@ -278,7 +280,9 @@ void Recorder::carry_out(Order order, std::chrono::steady_clock::time_point now)
 void Recorder::look_at_session(std::chrono::steady_clock::time_point now) {
   const wire::RecorderState state = session_->state(now);
   show(state);
+  if (auto line = full_disk_.look(disk_.state(), state.spokes_lost(), now)) spdlog::warn(*line);
   if (state.phase() != wire::RecorderState::FAILED) return;
+  full_disk_ = {};
   records_.store(false, std::memory_order_relaxed);
   session_.reset();
   disk_.end();

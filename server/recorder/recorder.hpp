@@ -13,6 +13,7 @@
 #include "server/core/radar_host.hpp"
 #include "server/core/recording_port.hpp"
 #include "server/recorder/disk_writer.hpp"
+#include "server/recorder/full_disk_log.hpp"
 #include "server/recorder/recorder_config.hpp"
 #include "server/recorder/recording_session.hpp"
 
@@ -83,6 +84,7 @@ class Recorder final : public RecordingPort {
 
   // The recorder's thread.
   std::unique_ptr<RecordingSession> session_;
+  FullDiskLog full_disk_;
   bool finishing_ = false;  // the session is over, its file is not
   std::thread thread_;
 };

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "protocol/recording/inputs.pb.h"
 #include "protocol/recording/recording.pb.h"
-#include "server/core/traffic.hpp"
+#include "server/recorder/traffic_message.hpp"
 
 namespace skerry::server {
 namespace {
@@ -37,44 +38,11 @@ UtcTime present(RadarHost& host) {
                      seconds_as_duration(state.position_s()));
     }
   }
+  // An exercise's own, which follows the system's clock a moment later, or slowly.
+  if (host.exercise() != nullptr) {
+    return UtcTime(Duration(static_cast<std::int64_t>(host.own_ship(0).utc_ns())));
+  }
   return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
-}
-
-recording::Traffic::Item::Kind kind_of(TrafficKind kind) {
-  switch (kind) {
-    case TrafficKind::ship:
-      return recording::Traffic::Item::SHIP;
-    case TrafficKind::boat:
-      return recording::Traffic::Item::BOAT;
-    case TrafficKind::aid_to_navigation:
-      return recording::Traffic::Item::AID_TO_NAVIGATION;
-    case TrafficKind::other:
-      break;
-  }
-  return recording::Traffic::Item::OTHER;
-}
-
-recording::Traffic traffic_message(const std::vector<TrafficItem>& traffic) {
-  recording::Traffic out;
-  for (const TrafficItem& item : traffic) {
-    recording::Traffic::Item& to = *out.add_items();
-    to.set_number(item.number);
-    to.set_kind(kind_of(item.kind));
-    to.set_name(item.name);
-    to.set_mmsi(item.mmsi);
-    to.set_latitude_deg(item.position.latitude_deg);
-    to.set_longitude_deg(item.position.longitude_deg);
-    to.set_heading_deg(item.heading_deg);
-    to.set_course_over_ground_deg(item.course_over_ground_deg);
-    to.set_speed_mps(item.speed_mps);
-    to.set_rate_of_turn_deg_min(item.rate_of_turn_deg_min);
-    to.set_length_m(item.length_m);
-    to.set_beam_m(item.beam_m);
-    for (const std::uint32_t radar : item.radars) to.add_radars(radar);
-    to.set_ship_type(item.ship_type);
-    to.set_aid_type(item.aid_type);
-  }
-  return out;
 }
 
 }  // namespace
@@ -86,8 +54,10 @@ RecordingSession::RecordingSession(RadarHost& host, const RecorderConfig& config
       plan_(std::move(plan)),
       begun_(now),
       now_(now),
+      zero_(host.exercise() == nullptr ? std::nullopt : host.exercise()->zero()),
       clock_(present(host), now,
-             host.playback() == nullptr ? Duration::max() : Duration(kStandstill)),
+             host.playback() == nullptr ? Duration::max() : Duration(kStandstill),
+             zero_ ? std::optional(zero_->now) : std::nullopt),
       readers_(host, {plan_.radars, plan_.all_views, config.format}, wake),
       writer_(config, disk, additions()) {
   writer_.begin(plan_.name, now);
@@ -145,6 +115,12 @@ void RecordingSession::begin_file() {
   }
   inputs_next_ = inputs_in_chunks_ = inputs_in_file_ = 0;
   add_inputs();
+  if (zero_ && zero_->now != zero_->then) {
+    recording::Input zero;
+    zero.mutable_zero()->set_utc_ns(
+        static_cast<std::uint64_t>(zero_->now.time_since_epoch().count()));
+    add({Kind::input}, now, zero);
+  }
   add_changes(true);
   add_ships();
   file_begins_ = false;
@@ -246,6 +222,15 @@ void RecordingSession::add_event(Event::Kind kind, std::string text, const RingR
   writer_.keep({{Kind::event}, item_time(), bytes_of(bytes_)});
 }
 
+void RecordingSession::add_step(Duration by) {
+  Event event;
+  event.set_kind(Event::MARK);
+  event.set_mark_kind("clock");
+  event.set_text(fmt::format("the system's clock was set by {:+.3f} s", in_seconds(by)));
+  event.SerializeToString(&bytes_);
+  writer_.keep({{Kind::event}, item_time(), bytes_of(bytes_)});
+}
+
 bool RecordingSession::step(Steady now) {
   now_ = now;
   writer_.look_at_clock(now, clock_.at(now));
@@ -309,7 +294,9 @@ void RecordingSession::take_sector(RingReader& reader, const EncodedSector& sect
     const auto spoke = framed_spoke(bytes.subspan(begin, end - begin));
     begin = end;
     if (!spoke) continue;
-    const UtcTime time = clock_.saw(spoke->utc, now_);
+    const UtcTime time =
+        clock_.saw({reader.radar(), reader.view()}, spoke->utc, spoke->scenario, now_);
+    if (const auto step = clock_.stepped()) add_step(*step);
     if (!plan_.inputs_only) {
       if (!std::exchange(reader.settings_told, true)) add_settings(reader, time);
       writer_.add_spoke({Kind::spoke, reader.radar(), reader.view()}, time, spoke->bytes);

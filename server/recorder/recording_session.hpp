@@ -6,10 +6,12 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "server/core/exercise_inputs.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/recorder/checkpoints.hpp"
 #include "server/recorder/new_marks.hpp"
@@ -68,6 +70,7 @@ class RecordingSession {
   void add_exercise(const wire::ExerciseState& exercise);
   void add_event(recording::Event::Kind kind, std::string text, const RingReader* of = nullptr,
                  std::uint64_t count = 0);
+  void add_step(Duration by);
   void add(const recording::Topic& topic, UtcTime time,
            const google::protobuf::MessageLite& message);
   void keep_rate(Steady now);
@@ -77,6 +80,7 @@ class RecordingSession {
   const Plan plan_;
   const Steady begun_;
   Steady now_;
+  const std::optional<ScenarioZero> zero_;  // ExerciseInputs::zero() at the begin
   StreamClock clock_;
   ViewReaders readers_;
   SeriesWriter writer_;

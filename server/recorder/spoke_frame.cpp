@@ -22,6 +22,9 @@ constexpr std::uint32_t kSequenceTag =
 constexpr std::uint32_t kUtcTag =
     tag(wire::Spoke::kUtcNsFieldNumber, WireFormatLite::WIRETYPE_FIXED64);
 
+constexpr std::uint32_t kScenarioTag =
+    tag(wire::Spoke::kScenarioNsFieldNumber, WireFormatLite::WIRETYPE_FIXED64);
+
 }  // namespace
 
 std::optional<FramedSpoke> framed_spoke(std::span<const std::uint8_t> frame) {
@@ -32,20 +35,25 @@ std::optional<FramedSpoke> framed_spoke(std::span<const std::uint8_t> frame) {
   const auto begin = static_cast<std::size_t>(message.CurrentPosition());
   if (size > body.size() - begin) return std::nullopt;
   FramedSpoke out{.bytes = body.subspan(begin, size)};
-  // Fields come in their order, so that the cells, after both, are not reached.
+  // Fields come in their order, so that the cells, after all three, are not read.
   CodedInputStream spoke(out.bytes.data(), static_cast<int>(size));
-  std::uint64_t utc_ns = 0;
+  std::uint64_t utc_ns = 0, scenario_ns = 0;
   while (const std::uint32_t next = spoke.ReadTag()) {
     if (next == kSequenceTag) {
       if (!spoke.ReadVarint64(&out.sequence)) return std::nullopt;
     } else if (next == kUtcTag) {
       if (!spoke.ReadLittleEndian64(&utc_ns)) return std::nullopt;
+    } else if (next == kScenarioTag) {
+      if (!spoke.ReadLittleEndian64(&scenario_ns)) return std::nullopt;
+      break;
+    } else if (WireFormatLite::GetTagFieldNumber(next) > wire::Spoke::kScenarioNsFieldNumber) {
       break;
     } else if (!WireFormatLite::SkipField(&spoke, next)) {
       return std::nullopt;
     }
   }
   out.utc = UtcTime(Duration(static_cast<std::int64_t>(utc_ns)));
+  out.scenario = ScenarioTime(Duration(static_cast<std::int64_t>(scenario_ns)));
   return out;
 }
 

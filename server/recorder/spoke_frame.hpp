@@ -13,6 +13,7 @@ struct FramedSpoke {
   std::span<const std::uint8_t> bytes;  // the wire::Spoke alone
   std::uint64_t sequence = 0;
   UtcTime utc{};
+  ScenarioTime scenario{};
 };
 
 // Reads one frame of a ServerMessage that holds a spoke, as append_spoke_frame() makes it; nullopt

@@ -27,6 +27,9 @@ void InputLog::add(const recording::Input& input) {
 }
 
 void InputLog::began(UtcTime epoch, const std::string& server) {
+  for (const auto& last : last_) last->utc = {{}, epoch};
+  epoch_ = epoch;
+  follows({{}, epoch});
   recording::Input input;
   input.mutable_began()->set_utc_ns(static_cast<std::uint64_t>(epoch.time_since_epoch().count()));
   input.mutable_began()->set_server(server);
@@ -112,6 +115,11 @@ bool InputLog::tell_differences(Last& last, const SectorInputs& inputs,
     last.emissions = inputs.emissions->version;
     differs = true;
   }
+  if (last.utc != inputs.utc) {
+    *taken.mutable_utc() = message_of(inputs.utc);
+    last.utc = inputs.utc;
+    differs = true;
+  }
   return differs;
 }
 
@@ -172,6 +180,12 @@ std::vector<std::string> InputLog::since(std::size_t from) const {
   const std::size_t end = std::min(inputs_.size(), from + kMostAtOnce);
   return {inputs_.begin() + static_cast<std::ptrdiff_t>(from),
           inputs_.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+std::optional<ScenarioZero> InputLog::zero() const {
+  const auto clock = utc_.get();
+  if (!clock) return std::nullopt;
+  return ScenarioZero{epoch_, clock->utc - clock->from.time_since_epoch()};
 }
 
 std::vector<std::string> InputLog::reached() const {

@@ -11,6 +11,7 @@
 
 #include "protocol/recording/inputs.pb.h"
 #include "server/core/exercise_inputs.hpp"
+#include "server/core/latest.hpp"
 #include "server/core/traffic.hpp"
 #include "server/radar/input_sink.hpp"
 
@@ -29,6 +30,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
   // the log has it, and reached() must not say so in between.
   std::unique_lock<std::mutex> giving() { return std::unique_lock(giving_); }
 
+  // Before any sector.
   void began(UtcTime epoch, const std::string& server);
   // `tick`: the first it holds for.
   void ordered(std::uint64_t tick, std::size_t own_ship, std::optional<double> course_deg,
@@ -46,6 +48,9 @@ class InputLog final : public InputSink, public ExerciseInputs {
 
   std::vector<std::string> since(std::size_t from) const override;
   std::vector<std::string> reached() const override;
+  std::optional<ScenarioZero> zero() const override;
+  // The clock in force from now on.
+  void follows(const UtcClock& clock) { utc_.set(clock); }
   std::vector<ExerciseDocument> documents() const override { return documents_; }
 
  private:
@@ -56,6 +61,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
     std::optional<RangeScale> on_air;
     std::optional<PictureOrigin> coast;
     std::optional<std::uint64_t> emissions;
+    UtcClock utc;
     std::uint64_t skipped_first = 0;  // of the skipped sectors that are not yet in the log
     std::uint64_t skipped_sectors = 0;
     std::atomic<std::uint64_t> reached{0};  // 1 + first spoke of the last sector; 0: none
@@ -72,6 +78,8 @@ class InputLog final : public InputSink, public ExerciseInputs {
   mutable std::mutex mutex_;
   std::vector<std::string> inputs_;
   std::size_t bytes_ = 0;
+  UtcTime epoch_{};  // before utc_
+  Latest<UtcClock> utc_;
   bool full_ = false;
 };
 

@@ -1,7 +1,10 @@
 #include "server/replay/input_messages.hpp"
 
+#include <chrono>
 #include <cstdint>
+#include <cstdlib>
 
+#include "protocol/recording/item.hpp"
 #include "server/radar/control_values.hpp"
 
 namespace skerry::server {
@@ -14,6 +17,27 @@ recording::Input::Radar message_of(const echo::RadarControls& controls) {
     message.add_blanked_to_deg(sector.to_deg);
   }
   return message;
+}
+
+recording::Input::Clock message_of(const UtcClock& clock) {
+  recording::Input::Clock message;
+  message.set_from_ns(clock.from.time_since_epoch().count());
+  message.set_utc_ns(static_cast<std::uint64_t>(clock.utc.time_since_epoch().count()));
+  message.set_slew_ppm(clock.slew_ppm);
+  return message;
+}
+
+std::optional<UtcClock> clock_of(const recording::Input::Clock& message) {
+  constexpr std::int64_t kLongest = Duration(std::chrono::hours(24 * 366 * 4)).count();
+  constexpr std::int32_t kMostSlew = 1000;
+  const auto latest = static_cast<std::uint64_t>(recording::kLatestTime.time_since_epoch().count());
+  if (message.from_ns() > kLongest || message.from_ns() < -kLongest || message.utc_ns() > latest ||
+      std::abs(std::int64_t{message.slew_ppm()}) > kMostSlew) {
+    return std::nullopt;
+  }
+  return UtcClock{ScenarioTime(Duration(message.from_ns())),
+                  UtcTime(Duration(static_cast<std::int64_t>(message.utc_ns()))),
+                  message.slew_ppm()};
 }
 
 std::optional<echo::RadarControls> controls_of(const recording::Input::Radar& message) {

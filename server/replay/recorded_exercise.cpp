@@ -17,6 +17,8 @@ using recording::RecordingError;
 
 constexpr std::uint32_t kMostRadars = 64;
 constexpr int kMostViews = 32;
+constexpr auto kLatestNs =
+    static_cast<std::uint64_t>(recording::kLatestTime.time_since_epoch().count());
 // Four years of the fastest radar.
 constexpr std::uint64_t kMostSpokes = std::uint64_t{1} << 40;
 
@@ -31,6 +33,7 @@ class Sorter {
         began_ = true;
         exercise_.epoch = UtcTime(Duration(static_cast<std::int64_t>(input.began().utc_ns())));
         exercise_.server = input.began().server();
+        if (!zero_told_) exercise_.zero = exercise_.epoch;
         return std::nullopt;
       case Input::kTaken:
         return add_taken(input.taken());
@@ -59,6 +62,11 @@ class Sorter {
         return std::nullopt;
       case Input::kCheckpoint:
         exercise_.checkpoints.push_back(input.checkpoint());
+        return std::nullopt;
+      case Input::kZero:
+        if (input.zero().utc_ns() > kLatestNs) return "a time that no clock has";
+        zero_told_ = true;
+        exercise_.zero = UtcTime(Duration(static_cast<std::int64_t>(input.zero().utc_ns())));
         return std::nullopt;
       case Input::kIncomplete:
         exercise_.incomplete = true;
@@ -103,7 +111,7 @@ class Sorter {
   }
 
   RecordedExercise& exercise_;
-  bool began_ = false;
+  bool began_ = false, zero_told_ = false;
 };
 
 }  // namespace
@@ -152,7 +160,7 @@ Duration length_to_replay(const recording::RecordingReader& reader,
                           const std::string& option) {
   constexpr Duration kLongest = std::chrono::hours(48);
   const recording::Summary& summary = reader.summary();
-  const Duration whole = summary.end - exercise.epoch;
+  const Duration whole = summary.end - exercise.zero;
   if (whole < Duration::zero()) {
     throw std::runtime_error(fmt::format(
         "{}: the recording ends {:.0f} s before its exercise begins; expected times after it",

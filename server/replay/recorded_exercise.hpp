@@ -31,6 +31,7 @@ struct WorldInput {
 
 struct RecordedExercise {
   UtcTime epoch{};     // scenario time 0
+  UtcTime zero{};      // the same among the times of items
   std::string server;  // what made it
   std::string scenario_yaml;
   std::string charts_json;  // "" if the recording does not say

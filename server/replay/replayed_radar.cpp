@@ -76,6 +76,10 @@ void ReplayedRadar::take(const recording::Input::Taken& taken) {
     coast_wanted_ = PictureOrigin{taken.coast().wish(), taken.coast().laid()};
   }
   if (taken.has_emissions()) emissions_wanted_ = taken.emissions();
+  if (taken.has_utc()) {
+    utc_ = clock_of(taken.utc());
+    if (!utc_) throw wrong("a clock");
+  }
 }
 
 const CoastWish& ReplayedRadar::wish_of(std::uint64_t tag) const {
@@ -129,7 +133,8 @@ void ReplayedRadar::step(ReplayedWorld& world, UtcTime epoch, std::vector<ViewSe
                                   config_.radar, first));
   }
   given_.emissions = emissions_.at(*emissions_wanted_);
-  maker_.make(first, epoch, given_, out);
+  given_.utc = utc_.value_or(UtcClock{{}, epoch});
+  maker_.make(first, given_, out);
 }
 
 }  // namespace skerry::server

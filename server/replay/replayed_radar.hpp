@@ -76,6 +76,7 @@ class ReplayedRadar {
   std::optional<std::uint64_t> laid_;
   std::optional<PictureOrigin> coast_wanted_;  // not yet in given_
   std::optional<std::uint64_t> emissions_wanted_;
+  std::optional<UtcClock> utc_;  // none: as the exercise began
   SectorInputs given_;
   std::uint64_t next_ = 0;
 };

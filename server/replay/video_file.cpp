@@ -11,13 +11,15 @@
 #include <stdexcept>
 
 #include "protocol/recording/writer.hpp"
+#include "protocol/wire/spoke_message.hpp"
 
 namespace skerry::server {
 
 class VideoFile::Impl {
  public:
-  Impl(const std::string& path, const recording::RecordingReader& source)
+  Impl(const std::string& path, const recording::RecordingReader& source, UtcTime zero)
       : path_(path),
+        zero_(zero),
         file_(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)),
         others_(source.items(all_but_spokes(source))) {
     if (file_ < 0) fail();
@@ -33,8 +35,13 @@ class VideoFile::Impl {
   ~Impl() { close(file_); }
 
   void add(const Spoke& spoke) {
-    add_others_until(spoke.header.utc);
-    writer_->add(spoke);
+    const UtcTime time = zero_ + spoke.header.scenario_time.time_since_epoch();
+    add_others_until(time);
+    to_message(spoke, message_);
+    bytes_ = message_.SerializeAsString();
+    writer_->add({{recording::Kind::spoke, spoke.header.radar, spoke.header.view},
+                  time,
+                  {reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size()}});
     check();
   }
   void finish() {
@@ -75,14 +82,18 @@ class VideoFile::Impl {
   }
 
   std::string path_;
+  UtcTime zero_;
+  wire::Spoke message_;
+  std::string bytes_;
   int file_;
   recording::ItemCursor others_;
   std::optional<recording::Item> other_;
   std::optional<recording::RecordingWriter> writer_;
 };
 
-VideoFile::VideoFile(const std::string& path, const recording::RecordingReader& source)
-    : impl_(std::make_unique<Impl>(path, source)) {}
+VideoFile::VideoFile(const std::string& path, const recording::RecordingReader& source,
+                     UtcTime zero)
+    : impl_(std::make_unique<Impl>(path, source, zero)) {}
 VideoFile::~VideoFile() = default;
 void VideoFile::add(const Spoke& spoke) { impl_->add(spoke); }
 void VideoFile::finish() { impl_->finish(); }

@@ -13,7 +13,8 @@ namespace skerry::server {
 class VideoFile {
  public:
   // Error: std::runtime_error if the file is there already or cannot be written.
-  VideoFile(const std::string& path, const recording::RecordingReader& source);
+  // `zero`: scenario time 0 among the times of its items.
+  VideoFile(const std::string& path, const recording::RecordingReader& source, UtcTime zero);
   ~VideoFile();  // a file that was not finished stays as it is: what it has can be read
 
   // Error: std::runtime_error when the disk takes no more.

@@ -23,7 +23,7 @@ class FakeHost : public RadarHost {
   static constexpr std::uint32_t kSpokesPerTurn = 256;
   static constexpr std::uint32_t kCells = 1024;
   static constexpr std::uint32_t kSectorSpokes = 16;
-  static constexpr Duration kSpokeTime = std::chrono::microseconds(10);
+  static constexpr Duration kSpokeTime = std::chrono::microseconds(1);
 
   explicit FakeHost(std::uint32_t radars = 1, std::size_t ring_sectors = 64) {
     for (std::uint32_t i = 0; i < radars; ++i) {
@@ -185,6 +185,8 @@ class FakeHost : public RadarHost {
     wire::OwnShip ship;
     ship.set_radar(radar);
     ship.set_name("ship of radar " + std::to_string(radar));
+    ship.set_utc_ns(static_cast<std::uint64_t>(
+        Duration(std::chrono::system_clock::now().time_since_epoch()).count()));
     return ship;
   }
   wire::Status status() const override {
@@ -209,7 +211,7 @@ class FakeHost : public RadarHost {
     spoke.header.index = static_cast<std::uint32_t>(sequence % kSpokesPerTurn);
     spoke.header.geometry = {.spokes_per_turn = kSpokesPerTurn, .cells = kCells, .bits = 8};
     spoke.header.scenario_time = ScenarioTime(kSpokeTime * static_cast<std::int64_t>(sequence));
-    spoke.header.utc = begin_utc + Duration(sequence * 1000);
+    spoke.header.utc = begin_utc + spoke.header.scenario_time.time_since_epoch();
     spoke.cells.resize(kCells);
     std::uint64_t state = sequence * 2 + radar + 1;
     for (auto& cell : spoke.cells) {

@@ -66,7 +66,7 @@ class FaultyRadar {
     for (std::uint32_t s = 0; s < sectors; ++s) {
       const std::uint64_t at = first + std::uint64_t{s} * SectorMaker::kSectorSpokes;
       maker.turn(at, inputs.radar);
-      maker.make(at, UtcTime{}, inputs, made);
+      maker.make(at, inputs, made);
       for (const SpokePtr& spoke : made.front().sector.spokes) all.push_back(spoke);
     }
     return all;

@@ -20,6 +20,7 @@ TEST(SpokeFrame, HasTheBytesOfTheMessageAlone) {
     EXPECT_EQ(std::string(found->bytes.begin(), found->bytes.end()), host.spoke_bytes(0, sequence));
     EXPECT_EQ(found->sequence, sequence);
     EXPECT_EQ(found->utc, spoke.header.utc);
+    EXPECT_EQ(found->scenario, spoke.header.scenario_time);
   }
 }
 
