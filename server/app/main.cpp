@@ -14,6 +14,7 @@
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <variant>
 
 #include "protocol/wire/host_and_port.hpp"
@@ -21,6 +22,7 @@
 #include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
 #include "server/app/joined_host.hpp"
+#include "server/app/load_estimate.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
 #include "server/app/played_coast.hpp"
@@ -189,6 +191,20 @@ struct Live {
   LiveInputs inputs;
 };
 
+// Runs the scenario for some seconds, with nobody to see it, and tells what that took.
+void try_load(const skerry::scenario::Scenario& scenario,
+              std::unique_ptr<const skerry::echo::ChartSource> chart, std::size_t workers) {
+  RadarServer radars(scenario, std::move(chart), workers);
+  spdlog::set_level(spdlog::level::err);  // an overload is told below
+  radars.start();
+  const LoadEstimate load =
+      estimate_load([&] { return radars.pace(); },
+                    [](std::chrono::milliseconds time) { std::this_thread::sleep_for(time); });
+  radars.stop();
+  std::fprintf(stderr, "%s: %s%s\n", kServerName, load.is_too_much() ? "warning: " : "",
+               load.text().c_str());
+}
+
 int run(const Options& options, LogTap& tap) {
   if (!options.verify.empty()) {
     return verify({options.verify,
@@ -201,7 +217,9 @@ int run(const Options& options, LogTap& tap) {
   const auto [yaml, scenario] = open_scenario(options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {
-    std::fprintf(stderr, "%s: scenario '%s' is good\n", kServerName, scenario.name().c_str());
+    std::fprintf(stderr, "%s: scenario '%s' is good; its load is tried for 4 s\n", kServerName,
+                 scenario.name().c_str());
+    try_load(scenario, std::move(chart), options.workers);
     return 0;
   }
   const sigset_t signals = block_signals();

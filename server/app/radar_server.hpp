@@ -54,6 +54,9 @@ class RadarServer : public RadarHost {
   void start();
   void stop();
 
+  // How far each radar has come.
+  std::vector<RadarPace> pace() const;
+
   wire::Hello hello() const override;
   std::uint32_t radar_count() const override { return static_cast<std::uint32_t>(radars_.size()); }
   VideoChannelPtr find_channel(std::uint32_t radar, std::uint32_t view) override;
@@ -96,7 +99,6 @@ class RadarServer : public RadarHost {
   Instant instant() const;
   // Follows the system's clock, where it was set.
   void look_at_clock(ClockFollower& follower);
-  std::vector<RadarPace> pace() const;
   void mount_boards(const scenario::Scenario& scenario);
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);

@@ -1,14 +1,14 @@
 // RadarConsole: what this screen knows of one radar, and what it does with each message. No drawing.
 import { REFUSED, REPLY_CODES } from './messages.js';
 import { ScanStore, ScanTracker } from './scan_store.js';
-import { LossCounter, Rate, TurnRate } from './stream_stats.js';
+import { GapCounter, LossCounter, Rate, TurnRate } from './stream_stats.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
 
 const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
   // events: hello(hello, the radar that was looked at before it), settings(settings), ownShip(ownShip), world(world), recorder(state),
-  // playback(state), targets(list), reply(reply, text, refused), and spoke(spoke, nowS) of those that are drawn, clear() once the
+  // playback(state), targets(list), reply(reply, text, refused), spoke(spoke, nowS) of those that are drawn, gap(seconds) without any though none was lost, clear() once the
   // picture is dark, forget() when another radar or view is looked at.
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
@@ -17,6 +17,8 @@ export class RadarConsole {
     this.radar = 0;
     this.view = 0;
     this.loss = new LossCounter();
+    this.gaps = new GapCounter();
+    this.isPlayed = false;  // a recording, whose clock stands still and jumps
     this.scans = new ScanTracker();
     this.spokeRate = new Rate(2);
     this.turnRate = new TurnRate();
@@ -34,6 +36,7 @@ export class RadarConsole {
     this.spokeRate.clear();
     this.turnRate.clear();
     this.loss.restart();
+    this.gaps.restart();
     this.spoke = null;        // newest
     this.lastSpokeS = -Infinity;
     this.ownShip = null;
@@ -49,7 +52,7 @@ export class RadarConsole {
       else if (message.ownShip) this.#takeOwnShip(message.ownShip);
       else if (message.world) { this.world = message.world; this.events.world(message.world); }
       else if (message.recorder) this.events.recorder(message.recorder);
-      else if (message.playback) this.events.playback(message.playback);
+      else if (message.playback) { this.isPlayed = true; this.events.playback(message.playback); }
       else if (message.targets) this.#takeTargets(message.targets);
       else if (message.reply) this.#takeReply(message.reply);
     }
@@ -58,6 +61,9 @@ export class RadarConsole {
   #takeSpoke(spoke, nowS) {
     if (spoke.radar !== this.radar || spoke.view !== this.view) return;
     const follows = this.loss.take(spoke.sequence);
+    if (this.isPlayed || this.inStandby) this.gaps.restart();
+    const gapS = this.gaps.take(spoke.scenarioNs, follows);
+    if (gapS > 0) this.events.gap?.(gapS);
     this.spokeRate.add(nowS, this.loss.received);
     this.turnRate.take(spoke);
     this.newestScan = spoke.scan;
@@ -81,6 +87,7 @@ export class RadarConsole {
   }
 
   #goDark() {
+    this.gaps.restart();
     this.store.clear();
     this.events.clear?.();
     this.scans.reset();

@@ -141,6 +141,7 @@ const radar = new RadarConsole(health.renderer.maxRows, {
     locks.take(settings);
     showAvailability();
   },
+  gap: (seconds) => notify(t('No spokes were made for {seconds} s', { seconds: seconds.toFixed(1) })),
   ownShip: (ownShip) => locks.takeOwnShip(ownShip),
   world: (world) => instructor.take(world),
   recorder: (state) => recording.take(state),
@@ -273,7 +274,7 @@ function showReadouts() {
   toolsPanel.show();
   readouts.showStream({
     scan: radar.spoke?.scan ?? null, rpm: radar.isTurning(seconds()) ? radar.turnRate.rpm() : null,
-    spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, spoke: radar.spoke,
+    spokeRate: radar.spokeRate.perSecond(seconds()), lost: radar.loss.lost, gaps: radar.gaps, spoke: radar.spoke,
   });
   playback.showPosition();
   chart.showReadouts();

@@ -42,12 +42,14 @@ export function showSensors(ship) {
   write('sensor-sign', text);
 }
 
-export function showStream({ scan, rpm, spokeRate, lost, spoke }) {
+export function showStream({ scan, rpm, spokeRate, lost, gaps, spoke }) {
   write('scan', scan === null ? format.NONE : String(scan));
   write('rpm', rpm === null ? format.NONE : rpm.toFixed(1));
   write('spoke-rate', format.count(spokeRate ?? NaN));
   write('lost', format.count(lost));
   $('lost').style.color = lost > 0 ? 'var(--warn)' : '';
+  write('gaps', gaps.gaps === 0 ? '0' : t('{count}, {seconds} s in all', { count: format.count(gaps.gaps), seconds: gaps.seconds.toFixed(1) }));
+  $('gaps').style.color = gaps.gaps > 0 ? 'var(--warn)' : '';
   write('format', spoke
     ? t('{format} bit, cells of {size} m', { format: `${spoke.spokesPerTurn} × ${spoke.cellCount} × ${spoke.bits}`, size: spoke.cellSizeM.toPrecision(3) })
     : format.NONE);

@@ -27,6 +27,32 @@ export class LossCounter {
   }
 }
 
+// Times for which the server made no spokes: it was stopped or overloaded. None of these is lost, as the server never counted
+// them. Told by the antenna's clock, which goes on.
+export const GAP_S = 1;
+export class GapCounter {
+  constructor() {
+    this.gaps = 0;
+    this.seconds = 0;  // of all gaps
+    this.restart();
+  }
+
+  // What comes now need not follow what came before: standby, another view, a new connection.
+  restart() {
+    this.lastNs = null;
+  }
+
+  // follows: no spoke was lost before this one. Gives the length of the gap before it in seconds, or 0.
+  take(scenarioNs, follows) {
+    const gapS = follows && this.lastNs !== null ? (scenarioNs - this.lastNs) / 1e9 : 0;
+    this.lastNs = scenarioNs;
+    if (gapS < GAP_S) return 0;
+    this.gaps += 1;
+    this.seconds += gapS;
+    return gapS;
+  }
+}
+
 // The slope of a growing quantity over the last `windowS` seconds.
 export class Rate {
   constructor(windowS, stepS = windowS / 16) {

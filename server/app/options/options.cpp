@@ -24,7 +24,7 @@ using Destinations = google::protobuf::RepeatedPtrField<app::Destination>;
 constexpr const char* kExamples = R"(Examples:
   skerryd                                   the built-in scenario off Bergen, on loopback
   skerryd --scenario dover.yaml             another scenario
-  skerryd --scenario dover.yaml --check     only read it and say what is wrong
+  skerryd --scenario dover.yaml --check     only read it, say what is wrong and what load it is
   skerryd --chart US5WA22M.000              an ENC cell over the world's shoreline
   skerryd --udp 1@127.0.0.1:7412            native datagrams of radar 1, not 0
   skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
@@ -128,7 +128,7 @@ void add_options(CLI::App& cli, CommandLine& line) {
   cli.add_option("--log-level", line.log_level, "trace, debug, info, warn or error")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
   cli.add_flag("--print-ports", line.print_ports, "print 'tcp PORT http PORT' once listening");
-  cli.add_flag("--check", line.check, "read configuration, scenario and charts, start nothing");
+  cli.add_flag("--check", line.check, "read configuration, scenario and charts, try its load for some seconds, serve nothing");
   add_playback_options(cli, *config.mutable_playback());
   add_recorder_options(cli, *config.mutable_recorder());
   cli.add_option("--verify", line.verify,

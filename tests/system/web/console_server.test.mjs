@@ -156,3 +156,18 @@ test('the other own ship has a picture of its own', async (t) => {
   assert.equal((await state(page)).radar, 1);
   assertSame(t, await sameTurn(1), 'radar 1');
 });
+
+test('a server that was stopped for three seconds: the console says so, and that no spoke was lost', async () => {
+  page = await openConsole(browser, `http://127.0.0.1:${ports.http}/`);
+  await waitForScan(page);
+  await page.evaluate(() => window.skerry.showTab('set-up'));
+  server.kill('SIGSTOP');
+  await new Promise((resolve) => { setTimeout(resolve, 3000); });
+  server.kill('SIGCONT');
+  await page.locator('.notice', { hasText: 'No spokes were made for' }).waitFor();
+  await waitForScan(page);
+  const [gaps, lost] = await page.evaluate(() => ['gaps', 'lost'].map((id) => document.getElementById(id).textContent));
+  // The server makes up for half a second of it.
+  assert.match(gaps, /^1, [23]\.\d s in all$/);
+  assert.equal(lost, '0');
+});

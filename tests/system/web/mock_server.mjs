@@ -33,7 +33,7 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, mayLook: () => true, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), chart: chartAt, at: OWN, setups: null,
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
@@ -353,7 +353,7 @@ export class MockServer {
       cellSizeM: this.cellSizeM(), heading: Math.round((this.headingDeg / 360) * 2 ** 32) >>> 0,
       ...this.at, ...this.place?.((number / this.spokes) * (60 / this.rpm)),
       utcNs: protobuf.util.Long.fromNumber(1.7e18 + (number / this.spokes) * (60 / this.rpm) * 1e9),
-      scenarioNs: protobuf.util.Long.fromNumber(1e9), cells: this.#cells(bearingDeg),
+      scenarioNs: protobuf.util.Long.fromNumber((1 + this.stoodStillS) * 1e9), cells: this.#cells(bearingDeg),
       ...(this.doppler ? { doppler: new Uint8Array((this.cells + 3) >> 2).fill(0x55 * this.doppler(bearingDeg)) } : {}),
     };
   }

@@ -26,6 +26,24 @@ async function middle() {
   return png.data.reduce((sum, v, i) => (i % 4 < 3 ? sum + v : sum), 0) / (png.data.length * 0.75);
 }
 
+test('a server that stood still is told, though no spoke is lost; standby is no standstill', async () => {
+  await open();
+  await waitForScan(page);
+  await page.evaluate(() => window.skerry.showTab('set-up'));
+  const gaps = page.locator('#gaps');
+  assert.equal(await gaps.textContent(), '0');
+  server.stoodStillS += 10.4;
+  await notice('No spokes were made for 10.4 s');
+  await page.locator('#gaps', { hasText: '1, 10.4 s in all' }).waitFor();
+  assert.equal(await page.locator('#lost').textContent(), '0');
+  const change = async (standby) => { server.radarSettings.standby = standby; server.change({}); await page.waitForFunction((s) => window.skerry.state().standby === s, standby); };
+  await change(true);
+  server.stoodStillS += 30;
+  await change(false);
+  await waitForScan(page);
+  assert.equal(await gaps.textContent(), '1, 10.4 s in all');
+});
+
 test('lost graphics are told over a dark picture, and it comes back by itself', async () => {
   await open();
   await waitForScan(page);

@@ -8,7 +8,7 @@ import { RowLook } from '../../../../clients/web/src/picture/row_look.js';
 import { addWedges } from '../../../../clients/web/src/ppi_renderer.js';
 import { sectorsOf, sectorsText } from '../../../../clients/web/src/receiver_controls.js';
 import { ScanStore, ScanTracker } from '../../../../clients/web/src/scan_store.js';
-import { LossCounter, Rate, TurnRate } from '../../../../clients/web/src/stream_stats.js';
+import { GapCounter, LossCounter, Rate, TurnRate } from '../../../../clients/web/src/stream_stats.js';
 import { ringsFor, ViewGeometry } from '../../../../clients/web/src/view_geometry.js';
 import { WEB } from '../mock_server.mjs';
 import { random } from '../random.mjs';
@@ -141,6 +141,18 @@ test('a turn is whole only with all its spokes', () => {
   turn(3, 255);
   turn(4, 0);
   assert.equal(scans.last.scan, 2);
+});
+
+test('a gap is more than a second of the antenna without spokes, of which none was lost', () => {
+  const gaps = new GapCounter();
+  const take = (s, follows = true) => gaps.take(s * 1e9, follows);
+  assert.deepEqual([take(100), take(100.9), take(101), take(111.5)], [0, 0, 0, 10.5]);
+  assert.equal(take(115, false), 0, 'what was lost on the way is lost, and no gap');
+  gaps.restart();
+  assert.equal(take(200), 0, 'standby');
+  assert.equal(take(150), 0, 'a server that started again');
+  assert.equal(take(152), 2);
+  assert.deepEqual([gaps.gaps, gaps.seconds], [2, 12.5]);
 });
 
 test('loss is what the sequence numbers leave out', () => {
