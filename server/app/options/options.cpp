@@ -128,7 +128,9 @@ void add_options(CLI::App& cli, CommandLine& line) {
   cli.add_option("--log-level", line.log_level, "trace, debug, info, warn or error")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
   cli.add_flag("--print-ports", line.print_ports, "print 'tcp PORT http PORT' once listening");
-  cli.add_flag("--check", line.check, "read configuration, scenario and charts, try its load for some seconds, serve nothing");
+  cli.add_flag(
+      "--check", line.check,
+      "read configuration, scenario and charts, try its load for some seconds, serve nothing");
   add_playback_options(cli, *config.mutable_playback());
   add_recorder_options(cli, *config.mutable_recorder());
   cli.add_option("--verify", line.verify,
