@@ -75,6 +75,11 @@ Command make_token_command(CLI::App& app) {
                    {});
 }
 
+Command make_audit_command(CLI::App& app) {
+  return hand_over(app, "audit", "Shows and verifies the file of skerryd --audit", "skerry-access",
+                   {"audit"});
+}
+
 Command make_track_command(CLI::App& app) {
   return hand_over(app, "track", "Finds and tracks targets in a recording's video", "skerry-track",
                    {});

@@ -1,9 +1,13 @@
-// skerry-access: the file of tokens that skerryd reads.  `skerry token` runs it.
+// skerry-access: the file of tokens that skerryd reads, and that of who did what.  `skerry token`
+// and `skerry audit` run it.
 #include <fmt/format.h>
 
 #include <exception>
+#include <string_view>
+#include <vector>
 
 #include "echo/tool_console/console.hpp"
+#include "server/access_tool/audit_command.hpp"
 #include "server/access_tool/token_command.hpp"
 
 namespace {
@@ -11,22 +15,42 @@ namespace {
 using namespace skerry::server;
 namespace console = skerry::echo;
 
-int run(int argc, char** argv) {
-  CLI::App app{"Makes, lists and revokes tokens: who may see and change what on a skerryd.",
-               "skerry token"};
+struct Tool {
+  const char *name, *about, *footer;
+  std::vector<console::Command> (*make_commands)(CLI::App&);
+};
+
+constexpr Tool kTokens = {
+    "skerry token", "Makes, lists and revokes tokens: who may see and change what on a skerryd.",
+    "The file has of each token only what it is known again by.  Exit codes: 0 done, 1 it could\n"
+    "not be done, 2 the command line cannot be understood.\n"
+    "Examples:\n"
+    "  skerry token new bridge-1 --role trainee --ship Frida --for 8h\n"
+    "  skerry token new wall-display\n"
+    "  skerry token list --tokens school.yaml\n"
+    "  skerry token revoke bridge-1\n"
+    "  skerry token rights\n",
+    make_token_commands};
+
+constexpr Tool kAudit = {
+    "skerry audit", "Shows and verifies the file of who did what, which skerryd --audit writes.",
+    "Each line of the file holds the digest of all before it.  Note the head now and then, away\n"
+    "from the server: it finds out a file that was made anew.  Exit codes: 0 it is as it was\n"
+    "written, 1 it is not or cannot be read, 2 the command line cannot be understood.\n"
+    "Examples:\n"
+    "  skerry audit show audit.jsonl --last 20\n"
+    "  skerry audit show audit.jsonl --who Anna --kind change\n"
+    "  skerry audit verify audit.jsonl\n"
+    "  skerry audit verify audit.jsonl --head 5fd1...\n",
+    make_audit_commands};
+
+int run(const Tool& tool, int argc, char** argv) {
+  CLI::App app{tool.about, tool.name};
   app.set_version_flag("--version", "skerry-access " SKERRY_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
-  app.footer(
-      "The file has of each token only what it is known again by.  Exit codes: 0 done, 1 it could\n"
-      "not be done, 2 the command line cannot be understood.\n"
-      "Examples:\n"
-      "  skerry token new bridge-1 --role trainee --ship Frida --for 8h\n"
-      "  skerry token new wall-display\n"
-      "  skerry token list --tokens school.yaml\n"
-      "  skerry token revoke bridge-1\n"
-      "  skerry token rights\n");
-  const auto commands = make_token_commands(app);
+  app.footer(tool.footer);
+  const auto commands = tool.make_commands(app);
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return console::kExitUsage;
@@ -44,11 +68,14 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
+// skerry-access audit ...: the file of who did what; else that of tokens.
 int main(int argc, char** argv) {
-  console::name_program("skerry token");
+  const bool is_audit = argc > 1 && std::string_view(argv[1]) == "audit";
+  const Tool& tool = is_audit ? kAudit : kTokens;
+  console::name_program(tool.name);
   console::watch_pipe();
   try {
-    return run(argc, argv);
+    return is_audit ? run(tool, argc - 1, argv + 1) : run(tool, argc, argv);
   } catch (const console::ReaderGone&) {
     return console::kExitOk;
   } catch (const std::exception& error) {

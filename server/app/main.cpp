@@ -1,4 +1,5 @@
 // skerryd: the marine-radar video server.
+#include <fmt/format.h>
 #include <google/protobuf/stubs/logging.h>
 #include <malloc.h>
 #include <signal.h>
@@ -30,6 +31,7 @@
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
+#include "server/audit/audit_log.hpp"
 #include "server/navigation/ship_sensors.hpp"
 #include "server/net/common/encoders.hpp"
 #include "server/net/live/live_inputs.hpp"
@@ -153,6 +155,29 @@ TargetService::Sensed sensors_of(const RadarHost& host, const SensorErrors& erro
   return [&host, errors](std::uint32_t radar) { return sensed(host.own_ship(radar), errors); };
 }
 
+// Ends with an entry.
+class Audit {
+ public:
+  Audit(const std::string& file, const std::string& what) : log_(file) {
+    log_.add(
+        {.what = fmt::format("{} begins: {}; from head {}", kServerName, what, log_.head().chain)});
+  }
+  ~Audit() { log_.add({.what = fmt::format("{} ends", kServerName)}); }
+  AuditPort* port() { return &log_; }
+
+ private:
+  AuditLog log_;
+};
+
+NetConfig with_audit(NetConfig net, const std::unique_ptr<Audit>& audit) {
+  if (audit) net.audit = audit->port();
+  return net;
+}
+
+std::unique_ptr<Audit> open_audit(const Options& options, const std::string& what) {
+  return options.audit.empty() ? nullptr : std::make_unique<Audit>(options.audit, what);
+}
+
 int run_playback(const Options& options, LogTap& tap) {
   const auto playback = open_playback(options.playback);
   const std::string what = description_of(*playback);
@@ -160,13 +185,14 @@ int run_playback(const Options& options, LogTap& tap) {
     std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
     return 0;
   }
+  const auto audit = open_audit(options, what);
   const auto coast = PlayedCoast::of(*playback, {options.charts, options.elevation});
   const sigset_t signals = block_signals();
   LoggingRecorder logging(*playback, options.recorder, tap);
   playback->set_recording(&logging.recorder);
   TargetService plotters(*playback, kNativeFormat, sensors_of(*playback, SensorErrors::none()));
   playback->set_targets(&plotters);
-  NetServer net(*playback, options.net, web_files());
+  NetServer net(*playback, with_audit(options.net, audit), web_files());
   if (coast) coast->start();
   net.start();
   playback->start();
@@ -222,9 +248,11 @@ int run(const Options& options, LogTap& tap) {
     try_load(scenario, std::move(chart), options.workers);
     return 0;
   }
+  const auto audit = open_audit(options, "scenario " + scenario.name());
   const sigset_t signals = block_signals();
   RadarServer radars(scenario, std::move(chart), options.workers,
                      exercise_documents(yaml, {options.charts, options.elevation}));
+  if (audit) radars.set_audit(audit->port());
   std::unique_ptr<Live> live;
   if (!options.live.empty()) live = std::make_unique<Live>(radars, options.live);
   RadarHost& host = live ? static_cast<RadarHost&>(live->joined) : radars;
@@ -236,7 +264,7 @@ int run(const Options& options, LogTap& tap) {
     live->joined.set_recording(&logging.recorder);
     live->joined.set_targets(&plotters);
   }
-  NetServer net(host, options.net, web_files());
+  NetServer net(host, with_audit(options.net, audit), web_files());
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
   net.start();
   radars.start();

@@ -43,6 +43,7 @@ class RadarServer : public RadarHost {
   // Sets the recorder.  Call it before start(); the recorder must live as long as this.
   void set_recording(RecordingPort* recorder) { recorder_ = recorder; }
   RecordingPort* recording() override { return recorder_; }
+  void set_audit(AuditPort* audit) { desk_->set_audit(audit); }     // as set_recording()
   void set_targets(TargetPort* plotters) { plotters_ = plotters; }  // as set_recording()
   TargetPort* targets() override { return plotters_; }
 

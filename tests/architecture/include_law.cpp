@@ -151,15 +151,18 @@ const std::vector<Room>& table() {
       {"server/displays/raymarine", {"protocol/", "server/core/", "server/displays/"}},
       // Navigation data, and how it is used.
       {"server/navigation", {"protocol/", "server/core/"}},
-      // Who may do what, and the tool for its file.
+      // Who may do what, and the tool for its file and that of who did what.
       {"server/access",
        {"protocol/digest/", "protocol/nmea/log_time.hpp", "protocol/picture/label_text.hpp",
         "protocol/quantity/", "protocol/wire/", "server/config/"}},
       {"server/access_tool",
        {"protocol/picture/label_text.hpp", "protocol/quantity/", "echo/tool_console/",
-        "server/access/"}},
+        "server/access/", "server/audit/"}},
       // What consoles keep on the server.
       {"server/setups", {"protocol/digest/", "protocol/wire/printable_text.hpp", "server/config/"}},
+      // Who changed what.
+      {"server/audit",
+       {"protocol/digest/", "protocol/quantity/", "server/config/", "server/core/audit_port.hpp"}},
       // The network: what all speakers share, and a room for each that speaks.
       {"server/net/common",
        {"protocol/", "server/access/", "server/core/", "server/displays/radar_emulation.hpp",

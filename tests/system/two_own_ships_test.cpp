@@ -35,8 +35,7 @@ constexpr double kBeamDegrees = 1.2;  // which the default scenario leaves at it
 // The default scenario with a turn coarse and slow enough for a server with a sanitizer, and with
 // nothing before the coast that is none: a calm sea, no false echoes, nobody else's pulses.
 std::string slow_default_scenario() {
-  std::string text =
-      text_of_file(std::string(SKERRY_SOURCE_DIR) + "/server/world/scenarios/bergen.yaml");
+  std::string text = text_of_file(SKERRY_SOURCE_DIR "/server/world/scenarios/bergen.yaml");
   const std::vector<std::pair<std::string, std::string>> changes = {
       {"spokes: 4096", "spokes: 1024"}, {"rpm: 24", "rpm: 12"}, {"state: 2", "state: 0"}};
   for (const auto& [from, to] : changes) {

@@ -27,6 +27,13 @@ void ChangeLog::add(const std::string& origin, const std::string& place,
     entries_.emplace(std::move(key), Entry{now});
   } else {
     ++left_out_;
+    if (audit_ != nullptr) {
+      audit_->add({.kind = AuditEntry::Kind::change,
+                   .from = origin,
+                   .what = place + ": " + change.control,
+                   .before = change.before,
+                   .after = change.after});
+    }
   }
 }
 
@@ -68,11 +75,19 @@ bool ChangeLog::take_room() {
 }
 
 void ChangeLog::tell(const Key& key, const Entry& entry) {
+  const auto& [origin, place, control] = key;
+  if (audit_ != nullptr) {
+    audit_->add({.kind = AuditEntry::Kind::change,
+                 .from = origin,
+                 .what = place + ": " + control,
+                 .before = entry.before,
+                 .after = entry.after,
+                 .times = static_cast<std::uint32_t>(entry.changes)});
+  }
   if (!take_room()) {
     left_out_ += entry.changes;
     return;
   }
-  const auto& [origin, place, control] = key;
   const std::string times = entry.changes > 1 ? fmt::format(" ({} changes)", entry.changes) : "";
   sink_(fmt::format("{}: {}: {} {} -> {}{}", origin, place, control, entry.before, entry.after,
                     times));

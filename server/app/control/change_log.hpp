@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "server/app/control/control_change.hpp"
+#include "server/core/audit_port.hpp"
 
 namespace skerry::server {
 
@@ -33,6 +34,8 @@ class ChangeLog {
   using Sink = std::function<void(const std::string& line)>;
   ChangeLog();
   explicit ChangeLog(Sink sink) : sink_(std::move(sink)) {}
+  // The audit has every line, also those that are beyond what the log takes.
+  void set_audit(AuditPort* audit) { audit_ = audit; }
 
   // `place`: "radar 0 view 0".
   void add(const std::string& origin, const std::string& place, const ControlChange& change,
@@ -56,6 +59,7 @@ class ChangeLog {
   void tell_left_out();
 
   Sink sink_;
+  AuditPort* audit_ = nullptr;
   std::map<Key, Entry> entries_;  // of controls told within kQuietTime
   Clock::time_point last_{};
   Clock::duration room_ = kMostLines * kLineTime;

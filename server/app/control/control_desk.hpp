@@ -41,6 +41,9 @@ class ControlDesk {
   std::uint64_t settings_version() const { return settings_version_.load(); }
   std::uint64_t world_version() const { return world_version_.load(); }
 
+  // Changes are kept there, too.  Before the first apply().
+  void set_audit(AuditPort* audit) { log_.set_audit(audit); }
+
   // The connection of `origin` has ended.
   void leave(const std::string& origin);
   // Who has the con of a radar's own ship; empty: nobody.

@@ -120,6 +120,9 @@ void add_options(CLI::App& cli, CommandLine& line) {
   add.text("--setups", config, &ServerConfig::mutable_setups,
            "folder in which consoles keep set-ups by name, for all of them; made if missing")
       ->type_name("FOLDER");
+  add.text("--audit", config, &ServerConfig::mutable_audit,
+           "file that keeps who changed what, who signed in and what was refused; made if missing")
+      ->type_name("FILE");
   add.text("--web-root", config, &ServerConfig::mutable_web_root,
            "serve the console from this folder, for those who work on it");
   add.number<std::uint32_t>("--workers", config, &ServerConfig::set_workers,
@@ -226,6 +229,7 @@ Options options_of(const ServerConfig& config) {
   net.control_token = config.control_token();
   net.tokens = config.tokens();
   net.setups = config.setups();
+  options.audit = config.audit();
   net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());
   net.web_root = config.web_root();
   if (config.has_max_connections()) net.max_connections = config.max_connections();

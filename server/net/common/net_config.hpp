@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/signalk/documents.hpp"
+#include "server/core/audit_port.hpp"
 #include "server/navigation/ship_sensors.hpp"
 #include "server/net/common/navigation_config.hpp"
 #include "server/net/common/output_config.hpp"
@@ -50,6 +51,8 @@ struct NetConfig {
   std::string tokens;
   // Folder of consoles' set-ups (server/setups/setup_shelf.hpp); empty: browsers alone keep some.
   std::string setups;
+  // Where it is kept who changed what; nullptr: nowhere.  Outlives the server.
+  AuditPort* audit = nullptr;
   // Names, without port, by which browsers may address this server, besides localhost and, when
   // `bind` is no loopback address, any IP literal.
   std::vector<std::string> allowed_hosts;

@@ -154,6 +154,11 @@ void NetContext::complain(std::string_view kind, std::string_view text) {
   }
 }
 
+void NetContext::refuse(const std::string& from, const std::string& who, const std::string& text) {
+  errors.add("refused", from + ": " + text);
+  audit({.kind = AuditEntry::Kind::refusal, .from = from, .who = who, .what = text});
+}
+
 bool NetContext::has_readers(const ViewKey& view) const {
   const auto feed = feeds_.find(FeedKey(view.first, view.second, kNativeFormat));
   return feed != feeds_.end() && !feed->second->readers().empty();
@@ -183,7 +188,12 @@ const std::string& NetContext::ship_of(std::uint32_t radar) const {
 }
 
 void NetContext::look_at_tokens() {
-  if (const auto wrong = gate.refresh(utc_now())) spdlog::warn("tokens: {}", *wrong);
+  const std::uint64_t before = gate.generation();
+  if (const auto wrong = gate.refresh(utc_now())) {
+    spdlog::warn("tokens: {}", *wrong);
+    audit({.what = "tokens: " + *wrong});
+  }
+  if (gate.generation() != before) audit({.what = "tokens: others hold from now on"});
 }
 
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {

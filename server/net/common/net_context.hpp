@@ -89,6 +89,13 @@ class NetContext {
   // kind every PeerLimits::log_period.  `kind` is a short fixed name.
   void complain(std::string_view kind, std::string_view text);
 
+  // Counts what somebody at `from` may not, and keeps it with the audit.
+  void refuse(const std::string& from, const std::string& who, const std::string& text);
+  // Keeps it with the audit, if there is one.
+  void audit(AuditEntry entry) const {
+    if (config.audit != nullptr) config.audit->add(std::move(entry));
+  }
+
   // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
   // context.
   SpokeFeed* find_feed(std::uint32_t radar, std::uint32_t view, const std::string& format);

@@ -47,6 +47,7 @@ void answer_setups(NetContext& context, const TcpPeer& peer, SetupRequest reques
   }
   const std::string right = fmt::format("{} {}", reads ? "GET" : request.method, kList);
   if (const auto refused = why_not(request.who, right)) {
+    context.refuse(peer.text, request.who.name, *refused);
     return answer(setup_error(request.who.role ? 403 : 401, *refused));
   }
   if (!context.setups) {
@@ -60,8 +61,14 @@ void answer_setups(NetContext& context, const TcpPeer& peer, SetupRequest reques
     context.complain("too many changes", peer.text + ": " + refusal);
     return answer(setup_error(429, refusal));
   }
-  auto done = [&context, &shelf, from = peer.text,
-               answer = std::move(answer)](SetupShelf::Outcome outcome) {
+  AuditEntry entry{.kind = AuditEntry::Kind::request,
+                   .from = peer.text,
+                   .who = request.who.name,
+                   .what = request.method + " " + request.path};
+  auto done = [&context, &shelf, from = peer.text, entry = std::move(entry),
+               answer = std::move(answer)](SetupShelf::Outcome outcome) mutable {
+    entry.result = outcome.status == 204 ? "ok" : outcome.text;
+    context.audit(std::move(entry));
     if (outcome.status == 204) return answer(json_text(list_of(&shelf)));
     context.complain("set-up refused", from + ": " + outcome.text);
     answer(setup_error(outcome.status, outcome.text));

@@ -143,6 +143,17 @@ void NativeSession::order_targets(std::uint32_t request, const wire::TargetOrder
   reply(request, port->order(without_token, origin()));
 }
 
+void NativeSession::set(std::uint32_t request, const wire::Set& set) {
+  wire::Set without_token = set;
+  without_token.clear_token();
+  wire::Reply answer = context_.host.apply(without_token, origin());
+  if (answer.code() == wire::Reply::REFUSED) {
+    context_.audit({.kind = AuditEntry::Kind::refusal, .from = origin(), .what = answer.text()});
+  }
+  reply(request, std::move(answer));
+  context_.tell_settings();
+}
+
 void NativeSession::record(std::uint32_t request, const wire::Record& record) {
   RecordingPort* port = context_.host.recording();
   if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server does not record");

@@ -60,6 +60,7 @@ void NativeSession::close() {
   unsubscribe();
   boards_.leave();
   context_.host.leave(origin());
+  if (context_.config.audit != nullptr) context_.config.audit->forget(origin());
   deadline_.cancel();
   transport_->close();
   spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,
@@ -242,13 +243,6 @@ void NativeSession::unsubscribe() {
   wanted_targets_ = nullptr;
 }
 
-void NativeSession::set(std::uint32_t request, const wire::Set& set) {
-  wire::Set without_token = set;
-  without_token.clear_token();
-  reply(request, context_.host.apply(without_token, origin()));
-  context_.tell_settings();
-}
-
 void NativeSession::limit_send_buffer() { on_send_buffer(boards_.send_buffer()); }
 
 void NativeSession::on_send_buffer(std::size_t bytes) {
@@ -266,6 +260,7 @@ void NativeSession::reply(std::uint32_t request, wire::Reply::Code code, std::st
 }
 
 void NativeSession::reply(std::uint32_t request, wire::Reply answer) {
+  audit(answer);
   wire::ServerMessage message;
   *message.mutable_reply() = std::move(answer);
   message.mutable_reply()->set_request(request);

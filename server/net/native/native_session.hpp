@@ -90,6 +90,8 @@ class NativeSession final : public Connection,
   // Whether who sends it may ask for all that it asks for; if not, it has been answered.
   bool may(const wire::ClientMessage& message);
   std::optional<std::string> why_not_allowed(const Asked& asked) const;
+  // Keeps what was asked for and this answer.
+  void audit(const wire::Reply& answer);
   void sign_in(std::uint32_t request, const wire::SignIn& wanted);
   // Ends the connection of a client who may have no longer what it gets: its token was revoked or
   // has ended.
@@ -144,8 +146,9 @@ class NativeSession final : public Connection,
 
   BoardRequests boards_;
 
-  std::string token_;  // signed in with
-  Asked asked_;        // by the message that is handled; its token is the one it was allowed by
+  std::string token_;    // signed in with
+  std::string audited_;  // what was asked for, until it is answered
+  Asked asked_;          // by the message that is handled; its token is the one it was allowed by
   std::optional<Asked> subscribed_, streamed_;  // by the Subscribe and the BoardStream that hold
   std::uint64_t looked_at_ = 0;                 // Gate::generation() when these were looked at
 

@@ -124,7 +124,7 @@ void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
     outcome = {429, context_.changes.refusal(slot_->peer())};
     context_.complain("too many changes", client_->peer + ": " + outcome.message);
   } else if (auto refused = right_.refusal_of("signalk.change", token)) {
-    context_.errors.add("refused", client_->peer + ": " + *refused);
+    context_.refuse(client_->peer, {}, *refused);
     outcome = {403, *std::move(refused)};
   } else if (const auto* definition = SignalkSite::definition_at(request.put_path)) {
     const std::string_view path = request.put_path;

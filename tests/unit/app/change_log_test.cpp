@@ -64,6 +64,35 @@ TEST_F(Log, OtherControlsAndOriginsDoNotWaitForEachOther) {
                                   "b: radar 0 view 0: gain 2 -> 3"));
 }
 
+class KeptAudit : public AuditPort {
+ public:
+  void add(AuditEntry entry) override { entries.push_back(std::move(entry)); }
+  void know(const std::string&, const std::string&) override {}
+  void forget(const std::string&) override {}
+  std::vector<AuditEntry> entries;
+};
+
+// The audit has what the log has no room for, too.
+TEST_F(Log, TheAuditHasEveryChangeWithWhatWasBefore) {
+  KeptAudit audit;
+  log_.set_audit(&audit);
+  for (int i = 0; i < 3000; ++i) {
+    change(i, i + 1, "gain", "sender " + std::to_string(i % 1000));
+    now_ += 100us;
+  }
+  log_.flush_all();
+  std::uint64_t told = 0;
+  for (const AuditEntry& entry : audit.entries) told += entry.times;
+  EXPECT_EQ(told, 3000u);
+  EXPECT_LT(lines_.size(), 1000u) << "the log has less";
+  const AuditEntry& first = audit.entries.front();
+  EXPECT_EQ(first.kind, AuditEntry::Kind::change);
+  EXPECT_EQ(first.from, "sender 0");
+  EXPECT_EQ(first.what, "radar 0 view 0: gain");
+  EXPECT_EQ(first.before, "0");
+  EXPECT_EQ(first.after, "1");
+}
+
 TEST_F(Log, AFloodIsBoundedAndEveryChangeCounted) {
   std::uint64_t made = 0;
   for (int i = 0; i < 60'000; ++i) {  // a minute of a thousand a second

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,41 @@ const std::vector<Role> kEveryRole = {access::OBSERVER, access::TRAINEE, access:
                                       access::INSTRUCTOR, access::ADMIN};
 const std::string kGain = "/signalk/v2/api/vessels/self/radars/skerry0/controls/gain";
 
+// Keeps entries for a test to look at.
+class KeptAudit : public AuditPort {
+ public:
+  void add(AuditEntry entry) override {
+    const std::lock_guard lock(mutex_);
+    entries_.push_back(std::move(entry));
+  }
+  void know(const std::string& from, const std::string& who) override {
+    const std::lock_guard lock(mutex_);
+    known_[from] = who;
+  }
+  void forget(const std::string& from) override {
+    const std::lock_guard lock(mutex_);
+    gone_.push_back(from);
+  }
+  std::vector<AuditEntry> entries() const {
+    const std::lock_guard lock(mutex_);
+    return entries_;
+  }
+  std::map<std::string, std::string> known() const {
+    const std::lock_guard lock(mutex_);
+    return known_;
+  }
+  std::size_t gone() const {
+    const std::lock_guard lock(mutex_);
+    return gone_.size();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<AuditEntry> entries_;
+  std::map<std::string, std::string> known_;
+  std::vector<std::string> gone_;
+};
+
 class ServerWithTokens : public testing::Test {
  protected:
   ServerWithTokens() : host_(2) {
@@ -37,6 +73,7 @@ class ServerWithTokens : public testing::Test {
     NetConfig config = test_config();
     config.tokens = file_.string();
     config.setups = (folder_ / "setups").string();
+    config.audit = &audit_;
     server_.emplace(host_, config, std::span<const WebFile>{});
     server_->start();
   }
@@ -90,6 +127,7 @@ class ServerWithTokens : public testing::Test {
   }();
   std::filesystem::path file_ = folder_ / "tokens.yaml";
   std::map<Role, std::string> tokens_;
+  KeptAudit audit_;
   FakeHost host_;
   std::optional<NetServer> server_;
 };
@@ -137,6 +175,54 @@ TEST_F(ServerWithTokens, SigningInSaysWhoOneIs) {
   EXPECT_THAT(ask(client, set_gain_message(1, 1, 33)).text(), HasSubstr("alone"));
   EXPECT_EQ(ask(client, signing_in("")).code(), wire::Reply::OK) << "this is the own host";
   EXPECT_EQ(ask(client, set_gain_message(1, 1, 33)).code(), wire::Reply::OK);
+}
+
+TEST_F(ServerWithTokens, WhoDidWhatIsKeptWithoutAnyToken) {
+  using Kind = AuditEntry::Kind;
+  const auto told = [&] {
+    std::vector<std::string> lines;
+    for (const AuditEntry& e : audit_.entries()) {
+      EXPECT_THAT(e.what + e.who + e.result, testing::Not(HasSubstr("skerry_")));
+      lines.push_back(std::to_string(static_cast<int>(e.kind)) + "|" + e.who + "|" + e.what + "|" +
+                      e.result);
+    }
+    return lines;
+  };
+  {
+    TestClient looker = client_of(tokens_[access::OBSERVER]);
+    ask(looker, set_gain_message(1, 0, 41));
+    ask(looker, signing_in("skerry_guess"));
+    TestClient leads = client_of(tokens_[access::INSTRUCTOR]);
+    ask(leads, set_gain_message(1, 0, 42));
+    wire::ClientMessage record;
+    record.mutable_record()->set_name("a");
+    record.mutable_record()->set_token(tokens_[access::ADMIN]);
+    ask(leads, record);
+  }
+  http("GET", "/status", "skerry_guess");
+  const std::string body = R"({"kind": "skerry set-up", "version": 1, "name": "a", "parts": {}})";
+  http("PUT", "/setups/a", tokens_[access::TRAINEE], body);
+  http("PUT", "/setups/b", tokens_[access::OBSERVER], body);
+  const auto kind = [](Kind k) { return std::to_string(static_cast<int>(k)); };
+  EXPECT_THAT(
+      told(),
+      testing::ElementsAre(
+          kind(Kind::sign_in) + "|observer, observer||",
+          testing::StartsWith(kind(Kind::refusal) + "|observer, observer|to set the controls"),
+          testing::StartsWith(kind(Kind::refusal) + "||sign in: the token is unknown here"),
+          kind(Kind::sign_in) + "|instructor, instructor||",
+          kind(Kind::request) + "||record { name: \"a\" }|this server does not record",
+          testing::StartsWith(kind(Kind::refusal) + "||"),
+          kind(Kind::request) + "|trainee|PUT /setups/a|ok",
+          testing::StartsWith(kind(Kind::refusal) + "|observer|")));
+  std::vector<std::string> who;
+  for (const auto& [from, name] : audit_.known()) who.push_back(name);
+  EXPECT_THAT(who, testing::UnorderedElementsAre("observer, observer", "admin, admin"))
+      << "of the last message";
+  EXPECT_TRUE(wait_until([&] { return audit_.gone() == 2; }));
+  revoke(access::OBSERVER);
+  EXPECT_TRUE(wait_until(
+      [&] { return audit_.entries().back().what == "tokens: others hold from now on"; }));
 }
 
 TEST_F(ServerWithTokens, ATokenInAMessageHoldsForItAlone) {

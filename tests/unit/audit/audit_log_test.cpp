@@ -1,0 +1,205 @@
+// The audit file of a running server: across runs, after a cut, with a full disk, and too fast.
+#include "server/audit/audit_log.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace skerry::server {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = AuditEntry::Kind;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class AuditLogFile : public testing::Test {
+ protected:
+  ~AuditLogFile() override { fs::remove_all(folder_); }
+
+  AuditEntry change(int i) const {
+    return {.kind = Kind::change,
+            .from = "console 10.0.0.5:4711",
+            .what = "radar 0 view 0: gain",
+            .before = std::to_string(i),
+            .after = std::to_string(i + 1)};
+  }
+  // The entries of a file that must be good.
+  std::vector<audit::Entry> entries() const {
+    std::vector<audit::Entry> all;
+    const AuditCheck check =
+        check_audit(file_, {}, [&](const audit::Entry& entry) { all.push_back(entry); });
+    EXPECT_EQ(check.wrong_line, 0u) << check.wrong;
+    EXPECT_EQ(check.unfinished_bytes, 0u);
+    return all;
+  }
+  std::string text() const {
+    std::stringstream all;
+    all << std::ifstream(file_, std::ios::binary).rdbuf();
+    return all.str();
+  }
+
+  fs::path folder_ = [] {
+    std::string pattern = testing::TempDir() + "skerry-audit-XXXXXX";
+    return fs::path(::mkdtemp(pattern.data()));
+  }();
+  fs::path file_ = folder_ / "audit.jsonl";
+};
+
+TEST_F(AuditLogFile, GoesOnFromRunToRun) {
+  AuditHead head;
+  {
+    AuditLog log(file_);
+    for (int i = 0; i < 10; ++i) log.add(change(i));
+  }
+  {
+    AuditLog log(file_);
+    head = log.head();
+    EXPECT_EQ(head.n, 10u);
+    log.add(change(10));
+  }
+  const auto all = entries();
+  ASSERT_EQ(all.size(), 11u);
+  EXPECT_EQ(all[10].before(), "10");
+  EXPECT_EQ(all[10].kind(), "change");
+  EXPECT_TRUE(check_audit(file_, head.chain).has_wanted);
+}
+
+// The last change is told when whoever made it may have left.
+TEST_F(AuditLogFile, WhoIsAtAPlaceIsTold) {
+  {
+    AuditLog log(file_);
+    log.add(change(0));
+    log.know("console 10.0.0.5:4711", "Anna, trainee");
+    log.add(change(1));
+    log.forget("console 10.0.0.5:4711");
+    log.add(change(2));
+    log.know("console 10.0.0.5:4711", "Cleo, observer");
+    log.add(change(2));
+    AuditEntry named = change(3);
+    named.who = "Ben, instructor";
+    log.add(named);
+  }
+  std::vector<std::string> who;
+  for (const auto& entry : entries()) who.push_back(entry.who());
+  EXPECT_THAT(
+      who, ElementsAre("", "Anna, trainee", "Anna, trainee", "Cleo, observer", "Ben, instructor"));
+}
+
+TEST_F(AuditLogFile, TextFromOutsideCannotBreakALine) {
+  {
+    AuditLog log(file_);
+    AuditEntry entry = change(1);
+    entry.what = "a\"}\n{\"n\":2,\xff\xfe" + std::string(5000, 'x') + std::string(1, '\0');
+    log.add(entry);
+    log.add(change(2));
+  }
+  const auto all = entries();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_LE(all[0].what().size(), 3 * AuditLog::kMostText);
+}
+
+// A killed server leaves the begin of a line, of any length.
+TEST_F(AuditLogFile, AnUnfinishedEntryIsCutOffAndTold) {
+  {
+    AuditLog log(file_);
+    log.add(change(0));
+    log.add(change(1));
+  }
+  const std::string whole = text();
+  const std::size_t first = whole.find('\n') + 1;
+  for (std::size_t length = 1; length < whole.size(); length += 5) {
+    if (length == first) continue;
+    std::ofstream(file_, std::ios::binary) << whole.substr(0, length);
+    { AuditLog log(file_); }
+    const auto all = entries();
+    ASSERT_EQ(all.size(), length < first ? 1u : 2u) << length;
+    EXPECT_EQ(all.back().what(),
+              fmt::format("{} bytes of an entry that was not finished were cut off",
+                          length < first ? length : length - first));
+  }
+}
+
+TEST_F(AuditLogFile, WhatIsNoneIsRefusedAndLeftAlone) {
+  for (const char* is : {"some notes", "some notes\n", "{\"n\":1}\n", "\n"}) {
+    std::ofstream(file_, std::ios::binary) << is;
+    try {
+      AuditLog log(file_);
+      FAIL() << is;
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("--audit: " + file_.string()));
+    }
+    EXPECT_EQ(text(), is);
+  }
+  EXPECT_THROW(AuditLog{folder_}, std::runtime_error);
+  EXPECT_THROW(AuditLog{folder_ / "no" / "audit"}, std::runtime_error);
+}
+
+TEST_F(AuditLogFile, IsOfOneServer) {
+  const AuditLog first(file_);
+  try {
+    AuditLog second(file_);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("another server"));
+  }
+}
+
+// Refusals that come too fast are counted, and push no change out.
+TEST_F(AuditLogFile, AFloodOfRefusalsIsCountedAndPushesNoChangeOut) {
+  constexpr int kRefusals = 20000;
+  {
+    AuditLog log(file_);
+    for (int i = 0; i < kRefusals; ++i) log.add({.kind = Kind::refusal, .what = "no"});
+    for (int i = 0; i < 10; ++i) log.add(change(i));
+  }
+  int changes = 0, one_by_one = 0, counted = 0;
+  for (const auto& entry : entries()) {
+    if (entry.kind() == "change") {
+      ++changes;
+    } else if (entry.what() == "no") {
+      ++one_by_one;
+    } else {
+      EXPECT_THAT(entry.what(), HasSubstr("more of this kind, which came too fast"));
+      counted += std::stoi(entry.what());
+    }
+  }
+  EXPECT_EQ(changes, 10);
+  EXPECT_EQ(one_by_one + counted, kRefusals);
+  EXPECT_GE(one_by_one, 1000);
+}
+
+// A file may have no more than so many bytes, as on a full disk.
+TEST_F(AuditLogFile, AFullDiskLosesNothingThatWaits) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  {
+    AuditLog log(file_);
+    log.add(change(0));
+    while (log.head().n < 1) std::this_thread::yield();
+    const std::string one = text();
+    // Room for half of the next.
+    const rlimit small{one.size() + one.size() / 2, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    log.add(change(1));
+    log.add(change(2));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(log.head().n, 1u);
+    EXPECT_EQ(text(), one) << "nothing is half written";
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    while (log.head().n < 3) std::this_thread::yield();
+  }
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(entries().size(), 3u);
+}
+
+}  // namespace
+}  // namespace skerry::server
