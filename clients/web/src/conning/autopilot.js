@@ -3,6 +3,8 @@ import { bearing, fixed } from '../format.js';
 import { HEADING, TRACK } from '../messages.js';
 import { $, write } from '../widgets.js';
 
+// How long an answered step is shown if the heading that the server tells does not follow it.
+const SETTLE_MS = 1200;
 const STEERS = ['By hand', 'By heading', 'By track'];
 
 // A field and its button: calls order(number) and is empty again if that could be sent.
@@ -17,7 +19,7 @@ export function bindEntry(form, order) {
 }
 
 export class Autopilot {
-  // order(values): of ConOrder; keepSpeed(kn).  Each returns null if it could not be sent.
+  // order(values): of ConOrder; keepSpeed(kn).  Each returns the request's number, or null if it could not be sent.
   constructor(order, keepSpeed) {
     this.order = order;
     this.con = null;
@@ -42,13 +44,22 @@ export class Autopilot {
     const from = this.stepped ?? this.con.headingOrderDeg;
     this.stepped = (((from + deg) % 360) + 360) % 360;
     clearTimeout(this.stepTimer);
-    this.stepTimer = setTimeout(() => { this.stepped = undefined; this.show(this.con, this.ship); }, 1200);
-    this.order({ headingDeg: this.stepped });
+    this.isAnswered = false;
+    this.asked = this.order({ headingDeg: this.stepped });
+    if (this.asked === null) this.settle();  // not sent
     this.show(this.con, this.ship);
+  }
+
+  // Only what the server tells after it has answered the last step can be of that step: steps to and fro pass the same heading twice.
+  takeReply(reply) {
+    if (this.stepped === undefined || reply.request !== this.asked) return;
+    this.isAnswered = true;
+    this.stepTimer = setTimeout(() => { this.settle(); this.show(this.con, this.ship); }, SETTLE_MS);
   }
 
   // Refused: what the server has is shown.
   settle() {
+    clearTimeout(this.stepTimer);
     this.stepped = undefined;
   }
 
@@ -56,7 +67,7 @@ export class Autopilot {
     this.con = con;
     this.ship = ship;
     const keeps = con?.steering === HEADING;
-    if (!keeps || this.stepped === con.headingOrderDeg) this.stepped = undefined;
+    if (!keeps || (this.isAnswered && this.stepped === con.headingOrderDeg)) this.settle();
     for (const button of document.querySelectorAll('[data-steering]')) {
       button.ariaPressed = String(con?.steering === Number(button.dataset.steering));
       if (Number(button.dataset.steering) === TRACK) button.disabled = con?.waypoints === 0;

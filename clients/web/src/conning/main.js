@@ -89,7 +89,7 @@ const TAKERS = {
   ownShip: (ownShip) => link.takeOwnShip(ownShip, seconds()),
   reply: (reply) => {
     link.takeReply(reply);
-    if (reply.code === 0) return;
+    if (reply.code === 0) { autopilot.takeReply(reply); return; }
     autopilot.settle();
     notices.show(reply.request === asked ? `No ship: ${reply.text}` : reply.text || REPLY_CODES[reply.code] || `code ${reply.code}`);
     if (/token/.test(reply.text)) { $('access').hidden = false; $('help').showModal(); $('token').focus(); }
