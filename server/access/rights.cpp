@@ -46,6 +46,12 @@ constexpr std::string_view in_words(Scope scope) {
 
 bool has(const Right& right, Role role) { return ((right.roles >> role) & 1U) != 0; }
 
+std::string text_of(const Who& who) {
+  if (!who.role) return {};
+  std::string text = who.name.empty() ? name_of(*who.role) : who.name + ", " + name_of(*who.role);
+  return who.ship.empty() ? text : text + " of " + who.ship;
+}
+
 std::string name_of(Role role) { return wire::word_of(*access::Role_descriptor(), role); }
 
 std::optional<std::string> why_not(const Who& who, std::string_view name, std::string_view ship) {

@@ -57,6 +57,9 @@ bool has(const Right& right, Role role);
 std::optional<std::string> why_not(const Who& who, std::string_view right,
                                    std::string_view ship = {});
 
+// "Anna, trainee of Frida", for logs; empty: nobody that the server knows.
+std::string text_of(const Who& who);
+
 // "observer", as files and command lines have it.
 std::string name_of(Role role);
 

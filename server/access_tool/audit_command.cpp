@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <deque>
 #include <memory>
 #include <string>
 
 #include "echo/tool_console/console.hpp"
 #include "server/audit/audit_chain.hpp"
+#include "server/config/config_error.hpp"
 
 namespace skerry::server {
 namespace {
@@ -32,7 +34,16 @@ console::Command make_verify_command(CLI::App& app) {
   command
       ->add_option("--head", given->head,
                    "a head that was noted: finds out a lost end, or a file made anew")
-      ->type_name("HEAD");
+      ->type_name("HEAD")
+      ->check([](const std::string& head) {
+        const bool is_one = head.size() == 64 &&
+                            head.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+        return is_one ? "" : "a head has 64 hexadecimal digits: " + head;
+      })
+      ->transform([](std::string head) {
+        for (char& c : head) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return head;
+      });
   return {command, [given] {
             const AuditCheck check = check_audit(given->file, given->head);
             if (check.wrong_line > 0) {
@@ -63,14 +74,20 @@ console::Command make_verify_command(CLI::App& app) {
           }};
 }
 
+// Whoever can write the file can put anything into it.
+std::string shown(const std::string& text) { return printable(text, text.size()); }
+
 std::string line_of(const audit::Entry& entry) {
-  std::string line = fmt::format("{:>6} {} {:<8}", entry.n(), entry.utc(), entry.kind());
-  if (!entry.who().empty()) line += " " + entry.who();
-  if (!entry.from().empty()) line += fmt::format(" ({})", entry.from());
-  if (!entry.what().empty()) line += " " + entry.what();
-  if (entry.kind() == "change") line += fmt::format(": {} -> {}", entry.before(), entry.after());
+  std::string line =
+      fmt::format("{:>6} {} {:<8}", entry.n(), shown(entry.utc()), shown(entry.kind()));
+  if (!entry.who().empty()) line += " " + shown(entry.who());
+  if (!entry.from().empty()) line += fmt::format(" ({})", shown(entry.from()));
+  if (!entry.what().empty()) line += " " + shown(entry.what());
+  if (!entry.after().empty()) {
+    line += fmt::format(": {} -> {}", shown(entry.before()), shown(entry.after()));
+  }
   if (entry.times() > 1) line += fmt::format(" ({} changes)", entry.times());
-  if (!entry.result().empty()) line += ": " + entry.result();
+  if (!entry.result().empty()) line += ": " + shown(entry.result());
   return line + "\n";
 }
 

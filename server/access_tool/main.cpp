@@ -41,7 +41,7 @@ constexpr Tool kAudit = {
     "  skerry audit show audit.jsonl --last 20\n"
     "  skerry audit show audit.jsonl --who Anna --kind change\n"
     "  skerry audit verify audit.jsonl\n"
-    "  skerry audit verify audit.jsonl --head 5fd1...\n",
+    "  skerry audit verify audit.jsonl --head HEAD       # as `verify` or the log has told it\n",
     make_audit_commands};
 
 int run(const Tool& tool, int argc, char** argv) {

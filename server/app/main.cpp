@@ -185,9 +185,9 @@ int run_playback(const Options& options, LogTap& tap) {
     std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
     return 0;
   }
-  const auto audit = open_audit(options, what);
   const auto coast = PlayedCoast::of(*playback, {options.charts, options.elevation});
   const sigset_t signals = block_signals();
+  const auto audit = open_audit(options, what);
   LoggingRecorder logging(*playback, options.recorder, tap);
   playback->set_recording(&logging.recorder);
   TargetService plotters(*playback, kNativeFormat, sensors_of(*playback, SensorErrors::none()));
@@ -248,8 +248,8 @@ int run(const Options& options, LogTap& tap) {
     try_load(scenario, std::move(chart), options.workers);
     return 0;
   }
-  const auto audit = open_audit(options, "scenario " + scenario.name());
   const sigset_t signals = block_signals();
+  const auto audit = open_audit(options, "scenario " + scenario.name());
   RadarServer radars(scenario, std::move(chart), options.workers,
                      exercise_documents(yaml, {options.charts, options.elevation}));
   if (audit) radars.set_audit(audit->port());
@@ -263,6 +263,7 @@ int run(const Options& options, LogTap& tap) {
   if (live) {
     live->joined.set_recording(&logging.recorder);
     live->joined.set_targets(&plotters);
+    if (audit) live->host.set_audit(audit->port());
   }
   NetServer net(host, with_audit(options.net, audit), web_files());
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
@@ -294,6 +295,7 @@ void keep_memory_flat() {
 int main(int argc, char** argv) {
   keep_memory_flat();
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);  // a file that may not grow takes nothing, as one on a full disk
   // Protobuf's complaints about bytes from outside are in replies and counters; they need no log.
   google::protobuf::SetLogHandler(nullptr);
   const auto tap = std::make_shared<LogTap>();

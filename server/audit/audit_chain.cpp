@@ -17,8 +17,6 @@ using google::protobuf::util::JsonStringToMessage;
 
 constexpr std::string_view kChain = ",\"chain\":\"", kEnd = "\"}";
 constexpr std::size_t kDigits = 64;
-// Longer is no entry: five texts of AuditLog::kMostText, escaped.
-constexpr std::size_t kMostLine = 64 * 1024;
 
 std::string digest_of(std::string_view before, std::string_view body) {
   Sha256 digest;
@@ -89,18 +87,23 @@ Result<audit::Entry, std::string> read_audit_line(std::string_view line, AuditHe
 
 AuditCheck check_audit(const std::filesystem::path& file, std::string_view wanted,
                        const std::function<void(const audit::Entry&)>& each) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw std::runtime_error(
-        fmt::format("{} cannot be read: {}", file.string(), std::strerror(errno)));
+  const auto cannot = [&](const char* why) {
+    return std::runtime_error(fmt::format("{} cannot be read: {}", file.string(), why));
+  };
+  std::error_code error;
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+    throw cannot("it is no file");
   }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw cannot(std::strerror(errno));
   AuditCheck check;
   check.has_wanted = wanted == check.head.chain;
   std::string line;
   for (std::uint64_t number = 1;; ++number) {
     line.clear();
     char c = 0;
-    while (line.size() < kMostLine && stream.get(c) && c != '\n') line += c;
+    while (line.size() < kMostAuditLine && stream.get(c) && c != '\n') line += c;
+    if (stream.bad()) throw cannot(std::strerror(errno));
     if (!stream) {
       check.unfinished_bytes = line.size();
       return check;

@@ -1,6 +1,7 @@
 // Lines of the audit file, each of which holds the digest of all before it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -29,6 +30,9 @@ struct AuditHead {
 // file that was made anew from some line on, or that lost its end, is found out by a head that was
 // noted elsewhere.
 //
+// Longer is no entry: six texts of AuditLog::kMostText, escaped, are less.
+constexpr std::size_t kMostAuditLine = 64 * 1024;
+
 // The line with its end; `head` becomes this line's.  `entry.n` is set here.
 std::string audit_line(audit::Entry entry, AuditHead& head);
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -50,23 +51,10 @@ std::string utc_text(UtcTime time) {
   throw std::runtime_error(fmt::format("--audit: {}: {}", file.string(), why));
 }
 
-// The last whole line of a file of `size` bytes, and where it ends.
-std::string last_line(int descriptor, std::uint64_t size, std::uint64_t& end) {
-  constexpr std::uint64_t kPiece = 64 * 1024;
-  std::string tail(std::min(size, 2 * kPiece), '\0');
-  const ssize_t got =
-      ::pread(descriptor, tail.data(), tail.size(), static_cast<off_t>(size - tail.size()));
-  tail.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  const std::size_t stop = tail.rfind('\n');
-  if (stop == std::string::npos) {
-    end = 0;
-    return {};
-  }
-  end = size - tail.size() + stop + 1;
-  const std::size_t begin = stop == 0 ? std::string::npos : tail.rfind('\n', stop - 1);
-  const std::size_t from = begin == std::string::npos ? 0 : begin + 1;
-  return tail.substr(from, stop - from);
-}
+bool is_refusal(Kind kind) { return kind == Kind::refusal || kind == Kind::sign_in; }
+
+// "console 10.0.0.5" of "console 10.0.0.5:4711".
+std::string without_port(const std::string& from) { return from.substr(0, from.rfind(':')); }
 
 }  // namespace
 
@@ -89,86 +77,109 @@ AuditLog::~AuditLog() {
   ::close(descriptor_);
 }
 
+std::string AuditLog::read_tail(std::uint64_t size, std::uint64_t bytes) const {
+  std::string tail(static_cast<std::size_t>(bytes), '\0');
+  const ssize_t got =
+      ::pread(descriptor_, tail.data(), tail.size(), static_cast<off_t>(size - bytes));
+  if (got != static_cast<ssize_t>(bytes)) {
+    refuse(file_, fmt::format("cannot be read: {}", std::strerror(errno)));
+  }
+  return tail;
+}
+
 void AuditLog::open() {
   constexpr mode_t kMode = 0640;
+  constexpr const char* kNone =
+      "its end is no entry of an audit file; give another file, and keep this one (`skerry audit "
+      "verify` says more)";
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, kMode);
   if (descriptor_ < 0) refuse(file_, fmt::format("cannot be opened: {}", std::strerror(errno)));
   try {
-    struct stat about {};
-    if (::fstat(descriptor_, &about) != 0 || !S_ISREG(about.st_mode)) refuse(file_, "is no file");
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       refuse(file_, "another server writes to it; give each its own file");
     }
+    struct stat about {};
+    if (::fstat(descriptor_, &about) != 0 || !S_ISREG(about.st_mode)) refuse(file_, "is no file");
     const auto size = static_cast<std::uint64_t>(about.st_size);
-    const std::string line = last_line(descriptor_, size, size_);
-    if (size_ > 0) {
-      const auto head = read_audit_head(line);
-      if (!head) {
-        refuse(file_,
-               "its last line is no entry of an audit file; `skerry audit verify` says "
-               "more; give another file, and keep this one");
-      }
+    const std::string tail = read_tail(size, std::min<std::uint64_t>(size, 2 * kMostAuditLine));
+    const std::size_t end = tail.rfind('\n') + 1;  // 0: there is no line
+    size_ = size - (tail.size() - end);
+    const std::uint64_t rest = size - size_;
+    if (rest > kMostAuditLine) refuse(file_, kNone);
+    if (end > 0) {
+      const std::size_t begin = end > 1 ? tail.rfind('\n', end - 2) + 1 : 0;
+      const auto head = read_audit_head(std::string_view(tail).substr(begin, end - 1 - begin));
+      if (!head) refuse(file_, kNone);
       head_ = *head;
-    } else if (size > 0 && line.empty() && !is_begin_of_entry()) {
-      refuse(file_, "is no audit file; give another");
+    } else if (size > 0) {
+      // The first entry was being written.
+      constexpr std::string_view kBegin = "{\"n\":1,";
+      if (!kBegin.starts_with(tail.substr(0, kBegin.size()))) refuse(file_, kNone);
+      size_ = 0;
     }
-    if (size_ == size) return;
+    if (rest == 0) return;
     if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) {
       refuse(file_, fmt::format("cannot be cut: {}", std::strerror(errno)));
     }
-    add({.kind = Kind::server,
-         .what =
-             fmt::format("{} bytes of an entry that was not finished were cut off", size - size_)});
+    add({.what = fmt::format("{} bytes of an entry that was not finished were cut off", rest)});
   } catch (...) {
     ::close(descriptor_);
     throw;
   }
 }
 
-// Of a file without a whole line.
-bool AuditLog::is_begin_of_entry() const {
-  constexpr std::string_view kBegin = "{\"n\":1,";
-  std::string text(kBegin.size(), '\0');
-  const ssize_t got = ::pread(descriptor_, text.data(), text.size(), 0);
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  return kBegin.starts_with(text);
+bool AuditLog::Budget::has(std::chrono::steady_clock::time_point now) {
+  const std::chrono::duration<double> since = now - std::exchange(looked_, now);
+  left_ = std::min(pace_.at_once, left_ + since.count() * pace_.a_second);
+  return left_ >= 1.0;
 }
 
-bool AuditLog::is_in_budget(Kind kind) {
-  Budget& budget = budgets_[static_cast<std::size_t>(kind)];
-  refill(budget);
-  if (budget.left < 1.0) {
+bool AuditLog::is_in_budget(const AuditEntry& entry) {
+  if (entry.kind == Kind::server) return true;
+  const auto now = std::chrono::steady_clock::now();
+  const bool refusal = is_refusal(entry.kind);
+  Budget& all = refusal ? all_refusals_ : all_deeds_;
+  std::pair<bool, std::string> peer{refusal, without_port(entry.from)};
+  if (budgets_.size() >= kMostPeers && !budgets_.contains(peer)) peer.second = "others";
+  Budget& budget =
+      budgets_.try_emplace(std::move(peer), refusal ? kRefusals : kDeeds).first->second;
+  const bool has_all = all.has(now), has_own = budget.has(now);
+  if (!has_all || !has_own) {
     ++budget.left_out;
     return false;
   }
-  budget.left -= 1.0;
+  all.take();
+  budget.take();
   return true;
 }
 
-void AuditLog::refill(Budget& budget) {
-  const auto now = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> since = now - std::exchange(budget.looked, now);
-  budget.left = std::min(kMostAtOnce, budget.left + since.count() * kMostASecond);
+bool AuditLog::wait_for_disk(AuditEntry entry) {
+  const std::size_t room = is_refusal(entry.kind) ? kMostWaiting / 2 : kMostWaiting;
+  if (waiting_.size() >= room) return false;
+  waiting_.push_back({std::move(entry), std::chrono::system_clock::now()});
+  return true;
 }
 
-void AuditLog::wait_for_disk(AuditEntry entry) {
-  if (waiting_.size() < kMostWaiting) {
-    waiting_.push_back({std::move(entry), std::chrono::system_clock::now()});
-  } else {
-    ++missing_;
-  }
-}
-
+// Every kAgain.
 void AuditLog::tell_left_out() {
-  for (std::size_t kind = 0; kind < budgets_.size(); ++kind) {
-    Budget& budget = budgets_[kind];
-    if (budget.left_out == 0) continue;
-    refill(budget);
-    if (budget.left < 1.0 && !ends_) continue;
-    budget.left -= 1.0;
-    wait_for_disk({.kind = static_cast<Kind>(kind),
-                   .what = fmt::format("{} more of this kind, which came too fast",
-                                       std::exchange(budget.left_out, 0))});
+  const auto now = std::chrono::steady_clock::now();
+  if (missing_ > 0 && wait_for_disk({.what = fmt::format("{} entries are missing: the disk took "
+                                                         "nothing for too long",
+                                                         missing_)})) {
+    missing_ = 0;
+  }
+  for (auto it = budgets_.begin(); it != budgets_.end();) {
+    auto& [peer, budget] = *it;
+    const bool has = budget.has(now);
+    if (budget.left_out > 0 && (has || ends_) &&
+        wait_for_disk(
+            {.kind = peer.first ? Kind::refusal : Kind::change,
+             .from = peer.second,
+             .what = fmt::format("{} more from there, which came too fast", budget.left_out)})) {
+      budget.left_out = 0;
+      budget.take();
+    }
+    it = budget.left_out == 0 && budget.is_full() ? budgets_.erase(it) : std::next(it);
   }
 }
 
@@ -179,38 +190,31 @@ void AuditLog::add(AuditEntry entry) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (!is_in_budget(entry.kind)) return;
+    if (!is_in_budget(entry)) return;
     if (entry.who.empty()) {
       if (const auto known = known_.find(entry.from); known != known_.end()) {
-        entry.who = known->second.who;
+        entry.who = known->second;
       }
     }
-    wait_for_disk(std::move(entry));
+    if (!wait_for_disk(std::move(entry))) ++missing_;
   }
   change_.notify_one();
 }
 
 void AuditLog::know(const std::string& from, const std::string& who) {
   const std::lock_guard lock(mutex_);
-  const auto known = known_.find(from);
-  if (known != known_.end()) {
-    known->second = {who, std::nullopt};
-  } else if (known_.size() < kMostKnown) {
-    known_.emplace(from, Known{who, std::nullopt});
-  }
+  if (known_.size() < kMostKnown) known_[from] = who;
 }
 
 void AuditLog::forget(const std::string& from) {
   const std::lock_guard lock(mutex_);
-  const auto known = known_.find(from);
-  if (known != known_.end()) known->second.gone = std::chrono::steady_clock::now();
+  known_.erase(from);
 }
 
-void AuditLog::drop_the_gone() {
-  const auto now = std::chrono::steady_clock::now();
-  std::erase_if(known_, [&](const auto& each) {
-    return each.second.gone && now - *each.second.gone > kRemembered;
-  });
+std::string AuditLog::who_at(const std::string& from) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = known_.find(from);
+  return known == known_.end() ? std::string() : known->second;
 }
 
 AuditHead AuditLog::head() const {
@@ -224,7 +228,6 @@ void AuditLog::run() {
   while (takes || !ends_) {
     change_.wait_for(lock, kAgain, [&] { return ends_ || (takes && !waiting_.empty()); });
     tell_left_out();
-    drop_the_gone();
     if (waiting_.empty()) {
       if (ends_) return;
       continue;
@@ -236,11 +239,6 @@ void AuditLog::run() {
     lock.lock();
     if (!takes) continue;
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken.size()));
-    if (missing_ > 0) {
-      wait_for_disk({.what = fmt::format("{} entries are missing: the disk took nothing for too "
-                                         "long",
-                                         std::exchange(missing_, 0))});
-    }
   }
   spdlog::error("audit: {} entries could not be written to {}", waiting_.size() + missing_,
                 file_.string());
@@ -262,6 +260,13 @@ bool AuditLog::write(const std::deque<Waiting>& entries) {
     entry.set_result(from.result);
     text += audit_line(std::move(entry), head);
   }
+  const auto cut = [this] {
+    const int why = errno;
+    has_rest_ = ::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0;
+    errno = why;
+    return !has_rest_;
+  };
+  if (has_rest_ && !cut()) return false;
   std::size_t done = 0;
   while (done < text.size()) {
     const ssize_t wrote = ::write(descriptor_, text.data() + done, text.size() - done);
@@ -270,8 +275,7 @@ bool AuditLog::write(const std::deque<Waiting>& entries) {
     done += static_cast<std::size_t>(wrote);
   }
   if (done < text.size() || ::fdatasync(descriptor_) != 0) {
-    const int why = errno;
-    if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) errno = why;
+    cut();
     return false;
   }
   size_ += text.size();

@@ -1,7 +1,6 @@
 // AuditLog: the audit file of a running server.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -10,9 +9,9 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "protocol/quantity/time.hpp"
 #include "server/audit/audit_chain.hpp"
@@ -21,21 +20,29 @@
 namespace skerry::server {
 
 // Appends entries to a file, which goes on from run to run, by a thread of its own.  They are on
-// the disk some milliseconds later; a disk that takes nothing is asked again every kAgain, and
-// what does not wait any more (kMostWaiting) is counted and told by an entry once it takes again.
-// Whoever sends more than kMostAtOnce and then kMostASecond of a kind has the rest counted in one
-// entry, so that refusals cannot push changes out.
+// the disk some milliseconds later; a disk that takes nothing is asked again every kAgain.  What
+// finds no room among what waits (kMostWaiting; half of it is kept from refusals) is counted and
+// told by an entry once the disk takes again.
+//
+// Whoever makes too many entries has the rest counted in one, with her address: so that nobody can
+// push out what others do, and refusals, which cost a stranger nothing, cannot fill the disk.
 //
 // Thread: any.
 class AuditLog final : public AuditPort {
  public:
   static constexpr std::size_t kMostWaiting = 4096;  // entries
   static constexpr std::size_t kMostText = 512;      // bytes of each text of an entry
-  static constexpr std::size_t kMostKnown = 4096;    // who is at some place
-  static constexpr double kMostAtOnce = 1000.0, kMostASecond = 100.0;
+  static constexpr std::size_t kMostKnown = 8192;    // requests that are being carried out
+  static constexpr std::size_t kMostPeers = 1024;    // addresses looked at one by one
   static constexpr std::chrono::milliseconds kAgain{1000};
-  // Changes are told up to a second late, when whoever made them may have left.
-  static constexpr std::chrono::seconds kRemembered{10};
+
+  // At once, and then a second: of changes, requests and what the server does; of refusals and
+  // sign-ins.  From one address, and in all.
+  struct Pace {
+    double at_once, a_second;
+  };
+  static constexpr Pace kDeeds{500, 20}, kAllDeeds{4000, 200};
+  static constexpr Pace kRefusals{50, 1}, kAllRefusals{500, 5};
 
   // Opens the file, or makes it.  An entry at its end that was not finished is cut off, and the
   // first new entry says so.
@@ -48,6 +55,7 @@ class AuditLog final : public AuditPort {
   void add(AuditEntry entry) override;
   void know(const std::string& from, const std::string& who) override;
   void forget(const std::string& from) override;
+  std::string who_at(const std::string& from) const override;
 
   // Of what is on the disk.
   AuditHead head() const;
@@ -57,24 +65,27 @@ class AuditLog final : public AuditPort {
     AuditEntry entry;
     UtcTime utc;
   };
-  struct Budget {
-    double left = kMostAtOnce;
-    std::chrono::steady_clock::time_point looked{};
+  class Budget {
+   public:
+    explicit Budget(Pace pace) : pace_(pace), left_(pace.at_once) {}
+    bool has(std::chrono::steady_clock::time_point now);
+    void take() { left_ -= 1.0; }
+    bool is_full() const { return left_ >= pace_.at_once; }
     std::uint64_t left_out = 0;
-  };
-  struct Known {
-    std::string who;
-    std::optional<std::chrono::steady_clock::time_point> gone;
+
+   private:
+    Pace pace_;
+    double left_;
+    std::chrono::steady_clock::time_point looked_{};
   };
   void open();
-  bool is_begin_of_entry() const;
+  // The file's last `bytes` of `size`.
+  std::string read_tail(std::uint64_t size, std::uint64_t bytes) const;
   void run();
   // Under the lock.
-  bool is_in_budget(AuditEntry::Kind kind);
-  static void refill(Budget& budget);
-  void wait_for_disk(AuditEntry entry);
+  bool is_in_budget(const AuditEntry& entry);
+  bool wait_for_disk(AuditEntry entry);  // false: there is no room
   void tell_left_out();
-  void drop_the_gone();
   // False: the disk took none of it, and the file is as before.
   bool write(const std::deque<Waiting>& entries);
   void tell_disk(bool takes);
@@ -82,14 +93,16 @@ class AuditLog final : public AuditPort {
   const std::filesystem::path file_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;  // of the file's whole lines
+  bool has_rest_ = false;   // behind them there is the begin of one that was not taken
   bool is_told_ = false;    // that the disk takes nothing
 
   mutable std::mutex mutex_;  // over what follows
   std::condition_variable change_;
   std::deque<Waiting> waiting_;
   std::uint64_t missing_ = 0;  // that waited in vain
-  std::array<Budget, 5> budgets_;
-  std::map<std::string, Known> known_;  // by place
+  Budget all_deeds_{kAllDeeds}, all_refusals_{kAllRefusals};
+  std::map<std::pair<bool, std::string>, Budget> budgets_;  // by whether a refusal, and address
+  std::map<std::string, std::string> known_;                // who, by place
   AuditHead head_;
   bool ends_ = false;
   std::thread thread_;

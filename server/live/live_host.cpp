@@ -238,6 +238,13 @@ wire::Reply LiveHost::change(const wire::Set& set, const std::string& origin) {
       told.clear_token();
       spdlog::info("radar {}: {} asks it for {}{}", set.radar(), origin, told.ShortDebugString(),
                    input.untold == 0 ? "" : fmt::format(" ({} changes before)", input.untold));
+      if (audit_ != nullptr) {
+        audit_->add({.kind = AuditEntry::Kind::request,
+                     .from = origin,
+                     .what = fmt::format("radar {}: {}", set.radar(), told.ShortDebugString()),
+                     .times = 1 + static_cast<std::uint32_t>(input.untold),
+                     .result = "asked for"});
+      }
       input.untold = 0;
     }
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "server/core/audit_port.hpp"
 #include "server/live/live_radar.hpp"
 #include "server/relay/relay_host.hpp"
 
@@ -48,6 +49,8 @@ class LiveHost final : public RelayHost {
   static constexpr std::size_t kMostOrders = 256;  // that wait; more are refused
   // `wake` is called whenever there is more to send.  Before any Set comes.
   void on_order(std::function<void()> wake) { wake_ = std::move(wake); }
+  // What radars are asked for is kept there, too.  Before any Set comes.
+  void set_audit(AuditPort* audit) { audit_ = audit; }
 
   // `add` gets the spokes of that radar, consecutive ones of one turn, before anybody else, and
   // whether their heading is known.  On the receiving thread; before any datagram comes.
@@ -91,6 +94,7 @@ class LiveHost final : public RelayHost {
 
   std::vector<std::unique_ptr<Input>> inputs_;
   const std::string server_;
+  AuditPort* audit_ = nullptr;
   std::function<void()> wake_;
 };
 

@@ -157,7 +157,7 @@ const std::vector<Room>& table() {
         "protocol/quantity/", "protocol/wire/", "server/config/"}},
       {"server/access_tool",
        {"protocol/picture/label_text.hpp", "protocol/quantity/", "echo/tool_console/",
-        "server/access/", "server/audit/"}},
+        "server/access/", "server/audit/", "server/config/config_error.hpp"}},
       // What consoles keep on the server.
       {"server/setups", {"protocol/digest/", "protocol/wire/printable_text.hpp", "server/config/"}},
       // Who changed what.

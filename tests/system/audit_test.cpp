@@ -54,6 +54,8 @@ TEST_F(Audit, HasWhoChangedWhatAndIsShownAndVerified) {
   EXPECT_EQ(audit({"verify", file_, "--head", first}).code, 0);
   EXPECT_EQ(audit({"verify", file_, "--head", std::string(64, 'a')}).code, 1);
 
+  EXPECT_EQ(audit({"verify", file_, "--head", first.substr(0, 10)}).code, 2);
+
   std::string text = text_of_file(file_);
   text.replace(text.find("\"71\""), 4, "\"17\"");
   std::ofstream(file_, std::ios::binary) << text;
@@ -66,7 +68,7 @@ TEST_F(Audit, AFileThatIsNoneStopsTheStartWithItsName) {
   std::ofstream(file_) << "notes\n";
   const Ending refused = run({skerryd_program(), "--scenario", scenario_, "--audit", file_});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--audit: " + file_ + ": its last line is no entry"));
+  EXPECT_THAT(refused.err, HasSubstr("--audit: " + file_ + ": its end is no entry"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ ChangeLog::ChangeLog()
 void ChangeLog::add(const std::string& origin, const std::string& place,
                     const ControlChange& change, Clock::time_point now) {
   flush(now);
-  Key key{origin, place, change.control};
+  Key key{origin, audit_ == nullptr ? "" : audit_->who_at(origin), place, change.control};
   const auto known = entries_.find(key);
   if (known != entries_.end()) {
     Entry& entry = known->second;
@@ -27,13 +27,7 @@ void ChangeLog::add(const std::string& origin, const std::string& place,
     entries_.emplace(std::move(key), Entry{now});
   } else {
     ++left_out_;
-    if (audit_ != nullptr) {
-      audit_->add({.kind = AuditEntry::Kind::change,
-                   .from = origin,
-                   .what = place + ": " + change.control,
-                   .before = change.before,
-                   .after = change.after});
-    }
+    audit(key, {now, 1, change.before, change.after});
   }
 }
 
@@ -74,20 +68,25 @@ bool ChangeLog::take_room() {
   return true;
 }
 
+void ChangeLog::audit(const Key& key, const Entry& entry) const {
+  if (audit_ == nullptr) return;
+  const auto& [origin, who, place, control] = key;
+  audit_->add({.kind = AuditEntry::Kind::change,
+               .from = origin,
+               .who = who,
+               .what = place + ": " + control,
+               .before = entry.before,
+               .after = entry.after,
+               .times = static_cast<std::uint32_t>(entry.changes)});
+}
+
 void ChangeLog::tell(const Key& key, const Entry& entry) {
-  const auto& [origin, place, control] = key;
-  if (audit_ != nullptr) {
-    audit_->add({.kind = AuditEntry::Kind::change,
-                 .from = origin,
-                 .what = place + ": " + control,
-                 .before = entry.before,
-                 .after = entry.after,
-                 .times = static_cast<std::uint32_t>(entry.changes)});
-  }
+  audit(key, entry);
   if (!take_room()) {
     left_out_ += entry.changes;
     return;
   }
+  const auto& [origin, who, place, control] = key;
   const std::string times = entry.changes > 1 ? fmt::format(" ({} changes)", entry.changes) : "";
   sink_(fmt::format("{}: {}: {} {} -> {}{}", origin, place, control, entry.before, entry.after,
                     times));

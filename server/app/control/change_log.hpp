@@ -47,7 +47,8 @@ class ChangeLog {
   bool waits() const { return !entries_.empty() || left_out_ > 0; }
 
  private:
-  using Key = std::tuple<std::string, std::string, std::string>;  // origin, place, control
+  // Origin, who is there (of an audit alone), place, control.
+  using Key = std::tuple<std::string, std::string, std::string, std::string>;
   struct Entry {
     Clock::time_point told;
     std::uint64_t changes = 0;  // since
@@ -55,6 +56,7 @@ class ChangeLog {
   };
   void look_at_clock(Clock::time_point now);
   bool take_room();
+  void audit(const Key& key, const Entry& entry) const;
   void tell(const Key& key, const Entry& entry);
   void tell_left_out();
 

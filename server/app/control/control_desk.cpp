@@ -277,8 +277,11 @@ std::optional<wire::Reply> ControlDesk::give_exercise_order(const wire::Set& set
   if (ordered.fault) return refusal(wire::Reply::REFUSED, *ordered.fault);
   if (inputs_ != nullptr) inputs_->exercised(ordered.tick, set.exercise(), origin);
   constexpr std::size_t kLongestTold = 200;  // a route has up to a frame's length
-  next.changes.push_back(
-      {"exercise", "", set.exercise().ShortDebugString().substr(0, kLongestTold)});
+  std::string told = set.exercise().ShortDebugString();
+  if (told.size() > kLongestTold) {
+    told = fmt::format("{}... ({} characters)", told.substr(0, kLongestTold), told.size());
+  }
+  next.changes.push_back({"exercise", "", std::move(told)});
   world_version_.fetch_add(1);
   return std::nullopt;
 }

@@ -159,6 +159,31 @@ void NetContext::refuse(const std::string& from, const std::string& who, const s
   audit({.kind = AuditEntry::Kind::refusal, .from = from, .who = who, .what = text});
 }
 
+wire::Reply NetContext::apply(wire::Set set, const std::string& origin) {
+  set.clear_token();
+  wire::Reply reply = host.apply(set, origin);
+  if (reply.code() != wire::Reply::OK) {
+    audit({.kind = AuditEntry::Kind::refusal, .from = origin, .what = reply.text()});
+  }
+  return reply;
+}
+
+wire::Reply NetContext::order(wire::TargetOrder order, const std::string& origin) {
+  order.clear_token();
+  wire::Reply reply;
+  if (TargetPort* port = host.targets()) {
+    reply = port->order(order, origin);
+  } else {
+    reply.set_code(wire::Reply::REFUSED);
+    reply.set_text("this server has no plotter");
+  }
+  audit({.kind = AuditEntry::Kind::request,
+         .from = origin,
+         .what = "target_order { " + order.ShortDebugString() + " }",
+         .result = reply.code() == wire::Reply::OK ? "ok" : reply.text()});
+  return reply;
+}
+
 bool NetContext::has_readers(const ViewKey& view) const {
   const auto feed = feeds_.find(FeedKey(view.first, view.second, kNativeFormat));
   return feed != feeds_.end() && !feed->second->readers().empty();
@@ -193,7 +218,8 @@ void NetContext::look_at_tokens() {
     spdlog::warn("tokens: {}", *wrong);
     audit({.what = "tokens: " + *wrong});
   }
-  if (gate.generation() != before) audit({.what = "tokens: others hold from now on"});
+  if (gate.generation() != before)
+    audit({.what = "tokens: the file was read anew, or one of them ended"});
 }
 
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {

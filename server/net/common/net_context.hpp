@@ -95,6 +95,10 @@ class NetContext {
   void audit(AuditEntry entry) const {
     if (config.audit != nullptr) config.audit->add(std::move(entry));
   }
+  // What the host does with a Set and the plotters with an order; the audit has what was refused,
+  // and every order.  Tokens are taken out here.
+  wire::Reply apply(wire::Set set, const std::string& origin);
+  wire::Reply order(wire::TargetOrder order, const std::string& origin);
 
   // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
   // context.

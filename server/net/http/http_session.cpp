@@ -238,7 +238,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const bool is_file = route == kRoutes.end();
   const Who who = context_.gate.who(slot_->peer().on_own_host, bearer_of(request), utc_now());
   if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
-    context_.refuse(slot_->peer().text, who.name, *refused);
+    context_.refuse("HTTP " + slot_->peer().text, text_of(who), *refused);
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
   }
   return is_file ? files_.get(target) : (this->*route->answer)(request);
@@ -287,10 +287,11 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
     context_.complain("too many changes", peer.text + ": " + refusal);
     return web_error(429, "429: " + refusal);
   }
+  if (asked.refusal && !reads) context_.refuse(asked.origin, text_of(who), *asked.refusal);
+  const AuditedRequest audited(config.audit, asked.origin, text_of(who));
   WebAnswer answer = signalk_answer(*site_, config.signalk, context_.gate, asked);
   if (answer.status >= 400 && !reads) {
     context_.errors.add("signalk change refused", peer.text + ": " + answer.body);
-    context_.audit({.kind = AuditEntry::Kind::refusal, .from = peer.text, .what = answer.body});
   }
   return answer;
 }

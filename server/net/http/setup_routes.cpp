@@ -47,7 +47,7 @@ void answer_setups(NetContext& context, const TcpPeer& peer, SetupRequest reques
   }
   const std::string right = fmt::format("{} {}", reads ? "GET" : request.method, kList);
   if (const auto refused = why_not(request.who, right)) {
-    context.refuse(peer.text, request.who.name, *refused);
+    context.refuse("HTTP " + peer.text, text_of(request.who), *refused);
     return answer(setup_error(request.who.role ? 403 : 401, *refused));
   }
   if (!context.setups) {
@@ -62,8 +62,8 @@ void answer_setups(NetContext& context, const TcpPeer& peer, SetupRequest reques
     return answer(setup_error(429, refusal));
   }
   AuditEntry entry{.kind = AuditEntry::Kind::request,
-                   .from = peer.text,
-                   .who = request.who.name,
+                   .from = "HTTP " + peer.text,
+                   .who = text_of(request.who),
                    .what = request.method + " " + request.path};
   auto done = [&context, &shelf, from = peer.text, entry = std::move(entry),
                answer = std::move(answer)](SetupShelf::Outcome outcome) mutable {

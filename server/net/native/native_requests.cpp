@@ -136,21 +136,13 @@ void NativeSession::check(std::chrono::steady_clock::time_point now) {
 }
 
 void NativeSession::order_targets(std::uint32_t request, const wire::TargetOrder& order) {
-  TargetPort* port = context_.host.targets();
-  if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server has no plotter");
-  wire::TargetOrder without_token = order;
-  without_token.clear_token();
-  reply(request, port->order(without_token, origin()));
+  const AuditedRequest audited(context_.config.audit, origin(), who_);
+  reply(request, context_.order(order, origin()));
 }
 
 void NativeSession::set(std::uint32_t request, const wire::Set& set) {
-  wire::Set without_token = set;
-  without_token.clear_token();
-  wire::Reply answer = context_.host.apply(without_token, origin());
-  if (answer.code() == wire::Reply::REFUSED) {
-    context_.audit({.kind = AuditEntry::Kind::refusal, .from = origin(), .what = answer.text()});
-  }
-  reply(request, std::move(answer));
+  const AuditedRequest audited(context_.config.audit, origin(), who_);
+  reply(request, context_.apply(set, origin()));
   context_.tell_settings();
 }
 
@@ -188,6 +180,13 @@ void NativeSession::ask_board(const wire::ClientMessage& message) {
     answer = boards_.open_ring(message.board_ring());
   }
   if (answer.first) send(*answer.first);
+  if (!audited_.empty() && answer.first && answer.first->has_board()) {
+    const auto& results = answer.first->board().results();
+    const auto failed = std::count_if(results.begin(), results.end(), [](const auto& each) {
+      return each.error() != wire::BOARD_OK;
+    });
+    if (failed > 0) audited_ += fmt::format(" ({} of {} failed)", failed, results.size());
+  }
   reply(request, answer.reply.code(), answer.reply.text());
 }
 

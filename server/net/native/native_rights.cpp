@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/digest/digest.hpp"
 #include "server/net/common/net_clock.hpp"
 #include "server/net/native/native_session.hpp"
 
@@ -11,28 +12,29 @@ namespace skerry::server {
 
 namespace {
 
-std::string told(const Who& who) {
-  if (!who.role) return {};
-  std::string text = who.name.empty() ? name_of(*who.role) : who.name + ", " + name_of(*who.role);
-  return who.ship.empty() ? text : text + " of " + who.ship;
-}
-
-// What a message asks for, without its token.
+// What a message asks for, without its token.  A long one is cut, with the digest of the whole.
 std::string told(const wire::ClientMessage& message) {
   constexpr std::size_t kLongest = 300;
   wire::ClientMessage shown = message;
   shown.clear_request();
+  shown.DiscardUnknownFields();
   const auto* kind = wire::ClientMessage::descriptor()->FindFieldByNumber(message.kind_case());
   auto* asked = shown.GetReflection()->MutableMessage(&shown, kind);
   if (const auto* token = kind->message_type()->FindFieldByName("token")) {
     asked->GetReflection()->ClearField(asked, token);
   }
-  return shown.ShortDebugString().substr(0, kLongest);
+  std::string text = shown.ShortDebugString();
+  if (text.size() <= kLongest) return text;
+  Sha256 digest;
+  digest.add(text);
+  return fmt::format("{}... ({} characters, SHA-256 {})", text.substr(0, kLongest), text.size(),
+                     hexadecimal(digest.take()));
 }
 
-// What is told of a Set is what it changes (ControlDesk).
+// What a Set changes and what becomes of an order to a plotter are told elsewhere (ControlDesk,
+// NetContext).
 bool is_audited(const wire::ClientMessage& message, const Asked& asked) {
-  return message.has_record() || message.has_playback() || message.has_target_order() ||
+  return message.has_record() || message.has_playback() ||
          std::find(asked.rights.begin(), asked.rights.end(), "board_access.write") !=
              asked.rights.end();
 }
@@ -43,12 +45,12 @@ bool NativeSession::may(const wire::ClientMessage& message) {
   if (asked_.token.empty()) asked_.token = token_;
   auto refused = why_not_allowed(asked_);
   const Who who = context_.gate.who(slot_->peer().on_own_host, asked_.token, utc_now());
-  if (context_.config.audit != nullptr && (message.has_set() || is_audited(message, asked_))) {
-    context_.config.audit->know(origin(), told(who));
-    if (!refused && !message.has_set()) audited_ = told(message);
+  if (!refused) {
+    who_ = text_of(who);
+    audited_ = is_audited(message, asked_) ? told(message) : std::string();
+    return true;
   }
-  if (!refused) return true;
-  context_.refuse(client_->peer, told(who), *refused);
+  context_.refuse(origin(), text_of(who), *refused);
   reply(message.request(), wire::Reply::REFUSED, *std::move(refused));
   return false;
 }
@@ -64,11 +66,11 @@ std::optional<std::string> NativeSession::why_not_allowed(const Asked& asked) co
 void NativeSession::sign_in(std::uint32_t request, const wire::SignIn& wanted) {
   const Who who = context_.gate.who(slot_->peer().on_own_host, wanted.token(), utc_now());
   if (!who.role || (!wanted.token().empty() && !who.more.empty())) {
-    context_.refuse(client_->peer, {}, "sign in: " + who.more);
+    context_.refuse(origin(), {}, "sign in: " + who.more);
     return reply(request, wire::Reply::REFUSED, "sign in: " + who.more);
   }
   token_ = wanted.token();
-  context_.audit({.kind = AuditEntry::Kind::sign_in, .from = origin(), .who = told(who)});
+  context_.audit({.kind = AuditEntry::Kind::sign_in, .from = origin(), .who = text_of(who)});
   const std::string ship = who.ship.empty() ? "" : ", of the ship " + who.ship;
   reply(request, wire::Reply::OK, fmt::format("{} {}{}", name_of(*who.role), who.name, ship));
 }
@@ -77,6 +79,7 @@ void NativeSession::audit(const wire::Reply& answer) {
   if (audited_.empty()) return;
   context_.audit({.kind = AuditEntry::Kind::request,
                   .from = origin(),
+                  .who = who_,
                   .what = std::exchange(audited_, {}),
                   .result = answer.code() == wire::Reply::OK ? "ok" : answer.text()});
 }

@@ -60,7 +60,6 @@ void NativeSession::close() {
   unsubscribe();
   boards_.leave();
   context_.host.leave(origin());
-  if (context_.config.audit != nullptr) context_.config.audit->forget(origin());
   deadline_.cancel();
   transport_->close();
   spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,

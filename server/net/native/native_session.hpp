@@ -147,7 +147,8 @@ class NativeSession final : public Connection,
   BoardRequests boards_;
 
   std::string token_;    // signed in with
-  std::string audited_;  // what was asked for, until it is answered
+  std::string who_;      // asked for what is handled, for the audit
+  std::string audited_;  // what that is, until it is answered
   Asked asked_;          // by the message that is handled; its token is the one it was allowed by
   std::optional<Asked> subscribed_, streamed_;  // by the Subscribe and the BoardStream that hold
   std::uint64_t looked_at_ = 0;                 // Gate::generation() when these were looked at

@@ -218,7 +218,7 @@ void NavigationInput::command(const nmea::ConCommand& command, const std::string
   set.set_radar(config_.radar);
   *set.mutable_con() = con_order_of(command);
   if (set.con().ByteSizeLong() == 0) return;
-  const wire::Reply reply = context_.host.apply(set, "NMEA " + source);
+  const wire::Reply reply = context_.apply(set, "NMEA " + source);
   if (reply.code() != wire::Reply::OK) {
     return refuse("nmea input refused", fmt::format("{}: {}", source, reply.text()));
   }
@@ -226,10 +226,8 @@ void NavigationInput::command(const nmea::ConCommand& command, const std::string
 }
 
 void NavigationInput::order_alerts(wire::TargetOrder order, const std::string& source) {
-  TargetPort* port = context_.host.targets();
-  if (port == nullptr) return refuse("nmea input refused", source + ": there is no plotter here");
   order.set_radar(config_.radar);
-  const wire::Reply reply = port->order(order, "NMEA " + source);
+  const wire::Reply reply = context_.order(order, "NMEA " + source);
   if (reply.code() != wire::Reply::OK) {
     return refuse("nmea input refused", fmt::format("{}: {}", source, reply.text()));
   }

@@ -239,7 +239,7 @@ wire::Reply DisplayOutput::change(RangeChannel channel, const wire::Set& set) {
   const std::string origin =
       display_.port == 0 ? name_
                          : fmt::format("{} display {}", config_.identity.family, text_of(display_));
-  wire::Reply reply = context_.host.apply(mine, origin);
+  wire::Reply reply = context_.apply(mine, origin);
   return reply;
 }
 

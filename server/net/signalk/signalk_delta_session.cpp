@@ -119,20 +119,22 @@ void SignalkDeltaSession::handle(const std::string& text) {
 void SignalkDeltaSession::set_control(const signalk::StreamRequest& request,
                                       const std::string& token) {
   SignalkOutcome outcome{404, "no control of that path"};
+  const std::string origin = "Signal K display " + client_->peer;
+  const std::string who = right_.who(token);
+  const AuditedRequest audited(context_.config.audit, origin, who);
   const bool is_in_budget = context_.changes.take(slot_->peer(), std::chrono::steady_clock::now());
   if (!is_in_budget) {
     outcome = {429, context_.changes.refusal(slot_->peer())};
     context_.complain("too many changes", client_->peer + ": " + outcome.message);
   } else if (auto refused = right_.refusal_of("signalk.change", token)) {
-    context_.refuse(client_->peer, {}, *refused);
+    context_.refuse(origin, who, *refused);
     outcome = {403, *std::move(refused)};
   } else if (const auto* definition = SignalkSite::definition_at(request.put_path)) {
     const std::string_view path = request.put_path;
     constexpr std::size_t kBehindRadars = 7;  // "radars."
     const auto id = path.substr(kBehindRadars, path.find('.', kBehindRadars) - kBehindRadars);
     if (SignalkSite::Mounted* radar = site_.find(id)) {
-      outcome = site_.set_control(*radar, definition->key, request.put_value,
-                                  "Signal K display " + client_->peer);
+      outcome = site_.set_control(*radar, definition->key, request.put_value, origin);
     }
   }
   if (outcome.status >= 400) {

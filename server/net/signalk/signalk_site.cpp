@@ -195,7 +195,7 @@ SignalkOutcome SignalkSite::set_control(Mounted& radar, std::string_view key, co
   wire::Set set =
       set_of(*definition, *change, context_.host.settings(radar.number, 0), radar.sectors);
   set.set_radar(radar.number);
-  const wire::Reply reply = context_.host.apply(set, origin);
+  const wire::Reply reply = context_.apply(set, origin);
   if (reply.code() != wire::Reply::OK) {
     radar.sectors = sectors;
     return {status_of(reply.code()), reply.text()};
@@ -245,11 +245,10 @@ SignalkOutcome SignalkSite::drop(Mounted& radar, std::string_view text, const st
 SignalkOutcome SignalkSite::order_targets(Mounted& radar, const wire::TargetOrder& order,
                                           const std::string& origin) {
   target_list(radar);  // its plotter is at work from now on
-  TargetPort* port = context_.host.targets();
-  if (port == nullptr) return {404, "this server has no plotter"};
+  if (context_.host.targets() == nullptr) return {404, "this server has no plotter"};
   wire::TargetOrder of_view = order;
   of_view.set_radar(radar.number);
-  const wire::Reply reply = port->order(of_view, origin);
+  const wire::Reply reply = context_.order(of_view, origin);
   if (reply.code() != wire::Reply::OK) return {status_of(reply.code()), reply.text()};
   SignalkOutcome outcome;
   if (!order.has_acquire()) return outcome;

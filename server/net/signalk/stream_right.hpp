@@ -24,6 +24,11 @@ class StreamRight {
     return why_not(who, right, context_.ship_of(radar_));
   }
 
+  // For the audit, by this token, or by her own.
+  std::string who(std::string_view token = {}) const {
+    return text_of(context_.gate.who(from_here_, token.empty() ? token_ : token, utc_now()));
+  }
+
   // True once when she may have the stream no longer: her token was revoked or has ended.  Cheap
   // while no rights change.
   bool has_ended() {

@@ -67,8 +67,10 @@ TEST_F(Log, OtherControlsAndOriginsDoNotWaitForEachOther) {
 class KeptAudit : public AuditPort {
  public:
   void add(AuditEntry entry) override { entries.push_back(std::move(entry)); }
-  void know(const std::string&, const std::string&) override {}
-  void forget(const std::string&) override {}
+  void know(const std::string&, const std::string& name) override { who = name; }
+  void forget(const std::string&) override { who.clear(); }
+  std::string who_at(const std::string&) const override { return who; }
+  std::string who;
   std::vector<AuditEntry> entries;
 };
 
@@ -91,6 +93,26 @@ TEST_F(Log, TheAuditHasEveryChangeWithWhatWasBefore) {
   EXPECT_EQ(first.what, "radar 0 view 0: gain");
   EXPECT_EQ(first.before, "0");
   EXPECT_EQ(first.after, "1");
+}
+
+// What two people change through one client within a second is told of each.
+TEST_F(Log, WhoChangedItIsWhoWasThereThen) {
+  KeptAudit audit;
+  log_.set_audit(&audit);
+  const auto by = [&](const char* who, int to) {
+    const AuditedRequest request(&audit, "a", who);
+    change(to - 1, to);
+  };
+  by("Anna", 1);
+  by("Anna", 2);
+  by("Ben", 3);
+  by("Anna", 4);
+  log_.flush_all();
+  std::vector<std::string> told;
+  for (const AuditEntry& e : audit.entries) {
+    told.push_back(e.who + " " + e.before + " " + e.after + " " + std::to_string(e.times));
+  }
+  EXPECT_THAT(told, ElementsAre("Anna 0 1 1", "Ben 2 3 1", "Anna 1 4 2"));
 }
 
 TEST_F(Log, AFloodIsBoundedAndEveryChangeCounted) {

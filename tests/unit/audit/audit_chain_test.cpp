@@ -130,6 +130,7 @@ TEST_F(AuditChain, GarbageIsNoEntryAndNoCrash) {
     EXPECT_EQ(found.head.n, 0u) << text;
   }
   EXPECT_THROW(check_audit("/no/such/file"), std::runtime_error);
+  EXPECT_THROW(check_audit(file_.parent_path()), std::runtime_error) << "a folder is no good file";
 }
 
 }  // namespace
