@@ -1,6 +1,5 @@
 #include "server/app/radar_server.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "protocol/picture/label_text.hpp"
 #include "protocol/quantity/angle.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
@@ -37,14 +37,6 @@ void log_lines(const std::vector<LoadWatch::Line>& lines) {
   for (const LoadWatch::Line& line : lines) {
     spdlog::log(line.is_warning ? spdlog::level::warn : spdlog::level::info, line.text);
   }
-}
-
-std::string utc_text(UtcTime time) {
-  const auto ms = std::chrono::floor<std::chrono::milliseconds>(time);
-  return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} UTC",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(
-                         std::chrono::floor<std::chrono::seconds>(time))),
-                     (ms.time_since_epoch() % std::chrono::seconds(1)).count());
 }
 
 }  // namespace

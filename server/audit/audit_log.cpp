@@ -1,7 +1,6 @@
 #include "server/audit/audit_log.hpp"
 
 #include <fcntl.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <pthread.h>
 #include <spdlog/spdlog.h>
@@ -17,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "protocol/picture/label_text.hpp"
 #include "server/config/config_error.hpp"
 
 namespace skerry::server {
@@ -38,13 +38,6 @@ const char* name_of(Kind kind) {
       break;
   }
   return "server";
-}
-
-std::string utc_text(UtcTime time) {
-  const auto ms = std::chrono::floor<std::chrono::milliseconds>(time);
-  const auto s = std::chrono::floor<std::chrono::seconds>(ms);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(s)), (ms - s).count());
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {

@@ -162,7 +162,8 @@ const std::vector<Room>& table() {
       {"server/setups", {"protocol/digest/", "protocol/wire/printable_text.hpp", "server/config/"}},
       // Who changed what.
       {"server/audit",
-       {"protocol/digest/", "protocol/quantity/", "server/config/", "server/core/audit_port.hpp"}},
+       {"protocol/digest/", "protocol/picture/label_text.hpp", "protocol/quantity/",
+        "server/config/", "server/core/audit_port.hpp"}},
       // The network: what all speakers share, and a room for each that speaks.
       {"server/net/common",
        {"protocol/", "server/access/", "server/core/", "server/displays/radar_emulation.hpp",

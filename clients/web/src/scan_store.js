@@ -3,7 +3,8 @@
 // Row r holds what was seen at TRUE bearing r / rows of a turn, so that a turning ship does not smear
 // its picture. Each row keeps the cell size and the time it was painted with: after a change of range
 // the old rows are still drawn where they belong until the antenna has passed over them.
-// Two bytes a cell: the echo, and the trail: 255 where an echo is (the echo is drawn there), 254 when it has gone, and it fades with time.
+// Two bytes a cell: the echo, and the trail: 255 where an echo is (the echo is drawn there), 254 when it has gone, and
+// it fades with time.
 // Doppler classes, if spokes have them, lie beside it: two bits a cell.
 import { MAX_CELLS, MAX_SPOKES } from './messages.js';
 

@@ -43,8 +43,8 @@ bool is_audited(const wire::ClientMessage& message, const Asked& asked) {
 
 bool NativeSession::may(const wire::ClientMessage& message) {
   if (asked_.token.empty()) asked_.token = token_;
-  auto refused = why_not_allowed(asked_);
   const Who who = context_.gate.who(slot_->peer().on_own_host, asked_.token, utc_now());
+  auto refused = why_not_allowed(who, asked_);
   if (!refused) {
     who_ = text_of(who);
     audited_ = is_audited(message, asked_) ? told(message) : std::string();
@@ -55,8 +55,8 @@ bool NativeSession::may(const wire::ClientMessage& message) {
   return false;
 }
 
-std::optional<std::string> NativeSession::why_not_allowed(const Asked& asked) const {
-  const Who who = context_.gate.who(slot_->peer().on_own_host, asked.token, utc_now());
+std::optional<std::string> NativeSession::why_not_allowed(const Who& who,
+                                                          const Asked& asked) const {
   for (const std::string& right : asked.rights) {
     if (auto refused = why_not(who, right, context_.ship_of(asked.radar))) return refused;
   }
@@ -86,10 +86,16 @@ void NativeSession::audit(const wire::Reply& answer) {
 
 void NativeSession::look_at_rights() {
   if (std::exchange(looked_at_, context_.gate.generation()) == context_.gate.generation()) return;
-  auto refused = subscribed_ ? why_not_allowed(*subscribed_) : std::nullopt;
-  if (!refused && streamed_) refused = why_not_allowed(*streamed_);
+  std::optional<std::string> refused;
+  for (const auto* holds : {&subscribed_, &streamed_}) {
+    if (refused || !*holds) continue;
+    const Asked& asked = **holds;
+    refused = why_not_allowed(context_.gate.who(slot_->peer().on_own_host, asked.token, utc_now()),
+                              asked);
+  }
   if (!refused) return;
-  // Not at once: the feed goes through its readers now, and this session leaves them.
+  // Posted, for whoever calls may be in the middle of the feed's readers, which this session
+  // leaves.
   asio::post(context_.io, [weak = weak_from_this(), text = *std::move(refused)] {
     const auto self = weak.lock();
     if (self == nullptr || self->failed_ || self->closed_) return;

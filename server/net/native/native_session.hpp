@@ -89,7 +89,7 @@ class NativeSession final : public Connection,
   void ask_board(const wire::ClientMessage& message);
   // Whether who sends it may ask for all that it asks for; if not, it has been answered.
   bool may(const wire::ClientMessage& message);
-  std::optional<std::string> why_not_allowed(const Asked& asked) const;
+  std::optional<std::string> why_not_allowed(const Who& who, const Asked& asked) const;
   // Keeps what was asked for and this answer.
   void audit(const wire::Reply& answer);
   void sign_in(std::uint32_t request, const wire::SignIn& wanted);

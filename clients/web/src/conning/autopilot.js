@@ -50,7 +50,8 @@ export class Autopilot {
     this.show(this.con, this.ship);
   }
 
-  // Only what the server tells after it has answered the last step can be of that step: steps to and fro pass the same heading twice.
+  // Only what the server tells after it has answered the last step can be of that step: steps to and fro pass the same
+  // heading twice.
   takeReply(reply) {
     if (this.stepped === undefined || reply.request !== this.asked) return;
     this.isAnswered = true;
