@@ -8,8 +8,8 @@ const DEFAULT_TURN_S = 2.5;
 
 export class RadarConsole {
   // events: hello(hello, the radar that was looked at before it), settings(settings), ownShip(ownShip), world(world), recorder(state),
-  // playback(state), targets(list), reply(reply, text, refused), spoke(spoke, nowS) of those that are drawn, gap(seconds) without any though none was lost, clear() once the
-  // picture is dark, forget() when another radar or view is looked at.
+  // playback(state), targets(list), reply(reply, text, refused), spoke(spoke, nowS) of those that are drawn, gap(seconds) for
+  // which none was made, clear() once the picture is dark, forget() when another radar or view is looked at.
   constructor(maxRows, events) {
     this.store = new ScanStore(maxRows);
     this.events = events;
@@ -60,16 +60,16 @@ export class RadarConsole {
 
   #takeSpoke(spoke, nowS) {
     if (spoke.radar !== this.radar || spoke.view !== this.view) return;
-    const follows = this.loss.take(spoke.sequence);
+    const missed = this.loss.take(spoke.sequence);
     if (this.isPlayed || this.inStandby) this.gaps.restart();
-    const gapS = this.gaps.take(spoke.scenarioNs, follows);
+    const gapS = this.gaps.take(spoke.scenarioNs, missed);
     if (gapS > 0) this.events.gap?.(gapS);
     this.spokeRate.add(nowS, this.loss.received);
     this.turnRate.take(spoke);
     this.newestScan = spoke.scan;
     if (this.heldAfter !== null && spoke.scan > this.heldAfter) return;
     this.scans.take(spoke);
-    this.store.put(spoke, nowS, follows);
+    this.store.put(spoke, nowS, missed === 0);
     this.events.spoke?.(spoke, nowS);
     // Not the message itself: its cells lie in the whole WebSocket message's memory.
     this.spoke = { ...spoke, cells: null, doppler: null };

@@ -15,21 +15,23 @@ export class LossCounter {
     this.last = null;
   }
 
-  // Whether the spoke follows the one before it without a gap.
+  // How many spokes are lost between the one before it and this one; null if that is not known.
   take(sequence) {
     const expected = this.last === null ? sequence : this.last + 1;
     if (sequence > expected) this.lost += sequence - expected;
     if (sequence < expected) this.restarts += 1;
-    const follows = this.last !== null && sequence === expected;
+    const missed = this.last === null || sequence < expected ? null : sequence - expected;
     this.last = sequence;
     this.received += 1;
-    return follows;
+    return missed;
   }
 }
 
-// Times for which the server made no spokes: it was stopped or overloaded. None of these is lost, as the server never counted
-// them. Told by the antenna's clock, which goes on.
+// Times for which the server made no spokes: it was stopped or overloaded. The server never counted these, so none of them
+// is lost. Told by the antenna's clock, which goes on. Spokes may be lost at the same moment: the time that these took, by the
+// time of a spoke before them, is no gap.
 export const GAP_S = 1;
+const TURNING = 0.1;  // by so much the antenna's speed may have changed meanwhile
 export class GapCounter {
   constructor() {
     this.gaps = 0;
@@ -40,16 +42,24 @@ export class GapCounter {
   // What comes now need not follow what came before: standby, another view, a new connection.
   restart() {
     this.lastNs = null;
+    this.spokeNs = null;  // from a spoke to the next, mean of about the last 64
   }
 
-  // follows: no spoke was lost before this one. Gives the length of the gap before it in seconds, or 0.
-  take(scenarioNs, follows) {
-    const gapS = follows && this.lastNs !== null ? (scenarioNs - this.lastNs) / 1e9 : 0;
+  // missed: how many spokes were lost before this one; null if that is not known. Gives the length of the gap before it in
+  // seconds, or 0.
+  take(scenarioNs, missed) {
+    const passedNs = this.lastNs === null || missed === null ? 0 : scenarioNs - this.lastNs;
     this.lastNs = scenarioNs;
-    if (gapS < GAP_S) return 0;
-    this.gaps += 1;
-    this.seconds += gapS;
-    return gapS;
+    if (missed > 0 && this.spokeNs === null) return 0;
+    const lostS = missed > 0 ? (missed * this.spokeNs) / 1e9 : 0;
+    const gapS = passedNs / 1e9 - lostS;
+    if (gapS >= Math.max(GAP_S, lostS * TURNING)) {
+      this.gaps += 1;
+      this.seconds += gapS;
+      return gapS;
+    }
+    if (missed === 0 && passedNs > 0) this.spokeNs = this.spokeNs === null ? passedNs : this.spokeNs + (passedNs - this.spokeNs) / 64;
+    return 0;
   }
 }
 

@@ -143,28 +143,40 @@ test('a turn is whole only with all its spokes', () => {
   assert.equal(scans.last.scan, 2);
 });
 
-test('a gap is more than a second of the antenna without spokes, of which none was lost', () => {
+test('a gap is more than a second of the antenna without spokes', () => {
   const gaps = new GapCounter();
-  const take = (s, follows = true) => gaps.take(s * 1e9, follows);
+  const take = (s, missed = 0) => gaps.take(s * 1e9, missed);
   assert.deepEqual([take(100), take(100.9), take(101), take(111.5)], [0, 0, 0, 10.5]);
-  assert.equal(take(115, false), 0, 'what was lost on the way is lost, and no gap');
   gaps.restart();
   assert.equal(take(200), 0, 'standby');
-  assert.equal(take(150), 0, 'a server that started again');
+  assert.equal(take(150, null), 0, 'a server that started again');
   assert.equal(take(152), 2);
   assert.deepEqual([gaps.gaps, gaps.seconds], [2, 12.5]);
+  assert.equal(take(155, 7), 0, 'how long a spoke takes is not known');
+});
+
+test('what was lost on the way is no gap, and hides none', () => {
+  const spokeS = 1 / 1638;
+  for (const missed of [0, 1, 200, 1638, 16380]) {
+    for (const gapS of [0, 0.9, 2.5]) {
+      const gaps = new GapCounter();
+      for (let n = 0; n < 500; ++n) assert.equal(gaps.take((100 + (n + 0.3 * Math.sin(n)) * spokeS) * 1e9, n === 0 ? null : 0), 0);
+      const told = gaps.take((100 + (500 + missed) * spokeS + gapS) * 1e9, missed);
+      assert.ok(gapS > 2 ? Math.abs(told - gapS) < 0.02 + missed * spokeS * 0.05 : told === 0, `${missed} missed, ${gapS} s: ${told}`);
+    }
+  }
 });
 
 test('loss is what the sequence numbers leave out', () => {
   const loss = new LossCounter();
   for (const n of [100, 101, 102, 110, 111]) loss.take(n);
   assert.deepEqual([loss.received, loss.lost, loss.restarts], [5, 7, 0]);
-  assert.equal(loss.take(112), true);
-  assert.equal(loss.take(114), false);
-  loss.take(0);  // the server has started again
+  assert.equal(loss.take(112), 0);
+  assert.equal(loss.take(114), 1);
+  assert.equal(loss.take(0), null, 'the server has started again');
   assert.deepEqual([loss.lost, loss.restarts], [8, 1]);
   loss.restart();
-  loss.take(5000);
+  assert.equal(loss.take(5000), null);
   assert.equal(loss.lost, 8);
 });
 
