@@ -56,6 +56,8 @@ export class Touch extends Pointing {
     const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', { ...a, id: 0 });
     for (let i = 1; i <= 4; ++i) await touch('touchMove', { x: a.x + ((b.x - a.x) * i) / 4, y: a.y + ((b.y - a.y) * i) / 4, id: 0 });
+    // At rest when it is lifted: a browser takes no tap for some 200 ms after a flick.
+    await new Promise((resolve) => { setTimeout(resolve, 150); });
     await touch('touchEnd');
   }
 }

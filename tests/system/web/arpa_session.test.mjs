@@ -29,6 +29,8 @@ const MAY = { readS: 30, switchS: 30, limitsS: 60, motionMin: 8, drmDeg: 5, srmK
 // IEC 62388: of the range scale, and of a bearing line.
 const RANGE_NM = 12, RANGE_PART = 0.01, EBL_DEG = 0.5, SHIP_NM = 160 / NM;
 const LIMITS = { cpaNm: 0.8, tcpaMin: 15 };
+// A key moves the cursor by whole pixels: it stands so far from the place that is meant, and is read to a tenth.
+const CURSOR_DEG = 0.4;
 // Three minutes of tracking, and room for a busy machine.
 const TRACKED_MS = 300000;
 
@@ -161,7 +163,8 @@ class Session {
         await this.hands.cursorTo(at);
         // The readings are renewed ten times a second.
         const there = await this.page.evaluate(({ x, y }) => window.skerry.at(x, y), at);
-        await until(async () => Math.abs(figure(await this.text('cursor-range')) - there.rangeM / NM) < 0.03, 'the cursor is not read');
+        await until(async () => Math.abs(figure(await this.text('cursor-range')) - there.rangeM / NM) < 0.03 &&
+          angleBetween(figure(await this.text('cursor-true')), there.bearingDeg) < CURSOR_DEG, 'the cursor is not read');
         this.check('cursor', at.ship, figure(await this.text('cursor-range')), figure(await this.text('cursor-true')));
       });
     }
@@ -172,7 +175,8 @@ class Session {
         const at = await this.echo(name);
         await this.hands.measure(at);
         const there = await this.page.evaluate(({ x, y }) => window.skerry.at(x, y), at);
-        await until(async () => Math.abs(figure(await this.text('vrm-range')) - there.rangeM / NM) < 0.03, 'the range marker is not there');
+        await until(async () => Math.abs(figure(await this.text('vrm-range')) - there.rangeM / NM) < 0.03 &&
+          angleBetween(figure(await this.text('ebl-true')), there.bearingDeg) < CURSOR_DEG, 'the markers are not there');
         this.check('ebl', at.ship, figure(await this.text('vrm-range')), figure(await this.text('ebl-true')));
       });
     }

@@ -62,6 +62,51 @@ async function setUp({ spokes, cells, rangeM, bytes }) {
     return data;
   };
 
+  // One radar that goes from scale to scale, drawn by both renderers; videos: of each scale a turn of spokes, base64.
+  window.setScales = (videos, { ranges, spokes: count, cells: length, side }) => {
+    const turns = videos.map((text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)));
+    const drawers = ['webgl2', '2d'].map((kind) => {
+      const canvas = document.body.appendChild(document.createElement('canvas'));
+      const renderer = new makers[kind](canvas), store = new ScanStore();
+      renderer.setEchoColours(echoColourTable('basic', 'day'));
+      return { renderer, store };
+    });
+    let nowS = 100, scan = 0;
+    const put = (scale, from, to) => {
+      scan += 1;
+      for (const { store } of drawers) {
+        for (let index = from; index < to; ++index) {
+          store.put({
+            index, spokesPerTurn: count, heading: 0, bits: 8, cellCount: length, cellSizeM: ranges[scale] / length,
+            cells: turns[scale].slice(index * length, (index + 1) * length), scan, doppler: null,
+          }, nowS, index > from);
+        }
+      }
+    };
+    const draw = (scale) => {
+      const view = Object.assign(new ViewGeometry(side, 20, 1), { upDeg: 0, rangeM: ranges[scale] });
+      const [seen, other] = drawers.map(({ renderer, store }) => {
+        renderer.draw(store, view, { palette: PALETTES.day, turnS: 3, nowS, afterglow: 0, sweepRow: -1, videoM: ranges[scale], echo: 1, trails: 1, trueTrails: null, trailS: 0 });
+        return renderer.readPixels().data;
+      });
+      const parts = [];
+      for (let i = 0; i < seen.length; i += 0x6000) parts.push(btoa(String.fromCharCode(...seen.subarray(i, i + 0x6000))));
+      return { base64: parts.join(''), found: window.apart(seen, other, 3) };
+    };
+    // A turn of `from`, then the picture at `to` at once, after half a turn of `to` and after the whole.
+    window.changeScale = (from, to) => {
+      nowS += 3;
+      put(from, 0, count);
+      draw(from);
+      const pictures = [draw(to)];
+      put(to, 0, count / 2);
+      pictures.push(draw(to));
+      put(to, count / 2, count);
+      pictures.push(draw(to));
+      return pictures;
+    };
+  };
+
   // How far both pictures are apart: pixels of the circle, those more than `most` of 255 off in any colour, and the
   // worst of the others.
   window.apart = (a, b, most) => {

@@ -30,8 +30,12 @@ export function leadingEdge(shot, bearingDeg, fromM = 0) {
 export function blobAt(shot, bearingDeg, rangeM, halfDeg, halfM) {
   const angle = bearingDeg * Math.PI / 180;
   let east = 0, north = 0, pixels = 0;
-  for (let y = 0; y < shot.width; ++y) {
-    for (let x = 0; x < shot.width; ++x) {
+  const middle = place(shot, bearingDeg, rangeM);
+  const reach = ((halfM + (rangeM + halfM) * halfDeg * Math.PI / 180) / shot.rangeM) * shot.radiusPx * shot.pixelRatio + 2;
+  const [left, top] = [middle.x, middle.y].map((at) => Math.max(0, Math.floor(at - reach)));
+  const [right, bottom] = [middle.x, middle.y].map((at) => Math.min(shot.width, Math.ceil(at + reach)));
+  for (let y = top; y < bottom; ++y) {
+    for (let x = left; x < right; ++x) {
       const at = placeOf(shot, x + 0.5, y + 0.5);
       if (Math.abs(at.rangeM - rangeM) > halfM || Math.abs(((at.bearingDeg - bearingDeg + 540) % 360) - 180) > halfDeg) continue;
       if (!isEcho(shot, x + 0.5, y + 0.5)) continue;

@@ -33,7 +33,7 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, mayLook: () => true, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null,
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null, scene: cellsAt,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
@@ -42,6 +42,7 @@ export class MockServer {
     // chart(request): ChartObjects, or null: none is told; at: own ship's place.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
+    // scene(bearingDeg, { cells, cellSizeM, gain }): cells of one spoke, 0..255.
     // mayLook(token): whether who signed in with it, or with none, may subscribe.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
     this.settings = {
@@ -334,7 +335,7 @@ export class MockServer {
           ...spoke, radar: client.radar, view: client.view,
           ...(client.view === 0 ? {} : {
             rangeScale: RANGES_NM.indexOf(rangeNm), cellSizeM: (rangeNm * NM) / this.cells,
-            cells: cellsAt(spoke.bearingDeg, { cells: this.cells, cellSizeM: (rangeNm * NM) / this.cells, gain }),
+            cells: this.scene(spoke.bearingDeg, { cells: this.cells, cellSizeM: (rangeNm * NM) / this.cells, gain }),
           }),
         } })));
       }
@@ -365,7 +366,7 @@ export class MockServer {
     const at = Math.round(bearingDeg * 1e4);
     let cells = this.cache.get(at);
     if (!cells) {
-      cells = cellsAt(bearingDeg, { cells: this.cells, cellSizeM: this.cellSizeM(), gain });
+      cells = this.scene(bearingDeg, { cells: this.cells, cellSizeM: this.cellSizeM(), gain });
       if (this.bits === 4) {
         const packed = new Uint8Array((this.cells + 1) >> 1);
         cells.forEach((v, c) => { packed[c >> 1] |= (v >> 4) << (4 * (c & 1)); });
