@@ -75,6 +75,11 @@ Command make_token_command(CLI::App& app) {
                    {});
 }
 
+Command make_user_command(CLI::App& app) {
+  return hand_over(app, "user", "Adds and removes users for skerryd --users", "skerry-access",
+                   {"user"});
+}
+
 Command make_audit_command(CLI::App& app) {
   return hand_over(app, "audit", "Shows and verifies the file of skerryd --audit", "skerry-access",
                    {"audit"});

@@ -17,43 +17,74 @@ Who nobody(std::string more) { return {std::nullopt, {}, {}, std::move(more)}; }
 // Takes as long for a nearly right token as for a wrong one: what is compared is a digest.
 bool is_same(std::string_view a, std::string_view b) { return digest_of(a) == digest_of(b); }
 
+// By PasswordCost{}.
+constexpr const char* kNobodysHash =
+    "$argon2id$v=19$m=19456,t=2,p=1$AAAAAAAAAAAAAAAAAAAAAA$"
+    "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA";
+
 }  // namespace
 
-Gate::Gate(Config config) : config_(std::move(config)) {
-  if (!has_tokens()) return;
-  stamp_ = stamp_of_file();
-  if (!stamp_) {
+template <typename Contents>
+bool Gate::Watched<Contents>::read_if_new() {
+  if (path.empty()) return false;
+  const auto now = stamp_of(path);
+  if (now == stamp) return false;
+  stamp = now;
+  contents = Contents::read(path);
+  return true;
+}
+
+Gate::Gate(Config config)
+    : control_token_(std::move(config.control_token)),
+      tokens_{std::move(config.tokens), {}, {}},
+      users_{std::move(config.users), {}, {}} {
+  if (!tokens_.path.empty() && !stamp_of(tokens_.path)) {
     throw std::runtime_error(
         fmt::format("there is no file of tokens {0}; `skerry token new NAME --role instructor "
                     "--tokens {0}` makes it",
-                    config_.tokens.string()));
+                    tokens_.path.string()));
   }
-  tokens_ = TokenFile::read(config_.tokens);
+  if (has_users() && !stamp_of(users_.path)) {
+    throw std::runtime_error(
+        fmt::format("there is no file of users {0}; `skerry user add NAME --role instructor "
+                    "--users {0}` makes it",
+                    users_.path.string()));
+  }
+  tokens_.read_if_new();
+  users_.read_if_new();
 }
 
 Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
   const bool is_control_token =
-      !config_.control_token.empty() && !token.empty() && is_same(token, config_.control_token);
+      !control_token_.empty() && !token.empty() && is_same(token, control_token_);
   if (is_control_token) return admin_named("with the control token");
-  if (!has_tokens()) {
+  if (!is_closed()) {
     if (from_here) return admin_named("on the server's own host");
     Who looker{access::OBSERVER, {}, "of another host", {}};
-    looker.more =
-        config_.control_token.empty()
-            ? "it is only accepted from the server's own host; to allow it from elsewhere, "
-              "start the server with a control token or with tokens"
-        : token.empty() ? "from another host it needs the server's control token"
-                        : "the token is not the server's control token";
+    looker.more = control_token_.empty()
+                      ? "it is only accepted from the server's own host; to allow it from "
+                        "elsewhere, start the server with a control token, tokens or users"
+                  : token.empty() ? "from another host it needs the server's control token"
+                                  : "the token is not the server's control token";
     return looker;
   }
   if (token.empty()) {
-    return from_here ? admin_named("on the server's own host")
-                     : nobody("from another host it needs a token; `skerry token new` makes one");
+    if (from_here) return admin_named("on the server's own host");
+    return nobody(has_users() ? "from another host one has to sign in, or to give a token"
+                              : "from another host it needs a token; `skerry token new` makes one");
   }
-  const TokenFile::Found found = tokens_.find(token, now);
+  const auto session = sessions_.find(digest_of(token));
+  if (session != sessions_.end()) {
+    const KeptUser* user = user_of(session->second, now);
+    if (user == nullptr) return nobody("one has to sign in again, or to give a token");
+    return {user->role, user->ship, user->name, {}};
+  }
+  const TokenFile::Found found = tokens_.contents.find(token, now);
   switch (found.state) {
     case TokenState::unknown:
-      return nobody("the token is unknown here, or was revoked");
+      return nobody(has_users() ? "the token is unknown here, has ended or was revoked; sign in "
+                                  "again, or give another"
+                                : "the token is unknown here, or was revoked");
     case TokenState::ended:
       return nobody(fmt::format("the token {} has ended", found.token->name));
     case TokenState::good:
@@ -68,32 +99,82 @@ bool Gate::knows(std::string_view token, UtcTime now) const {
   return known.role && known.more.empty();
 }
 
-std::optional<Gate::Stamp> Gate::stamp_of_file() const {
+std::optional<Gate::Stamp> Gate::stamp_of(const std::filesystem::path& file) {
   struct stat found {};
-  if (::stat(config_.tokens.c_str(), &found) != 0) return std::nullopt;
+  if (::stat(file.c_str(), &found) != 0) return std::nullopt;
   std::error_code none;
-  return Stamp{std::filesystem::last_write_time(config_.tokens, none),
+  return Stamp{std::filesystem::last_write_time(file, none),
                static_cast<std::uintmax_t>(found.st_size),
                static_cast<std::uint64_t>(found.st_ino)};
 }
 
 std::optional<std::string> Gate::refresh(UtcTime now) {
-  if (!has_tokens()) return std::nullopt;
   const UtcTime before = std::exchange(looked_at_, now);
   const auto ended = [&](const KeptToken& token) {
     return token.ends && *token.ends > before && *token.ends <= now;
   };
-  if (std::any_of(tokens_.tokens().begin(), tokens_.tokens().end(), ended)) ++generation_;
-  const auto stamp = stamp_of_file();
-  if (stamp == stamp_) return std::nullopt;
-  stamp_ = stamp;
-  try {
-    tokens_ = TokenFile::read(config_.tokens);
-    ++generation_;
-    return std::nullopt;
-  } catch (const std::exception& error) {
-    return fmt::format("{} (the tokens that were read before hold)", error.what());
+  const auto& tokens = tokens_.contents.tokens();
+  if (std::any_of(tokens.begin(), tokens.end(), ended)) ++generation_;
+  std::string wrong;
+  const auto heed = [&](auto& file, const char* what) {
+    try {
+      if (file.read_if_new()) ++generation_;
+    } catch (const std::exception& error) {
+      wrong += fmt::format("{}{} (the {} that were read before hold)", wrong.empty() ? "" : "; ",
+                           error.what(), what);
+    }
+  };
+  heed(tokens_, "tokens");
+  heed(users_, "users");
+  const auto is_over = [&](const auto& each) { return user_of(each.second, now) == nullptr; };
+  if (std::erase_if(sessions_, is_over) > 0) ++generation_;
+  if (wrong.empty()) return std::nullopt;
+  return wrong;
+}
+
+const KeptUser* Gate::user_of(const Session& session, UtcTime now) const {
+  if (now >= session.ends) return nullptr;
+  const KeptUser* user = users_.contents.find(session.user);
+  return user != nullptr && user->password == session.hash ? user : nullptr;
+}
+
+std::string Gate::hash_of(std::string_view name) const {
+  const KeptUser* user = users_.contents.find(name);
+  return user != nullptr ? user->password : kNobodysHash;
+}
+
+std::optional<Gate::SignedIn> Gate::sign_in(std::string_view name, std::string_view hash,
+                                            UtcTime now) {
+  const KeptUser* user = users_.contents.find(name);
+  if (user == nullptr || user->password != hash) return std::nullopt;
+  auto oldest = sessions_.end();
+  std::size_t hers = 0;
+  for (auto each = sessions_.begin(); each != sessions_.end(); ++each) {
+    if (each->second.user != name) continue;
+    ++hers;
+    if (oldest == sessions_.end() || each->second.began < oldest->second.began) oldest = each;
   }
+  if (hers >= kMostOfUser) {
+    sessions_.erase(oldest);
+    ++generation_;
+  }
+  SignedIn made{make_token(), {user->role, user->ship, user->name, {}}, now + kSignedIn};
+  sessions_[digest_of(made.token)] = {user->name, user->password, now, made.ends};
+  return made;
+}
+
+bool Gate::sign_out(std::string_view token) {
+  if (token.empty() || sessions_.erase(digest_of(token)) == 0) return false;
+  ++generation_;
+  return true;
+}
+
+std::optional<UtcTime> Gate::end_of(std::string_view token, UtcTime now) const {
+  if (token.empty()) return std::nullopt;
+  const auto session = sessions_.find(digest_of(token));
+  if (session != sessions_.end()) return session->second.ends;
+  const TokenFile::Found found = tokens_.contents.find(token, now);
+  return found.token != nullptr ? found.token->ends : std::nullopt;
 }
 
 }  // namespace skerry::server

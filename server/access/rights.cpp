@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 #include "protocol/wire/schema.hpp"
@@ -53,6 +54,19 @@ std::string text_of(const Who& who) {
 }
 
 std::string name_of(Role role) { return wire::word_of(*access::Role_descriptor(), role); }
+
+std::vector<std::string> role_names() {
+  std::vector<std::string> names;
+  for (const Role role : kRoles) names.push_back(name_of(role));
+  return names;
+}
+
+Role role_named(std::string_view name) {
+  for (const Role role : kRoles) {
+    if (name == name_of(role)) return role;
+  }
+  throw std::invalid_argument(fmt::format("there is no role '{}'", name));
+}
 
 std::optional<std::string> why_not(const Who& who, std::string_view name, std::string_view ship) {
   const Right* right = right_of(name);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/access/access.pb.h"
 
@@ -62,6 +63,9 @@ std::string text_of(const Who& who);
 
 // "observer", as files and command lines have it.
 std::string name_of(Role role);
+std::vector<std::string> role_names();
+// Error: std::invalid_argument if there is none of that name.
+Role role_named(std::string_view name);
 
 // The table as the page RIGHTS.md has it.
 std::string rights_page();

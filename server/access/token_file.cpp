@@ -12,6 +12,7 @@
 #include "protocol/digest/digest.hpp"
 #include "protocol/nmea/log_time.hpp"
 #include "protocol/picture/label_text.hpp"
+#include "server/access/file_text.hpp"
 #include "server/config/whole_file.hpp"
 #include "server/config/yaml_message.hpp"
 
@@ -41,15 +42,6 @@ KeptToken token_of_message(const access::Token& message, const std::string& path
                     printable(message.ends())));
   }
   return token;
-}
-
-std::string in_quotes(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
 }
 
 }  // namespace
@@ -90,13 +82,7 @@ TokenFile::Found TokenFile::find(std::string_view text, UtcTime now) const {
 }
 
 void TokenFile::add(KeptToken token) {
-  if (token.name.empty() || token.name.size() > 64) {
-    throw std::invalid_argument("a token's name has 1 to 64 bytes");
-  }
-  if (printable(token.name, 64) != token.name || printable(token.ship, 64) != token.ship) {
-    throw std::invalid_argument("a token's name and ship have printable letters alone");
-  }
-  if (token.ship.size() > 64) throw std::invalid_argument("a ship's name has at most 64 bytes");
+  require_entry("token", token.name, token.ship);
   if (tokens_.size() >= kMost) {
     throw std::invalid_argument(fmt::format("there are {} tokens; no more are allowed", kMost));
   }

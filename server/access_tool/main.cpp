@@ -1,5 +1,5 @@
-// skerry-access: the file of tokens that skerryd reads, and that of who did what.  `skerry token`
-// and `skerry audit` run it.
+// skerry-access: the files of tokens and users that skerryd reads, and that of who did what.
+// `skerry token`, `skerry user` and `skerry audit` run it.
 #include <fmt/format.h>
 
 #include <exception>
@@ -9,6 +9,7 @@
 #include "echo/tool_console/console.hpp"
 #include "server/access_tool/audit_command.hpp"
 #include "server/access_tool/token_command.hpp"
+#include "server/access_tool/user_command.hpp"
 
 namespace {
 
@@ -31,6 +32,24 @@ constexpr Tool kTokens = {
     "  skerry token revoke bridge-1\n"
     "  skerry token rights\n",
     make_token_commands};
+
+constexpr Tool kUsers = {
+    "skerry user",
+    "Adds, lists and removes users: who may sign in to a skerryd by name and password.",
+    "The file has Argon2id of each password, never the password.  A password is asked for twice; "
+    "from\n"
+    "a pipe its first line is one.  A server heeds a change within a second: who was removed, or "
+    "has\n"
+    "another password, is signed out.  Exit codes: 0 done, 1 it could not be done, 2 the command "
+    "line\n"
+    "cannot be understood.\n"
+    "Examples:\n"
+    "  skerry user add Anna --role instructor\n"
+    "  skerry user add bridge-1 --role trainee --ship Frida --users school.yaml\n"
+    "  skerry user list\n"
+    "  skerry user passwd Anna\n"
+    "  skerry user remove bridge-1\n",
+    make_user_commands};
 
 constexpr Tool kAudit = {
     "skerry audit", "Shows and verifies the file of who did what, which skerryd --audit writes.",
@@ -68,14 +87,14 @@ int run(const Tool& tool, int argc, char** argv) {
 
 }  // namespace
 
-// skerry-access audit ...: the file of who did what; else that of tokens.
+// skerry-access audit ...: the file of who did what; user ...: that of users; else that of tokens.
 int main(int argc, char** argv) {
-  const bool is_audit = argc > 1 && std::string_view(argv[1]) == "audit";
-  const Tool& tool = is_audit ? kAudit : kTokens;
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  const Tool& tool = first == "audit" ? kAudit : first == "user" ? kUsers : kTokens;
   console::name_program(tool.name);
   console::watch_pipe();
   try {
-    return is_audit ? run(tool, argc - 1, argv + 1) : run(tool, argc, argv);
+    return &tool == &kTokens ? run(tool, argc, argv) : run(tool, argc - 1, argv + 1);
   } catch (const console::ReaderGone&) {
     return console::kExitOk;
   } catch (const std::exception& error) {

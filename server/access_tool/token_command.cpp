@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "echo/tool_console/console.hpp"
@@ -35,23 +34,12 @@ std::shared_ptr<Given> given_to(CLI::App& command) {
   return given;
 }
 
-Role role_named(const std::string& name) {
-  for (int role = 0; role < access::Role_ARRAYSIZE; ++role) {
-    if (name == name_of(static_cast<Role>(role))) return static_cast<Role>(role);
-  }
-  throw std::logic_error("a role that CLI11 should have refused");
-}
-
 console::Command make_new_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("new", "Makes a token and prints it, this once");
   const auto given = given_to(*command);
   command->add_option("NAME", given->name, "of who will hold it, for logs and lists")->required();
-  std::vector<std::string> roles;
-  for (int role = 0; role < access::Role_ARRAYSIZE; ++role) {
-    roles.push_back(name_of(static_cast<Role>(role)));
-  }
   command->add_option("--role", given->role, "what she may do; `skerry token rights` has the table")
-      ->check(CLI::IsMember(roles))
+      ->check(CLI::IsMember(role_names()))
       ->capture_default_str();
   command->add_option("--ship", given->ship, "the own ship that it is for (all)");
   command->add_option("--for", given->seconds, "how long it holds: 90m, 8h, 30d (without end)")

@@ -239,7 +239,8 @@ int run(const Options& options, LogTap& tap) {
                    options.workers});
   }
   if (!options.playback.file.empty()) return run_playback(options, tap);
-  Gate({options.net.control_token, options.net.tokens});  // its errors before all else takes time
+  // Its errors before all else takes time.
+  Gate({options.net.control_token, options.net.tokens, options.net.users});
   const auto [yaml, scenario] = open_scenario(options.scenario);
   auto chart = open_charts(options.charts, options.elevation);
   if (options.check_only) {

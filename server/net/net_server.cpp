@@ -262,8 +262,10 @@ class NetServer::Impl {
                  http_port());
     error_code error;
     if (is_loopback(asio::ip::make_address(config.bind, error))) return;
-    if (context_.gate.has_tokens()) {
-      spdlog::info("other hosts need a token of {}", config.tokens);
+    if (context_.gate.is_closed()) {
+      spdlog::info("other hosts need a token{}{}",
+                   config.tokens.empty() ? "" : " of " + config.tokens,
+                   config.users.empty() ? "" : ", or sign in as a user of " + config.users);
     } else if (config.control_token.empty()) {
       spdlog::info("other hosts may look but not control: no control token is configured");
     }

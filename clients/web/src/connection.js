@@ -115,10 +115,11 @@ export class Connection {
     return request;
   }
 
-  // Tells the server who the token now says one is. Where it had refused what was asked for before, all is asked anew.
-  tellToken() {
+  // Tells the server who the token now says one is. Where it had refused what was asked for before, and where one is nobody
+  // now (isGone), all is asked anew.
+  tellToken(isGone = false) {
     if (this.state !== 'live') return;
-    if (this.isServed) {
+    if (this.isServed && !isGone) {
       this.#send((request) => encodeSignIn(request, token()));
       return;
     }

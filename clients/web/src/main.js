@@ -1,4 +1,5 @@
 // The console: joins the stream, the picture and the panel.
+import { Access } from './access.js';
 import { AlertConsole } from './alerts/alerts.js';
 import { ChartPart } from './chart/chart.js';
 import { Connection } from './connection.js';
@@ -54,7 +55,7 @@ import { TargetConsole } from './targets/targets.js';
 import { openTestAccess } from './test_access.js';
 import { NAUTICAL_MILE_M } from './view_geometry.js';
 import { $ } from './widgets.js';
-import { bindToken, token } from './token.js';
+import { token } from './token.js';
 
 const READOUTS_MS = 100;
 const seconds = () => performance.now() / 1000;
@@ -160,7 +161,7 @@ const radar = new RadarConsole(health.renderer.maxRows, {
     playback.takeReply(reply);
     targets.takeReply(reply, text);
     if (reply.code !== 0) notify(text);
-    if (refused) $('access').hidden = false;
+    if (refused) access.want();
   },
 });
 const chart = new ChartPart({
@@ -171,7 +172,7 @@ if (/^\d+$/.test(radarChoice ?? '')) radar.radar = Number(radarChoice);
 
 const screens = new Screens({ radar, layOut: () => layout.layOut(), notify }, choices);
 const subscription = new Subscription({
-  radar, set, notify, controls: table.controls, askToken: () => { $('access').hidden = false; },
+  radar, set, notify, controls: table.controls, askToken: () => access.want(),
   send: (number, like, own) => connection.subscribe(number, like, own, token(), { targetsHz: 2 }),
   shown: () => showView(), restored: (view) => targets.restored(view),
 }, choices.get('view'));
@@ -310,7 +311,7 @@ if (isWatching || choices.has('bare')) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-bindToken($('token'), () => connection.tellToken());
+const access = new Access($('access'), (isGone) => connection.tellToken(isGone));
 
 // Keys and hands.
 const keys = new KeyTable();

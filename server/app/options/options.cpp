@@ -117,6 +117,10 @@ void add_options(CLI::App& cli, CommandLine& line) {
   add.text("--tokens", config, &ServerConfig::mutable_tokens,
            "file of tokens, made by `skerry token new`: then other hosts need one to see anything")
       ->type_name("FILE");
+  add.text(
+         "--users", config, &ServerConfig::mutable_users,
+         "file of users, made by `skerry user add`: then other hosts must sign in to see anything")
+      ->type_name("FILE");
   add.text("--setups", config, &ServerConfig::mutable_setups,
            "folder in which consoles keep set-ups by name, for all of them; made if missing")
       ->type_name("FOLDER");
@@ -228,6 +232,7 @@ Options options_of(const ServerConfig& config) {
   }
   net.control_token = config.control_token();
   net.tokens = config.tokens();
+  net.users = config.users();
   net.setups = config.setups();
   options.audit = config.audit();
   net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());

@@ -49,6 +49,8 @@ struct NetConfig {
   std::string control_token;
   // File of tokens (server/access/token_file.hpp); empty: none, and other hosts may look.
   std::string tokens;
+  // File of users (server/access/user_file.hpp); empty: none, and nobody signs in by name.
+  std::string users;
   // Folder of consoles' set-ups (server/setups/setup_shelf.hpp); empty: browsers alone keep some.
   std::string setups;
   // Where it is kept who changed what; nullptr: nowhere.  Outlives the server.

@@ -73,14 +73,18 @@ NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
     : host(radar_host),
       config(std::move(net_config)),
       connections(config.max_connections, config.limits),
-      gate({config.control_token, config.tokens}),
-      changes(config.limits),
+      gate({config.control_token, config.tokens, config.users}),
+      changes(PeerBudgets::of_changes(config.limits)),
+      sign_ins(PeerBudgets::of_sign_ins(config.limits)),
       log_pace_(config.limits.log_period),
       settings_version_(host.settings_version()),
       world_version_(host.world_version()) {
   if (!config.setups.empty()) {
     setups.emplace(SetupShelf::Config{
         config.setups, [this](SetupShelf::Task task) { asio::post(io, std::move(task)); }});
+  }
+  if (gate.has_users()) {
+    passwords.emplace([this](PasswordDesk::Task task) { asio::post(io, std::move(task)); });
   }
   const wire::Hello told = host.hello();
   for (const wire::RadarInfo& info : told.radars()) {
@@ -215,11 +219,11 @@ const std::string& NetContext::ship_of(std::uint32_t radar) const {
 void NetContext::look_at_tokens() {
   const std::uint64_t before = gate.generation();
   if (const auto wrong = gate.refresh(utc_now())) {
-    spdlog::warn("tokens: {}", *wrong);
-    audit({.what = "tokens: " + *wrong});
+    spdlog::warn("tokens and users: {}", *wrong);
+    audit({.what = "tokens and users: " + *wrong});
   }
   if (gate.generation() != before)
-    audit({.what = "tokens: the file was read anew, or one of them ended"});
+    audit({.what = "tokens and users: a file was read anew, or a token ended"});
 }
 
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {

@@ -17,14 +17,15 @@
 #include "protocol/quantity/result.hpp"
 #include "protocol/wire/radar.pb.h"
 #include "server/access/gate.hpp"
+#include "server/access/password_desk.hpp"
 #include "server/core/error_counts.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/net/common/asio.hpp"
-#include "server/net/common/change_budgets.hpp"
 #include "server/net/common/client_registry.hpp"
 #include "server/net/common/connection_table.hpp"
 #include "server/net/common/log_pace.hpp"
 #include "server/net/common/net_config.hpp"
+#include "server/net/common/peer_budgets.hpp"
 #include "server/net/common/recording_news.hpp"
 #include "server/net/common/spoke_feed.hpp"
 #include "server/setups/setup_shelf.hpp"
@@ -80,10 +81,11 @@ class NetContext {
 
   // The own ship that carries a radar; empty if there is no such radar.
   const std::string& ship_of(std::uint32_t radar) const;
-  // Heeds a changed file of tokens, and tokens that have ended.  Call it once a second.
+  // Heeds changed files of tokens and users, and tokens that have ended.  Call it once a second.
   void look_at_tokens();
-  ChangeBudgets changes;
-  std::optional<SetupShelf> setups;  // of consoles; nothing: this server keeps none
+  PeerBudgets changes, sign_ins;
+  std::optional<SetupShelf> setups;       // of consoles; nothing: this server keeps none
+  std::optional<PasswordDesk> passwords;  // nothing: this server has no users
 
   // Counts a client's breach of a limit, and writes it to the log, but no more than one line of a
   // kind every PeerLimits::log_period.  `kind` is a short fixed name.

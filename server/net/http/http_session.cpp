@@ -15,6 +15,7 @@
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/net/http/http_request.hpp"
+#include "server/net/http/login_routes.hpp"
 #include "server/net/http/metrics_page.hpp"
 #include "server/net/http/setup_routes.hpp"
 #include "server/net/http/ws_transport.hpp"
@@ -189,20 +190,32 @@ void HttpSession::on_read(error_code error) {
     });
   }
   const bool with_body = request.method() != http::verb::head;
+  const auto method = request.method_string();
+  const auto later = [self = shared_from_this(), with_body,
+                      keep_alive = request.keep_alive()](const WebAnswer& answer) {
+    self->send(answer, with_body, keep_alive && self->slot_->place() != Place::on_trial);
+  };
+  if (is_login_path(path) && (site_ != nullptr || !is_signalk_path(path))) {
+    return answer_login(context_, slot_->peer(),
+                        {.method = {method.data(), method.size()},
+                         .path = std::move(path),
+                         .body = std::move(request.body()),
+                         .token = std::string(bearer_of(request)),
+                         .signed_in = [self = shared_from_this()] { self->slot_->trust(); }},
+                        later);
+  }
   if (site_ != nullptr && is_signalk_path(path)) {
     if (upgrades && upgrade_signalk(request, path)) return;
     return send(answer_signalk(request, std::move(path)), with_body, request.keep_alive());
   }
   if (is_setup_path(path)) {
-    const auto method = request.method_string();
     return answer_setups(
         context_, slot_->peer(),
         {.method = {method.data(), method.size()},
          .path = std::move(path),
          .body = std::move(request.body()),
          .who = context_.gate.who(slot_->peer().on_own_host, bearer_of(request), utc_now())},
-        [self = shared_from_this(), with_body, keep_alive = request.keep_alive()](
-            const WebAnswer& answer) { self->send(answer, with_body, keep_alive); });
+        later);
   }
   send(answer(request), with_body, request.keep_alive());
 }
@@ -221,7 +234,10 @@ void HttpSession::answer_unreadable(error_code error) {
 }
 
 std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
-  if (slot_->place() == Place::refused || slot_->place() == Place::on_trial) {
+  // Who is on trial may sign in, as that shows who she is.
+  const std::string_view target(request.target().data(), request.target().size());
+  const bool signs_in = request.method() == http::verb::post && is_login_path(clean_path(target));
+  if (slot_->place() == Place::refused || (slot_->place() == Place::on_trial && !signs_in)) {
     return web_error(503, "503: " + slot_->reason());
   }
   return refusal_of(request, context_.config);

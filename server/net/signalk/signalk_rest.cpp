@@ -176,16 +176,6 @@ WebAnswer full_model(SignalkSite& site, const Parts& parts) {
   return document(*at);
 }
 
-WebAnswer login(const Gate& gate, const SignalkRequest& request) {
-  const auto body = signalk::read_json(request.body);
-  if (request.method != "POST" || !body) return failure(400, "expected username and password");
-  const std::string password = signalk::text_member(*body, "password");
-  if (!gate.knows(password, utc_now())) {
-    return failure(401, "the password is a token of the server; this is none");
-  }
-  return document(Json{{"token", password}});
-}
-
 }  // namespace
 
 bool is_signalk_path(std::string_view path) {
@@ -206,8 +196,6 @@ WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config, const G
   if (request.refusal) return failure(request.is_known ? 403 : 401, *request.refusal);
   std::string_view path = request.path;
   if (path.size() > 1 && path.ends_with('/')) path.remove_suffix(1);
-  if (path == "/signalk/v1/auth/login") return login(gate, request);
-  if (path == "/signalk/v1/auth/logout") return failure(200, "OK");
   if (const Root* root = root_of(path)) {
     RadarRequest radars(site, request, parts_of(path.substr(root->path.size())));
     if (path.size() > root->path.size()) return radars.answer();

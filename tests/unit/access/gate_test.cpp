@@ -7,6 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
+
+#include "server/access/password.hpp"
 
 namespace skerry::server {
 namespace {
@@ -28,7 +31,7 @@ class GateOfAFile : public testing::Test {
     });
     return token;
   }
-  Gate gate() { return Gate({"control", file_}); }
+  Gate gate() { return Gate({"control", file_, {}}); }
 
   std::filesystem::path folder_ = [] {
     std::string pattern = testing::TempDir() + "skerry-gate-XXXXXX";
@@ -48,7 +51,7 @@ TEST(Gate, WithoutTokensTheOwnHostIsFreeAndOthersLook) {
 }
 
 TEST(Gate, TheControlTokenMakesAnAdmin) {
-  const Gate gate({"secret", {}});
+  const Gate gate({"secret", {}, {}});
   EXPECT_EQ(gate.who(false, "secret", kNow).role, access::ADMIN);
   for (const char* wrong : {"", "Secret", "secre", "secrets"}) {
     const Who who = gate.who(false, wrong, kNow);
@@ -126,6 +129,115 @@ TEST_F(GateOfAFile, ADamagedOrLostFileIsToldOnceAndWhatWasReadHolds) {
   std::filesystem::remove(file_);
   EXPECT_TRUE(gate.refresh(kNow + 2s));
   EXPECT_TRUE(gate.who(false, token, kNow).role);
+}
+
+class GateOfUsers : public testing::Test {
+ protected:
+  GateOfUsers() {
+    change_users(file_, [](UserFile& file) {
+      file.add({"Anna", access::INSTRUCTOR, "", kHash});
+      file.add({"Tom", access::TRAINEE, "Frida", kOther});
+    });
+  }
+  ~GateOfUsers() override { std::filesystem::remove_all(folder_); }
+  Gate gate() { return Gate({"control", {}, file_}); }
+
+  // Hashes are of a form that is read, and not tried here.
+  static constexpr const char* kHash =
+      "$argon2id$v=19$m=8,t=1,p=1$c29tZXNhbHQ$Zmlyc3RmaXJzdGZpcnN0";
+  static constexpr const char* kOther =
+      "$argon2id$v=19$m=8,t=1,p=1$c29tZXNhbHQ$c2Vjb25kc2Vjb25kc2Vj";
+  std::filesystem::path folder_ = [] {
+    std::string pattern = testing::TempDir() + "skerry-gate-XXXXXX";
+    return std::filesystem::path(::mkdtemp(pattern.data()));
+  }();
+  std::filesystem::path file_ = folder_ / "users.yaml";
+};
+
+TEST_F(GateOfUsers, WhoSignsInIsSheFromEverywhere) {
+  Gate gate = this->gate();
+  EXPECT_FALSE(gate.who(false, "", kNow).role);
+  EXPECT_THAT(*why_not(gate.who(false, "", kNow), "get_status"), HasSubstr("sign in"));
+  EXPECT_EQ(gate.who(true, "", kNow).role, access::ADMIN);
+  EXPECT_EQ(gate.hash_of("Anna"), kHash);
+  const auto made = gate.sign_in("Tom", kOther, kNow);
+  ASSERT_TRUE(made);
+  for (const bool from_here : {false, true}) {
+    const Who who = gate.who(from_here, made->token, kNow);
+    EXPECT_EQ(who.role, access::TRAINEE);
+    EXPECT_EQ(who.ship, "Frida");
+    EXPECT_EQ(who.name, "Tom");
+  }
+  EXPECT_EQ(made->ends, kNow + Gate::kSignedIn);
+  EXPECT_EQ(gate.end_of(made->token, kNow), made->ends);
+  EXPECT_FALSE(gate.end_of("another", kNow));
+}
+
+TEST_F(GateOfUsers, ANameThatNobodyHasIsTriedAsLong) {
+  const Gate gate = this->gate();
+  EXPECT_FALSE(gate.has_user("Eve"));
+  EXPECT_FALSE(why_no_hash(gate.hash_of("Eve")));
+  EXPECT_THAT(gate.hash_of("Eve"), HasSubstr("m=19456,t=2,p=1")) << "as `skerry user` makes them";
+  EXPECT_FALSE(is_password(gate.hash_of("Eve"), ""));
+}
+
+TEST_F(GateOfUsers, AHashThatIsNoMoreHersSignsNobodyIn) {
+  Gate gate = this->gate();
+  EXPECT_FALSE(gate.sign_in("Anna", kOther, kNow));
+  EXPECT_FALSE(gate.sign_in("Eve", gate.hash_of("Eve"), kNow));
+}
+
+TEST_F(GateOfUsers, ASessionEndsToTheSecondAndWhenSheSignsOut) {
+  Gate gate = this->gate();
+  const auto first = gate.sign_in("Anna", kHash, kNow), second = gate.sign_in("Anna", kHash, kNow);
+  ASSERT_NE(first->token, second->token);
+  const auto before = gate.generation();
+  EXPECT_TRUE(gate.sign_out(second->token));
+  EXPECT_FALSE(gate.sign_out(second->token));
+  EXPECT_FALSE(gate.sign_out(""));
+  EXPECT_NE(gate.generation(), before) << "sessions look again";
+  EXPECT_FALSE(gate.who(false, second->token, kNow).role);
+  EXPECT_TRUE(gate.who(false, first->token, first->ends - 1ms).role);
+  EXPECT_FALSE(gate.who(false, first->token, first->ends).role);
+  const auto later = gate.generation();
+  gate.refresh(first->ends);
+  EXPECT_NE(gate.generation(), later);
+}
+
+TEST_F(GateOfUsers, AnotherPasswordOrNoEntryEndsHerSessions) {
+  Gate gate = this->gate();
+  const auto anna = gate.sign_in("Anna", kHash, kNow), tom = gate.sign_in("Tom", kOther, kNow);
+  change_users(file_, [](UserFile& file) {
+    file.set_password("Anna", kOther);
+    file.remove("Tom");
+  });
+  EXPECT_FALSE(gate.refresh(kNow + 1s));
+  EXPECT_FALSE(gate.who(false, anna->token, kNow + 1s).role);
+  EXPECT_FALSE(gate.who(false, tom->token, kNow + 1s).role);
+}
+
+TEST_F(GateOfUsers, ADamagedFileIsToldOnceAndWhoIsSignedInStays) {
+  Gate gate = this->gate();
+  const auto anna = gate.sign_in("Anna", kHash, kNow);
+  std::ofstream(file_) << "users:\n  - name: Anna\n    password: 12\n";
+  const auto wrong = gate.refresh(kNow);
+  ASSERT_TRUE(wrong);
+  EXPECT_THAT(*wrong, HasSubstr("users.yaml:3"));
+  EXPECT_FALSE(gate.refresh(kNow + 1s)) << "told once";
+  EXPECT_TRUE(gate.who(false, anna->token, kNow + 1s).role);
+}
+
+TEST_F(GateOfUsers, OfTooManySessionsOfOneUserTheOldestEnds) {
+  Gate gate = this->gate();
+  const auto tom = gate.sign_in("Tom", kOther, kNow);
+  std::vector<std::string> tokens;
+  for (std::size_t i = 0; i <= Gate::kMostOfUser; ++i) {
+    tokens.push_back(gate.sign_in("Anna", kHash, kNow + std::chrono::seconds(i))->token);
+  }
+  EXPECT_FALSE(gate.who(false, tokens.front(), kNow).role);
+  for (std::size_t i = 1; i < tokens.size(); ++i)
+    EXPECT_TRUE(gate.who(false, tokens[i], kNow).role);
+  EXPECT_TRUE(gate.who(false, tom->token, kNow).role) << "others' stay";
 }
 
 }  // namespace

@@ -118,7 +118,8 @@ TEST(Rights, EveryRowIsOfSomethingThatIsThere) {
   const std::set<std::string_view> of_the_web = {
       "GET /",          "GET /controls.json", "GET /ws",      "GET /status",
       "GET /metrics",   "signalk.discover",   "signalk.read", "signalk.stream",
-      "signalk.change", "GET /setups",        "PUT /setups",  "DELETE /setups"};
+      "signalk.change", "GET /setups",        "PUT /setups",  "DELETE /setups",
+      "GET /login",     "POST /login",        "DELETE /login"};
   std::set<std::string_view> names;
   for (const Right& right : rights()) {
     EXPECT_TRUE(names.insert(right.name).second) << right.name << " stands there twice";

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "protocol/wire/host_and_port.hpp"
-#include "server/net/common/change_budgets.hpp"
 #include "server/net/common/connection_table.hpp"
 #include "server/net/common/for_strangers.hpp"
 #include "server/net/common/log_pace.hpp"
+#include "server/net/common/peer_budgets.hpp"
 
 namespace skerry::server {
 namespace {
@@ -147,11 +147,11 @@ TEST(ConnectionTable, NothingIsKeptOfPeersThatHaveLeft) {
   EXPECT_EQ(table.counts().served(), 0u);
 }
 
-constexpr ChangeBudgets::Time kStart{};
+constexpr PeerBudgets::Time kStart{};
 
 // So many of `n` asked for evenly over `time` that pass.
-std::size_t passed(ChangeBudgets& budgets, const TcpPeer& peer, std::size_t n, milliseconds time,
-                   ChangeBudgets::Time from = kStart) {
+std::size_t passed(PeerBudgets& budgets, const TcpPeer& peer, std::size_t n, milliseconds time,
+                   PeerBudgets::Time from = kStart) {
   std::size_t taken = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto now =
@@ -161,30 +161,30 @@ std::size_t passed(ChangeBudgets& budgets, const TcpPeer& peer, std::size_t n, m
   return taken;
 }
 
-TEST(ChangeBudgets, AFloodPassesABurstAndThenTheRate) {
-  ChangeBudgets budgets({});
+TEST(PeerBudgets, AFloodPassesABurstAndThenTheRate) {
+  PeerBudgets budgets = PeerBudgets::of_changes({});
   EXPECT_NEAR(static_cast<double>(passed(budgets, at("192.0.2.7"), 71'000, seconds(1))),
               2'000 + 1'000, 2);
   const std::string why = budgets.refusal(at("192.0.2.7"));
   EXPECT_NE(why.find("1000 a second"), std::string::npos) << why;
 }
 
-TEST(ChangeBudgets, AClassBehindOneAddressDragsItsSlidersAllAtOnce) {
-  ChangeBudgets budgets({});
+TEST(PeerBudgets, AClassBehindOneAddressDragsItsSlidersAllAtOnce) {
+  PeerBudgets budgets = PeerBudgets::of_changes({});
   constexpr std::size_t kHands = 16, kPerSecond = 60, kSeconds = 30;
   EXPECT_EQ(passed(budgets, at("192.0.2.7"), kHands * kPerSecond * kSeconds, seconds(kSeconds)),
             kHands * kPerSecond * kSeconds);
 }
 
-TEST(ChangeBudgets, TheOwnHostHasFarMoreButNotAll) {
-  ChangeBudgets budgets({});
+TEST(PeerBudgets, TheOwnHostHasFarMoreButNotAll) {
+  PeerBudgets budgets = PeerBudgets::of_changes({});
   EXPECT_EQ(passed(budgets, at("127.0.0.1"), 20'000, seconds(1)), 20'000u);
   EXPECT_LT(passed(budgets, at("127.0.0.1"), 71'000 * 3, seconds(3), kStart + seconds(1)),
             40'000u + 3 * 20'000u + 10);
 }
 
-TEST(ChangeBudgets, OnePeersFloodTakesNothingFromAnother) {
-  ChangeBudgets budgets({});
+TEST(PeerBudgets, OnePeersFloodTakesNothingFromAnother) {
+  PeerBudgets budgets = PeerBudgets::of_changes({});
   passed(budgets, at("192.0.2.7"), 10'000, milliseconds(1));
   EXPECT_FALSE(budgets.take(at("192.0.2.7"), kStart + milliseconds(1)));
   EXPECT_TRUE(budgets.take(at("192.0.2.8"), kStart + milliseconds(1)));
@@ -192,10 +192,10 @@ TEST(ChangeBudgets, OnePeersFloodTakesNothingFromAnother) {
   EXPECT_TRUE(budgets.take(at("192.0.2.7"), kStart + milliseconds(10))) << "it fills again";
 }
 
-TEST(ChangeBudgets, MemoryIsBoundedHoweverManyPeersCome) {
+TEST(PeerBudgets, MemoryIsBoundedHoweverManyPeersCome) {
   PeerLimits limits;
   limits.most_budgets = 100;
-  ChangeBudgets budgets(limits);
+  PeerBudgets budgets = PeerBudgets::of_changes(limits);
   for (unsigned host = 0; host < 10'000; ++host) {
     const auto address = asio::ip::make_address_v4(0x0A000000u + host);
     EXPECT_TRUE(budgets.take(peer_at({address, 1}, {}), kStart + std::chrono::microseconds(host)));
@@ -203,6 +203,16 @@ TEST(ChangeBudgets, MemoryIsBoundedHoweverManyPeersCome) {
   }
   budgets.take(at("192.0.2.7"), kStart + seconds(10));
   EXPECT_EQ(budgets.size(), 1u) << "those that are full again are forgotten";
+}
+
+TEST(PeerBudgets, AClassSignsInAtOnceAndAGuesserIsSlow) {
+  PeerBudgets budgets = PeerBudgets::of_sign_ins({});
+  for (const char* from : {"192.0.2.7", "127.0.0.1"}) {
+    EXPECT_EQ(passed(budgets, at(from), 40, milliseconds(1)), 40u) << from;
+    EXPECT_NEAR(static_cast<double>(passed(budgets, at(from), 60'000, seconds(600))), 200, 2);
+  }
+  const std::string why = budgets.refusal(at("192.0.2.7"));
+  EXPECT_NE(why.find("too many sign-ins from 192.0.2.7"), std::string::npos) << why;
 }
 
 TEST(LogPace, TellsTheFirstAndThenOneAPeriodWithTheNumberInBetween) {

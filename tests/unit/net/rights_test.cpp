@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "server/net/common/net_clock.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
 #include "tests/unit/net/fake_host.hpp"
+#include "tests/unit/net/kept_audit.hpp"
 #include "tests/unit/net/test_client.hpp"
 #include "tests/unit/net/test_web_socket.hpp"
 
@@ -29,47 +29,6 @@ using testing::StartsWith;
 const std::vector<Role> kEveryRole = {access::OBSERVER, access::TRAINEE, access::ASSESSOR,
                                       access::INSTRUCTOR, access::ADMIN};
 const std::string kGain = "/signalk/v2/api/vessels/self/radars/skerry0/controls/gain";
-
-// Keeps entries for a test to look at.
-class KeptAudit : public AuditPort {
- public:
-  void add(AuditEntry entry) override {
-    const std::lock_guard lock(mutex_);
-    entries_.push_back(std::move(entry));
-  }
-  void know(const std::string& from, const std::string& who) override {
-    const std::lock_guard lock(mutex_);
-    known_[from] = who;
-    all_known_.push_back(who);
-  }
-  void forget(const std::string& from) override {
-    const std::lock_guard lock(mutex_);
-    known_.erase(from);
-  }
-  std::string who_at(const std::string& from) const override {
-    const std::lock_guard lock(mutex_);
-    const auto known = known_.find(from);
-    return known == known_.end() ? "" : known->second;
-  }
-  std::vector<AuditEntry> entries() const {
-    const std::lock_guard lock(mutex_);
-    return entries_;
-  }
-  std::size_t known_now() const {
-    const std::lock_guard lock(mutex_);
-    return known_.size();
-  }
-  std::vector<std::string> all_known() const {
-    const std::lock_guard lock(mutex_);
-    return all_known_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<AuditEntry> entries_;
-  std::map<std::string, std::string> known_;
-  std::vector<std::string> all_known_;
-};
 
 class ServerWithTokens : public testing::Test {
  protected:
@@ -228,7 +187,8 @@ TEST_F(ServerWithTokens, WhoDidWhatIsKeptWithoutAnyToken) {
   EXPECT_EQ(audit_.known_now(), 0u);
   revoke(access::OBSERVER);
   EXPECT_TRUE(wait_until([&] {
-    return audit_.entries().back().what == "tokens: the file was read anew, or one of them ended";
+    return audit_.entries().back().what ==
+           "tokens and users: a file was read anew, or a token ended";
   }));
 }
 

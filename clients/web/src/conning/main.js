@@ -1,4 +1,5 @@
 // The conning page: joins the ship, the instruments and the controls.
+import { Access } from '../access.js';
 import { Connection } from '../connection.js';
 import { bindKeys, nextPalette, PictureSettings, showPalette } from '../controls.js';
 import { HAND, HEADING, REPLY_CODES, TRACK } from '../messages.js';
@@ -11,7 +12,7 @@ import { Helm } from './helm.js';
 import { InstructorText } from './instructor_text.js';
 import { Readings } from './readings.js';
 import { OWN_SHIP_HZ, ShipLink } from './ship_link.js';
-import { bindToken, token } from '../token.js';
+import { token } from '../token.js';
 
 const seconds = () => performance.now() / 1000;
 const LOOK_MS = 200;  // how often it is seen whether the ship has fallen silent
@@ -92,7 +93,7 @@ const TAKERS = {
     if (reply.code === 0) { autopilot.takeReply(reply); return; }
     autopilot.settle();
     notices.show(reply.request === asked ? `No ship: ${reply.text}` : reply.text || REPLY_CODES[reply.code] || `code ${reply.code}`);
-    if (/token/.test(reply.text)) { $('access').hidden = false; $('help').showModal(); $('token').focus(); }
+    if (/token/.test(reply.text)) askWho();
     changed();
   },
 };
@@ -174,7 +175,12 @@ $('radar').addEventListener('change', () => {
   $('radar').blur();
   subscribe();
 });
-bindToken($('token'), () => connection.tellToken());
+const access = new Access($('access'), (isGone) => connection.tellToken(isGone));
+
+function askWho() {
+  if (!$('help').open) $('help').showModal();
+  access.want(true);
+}
 // A button that was clicked does not keep the space bar and the arrows for itself.
 document.addEventListener('click', (event) => {
   if (event.detail > 0) event.target.closest?.('button, label.switch') && document.activeElement?.blur();

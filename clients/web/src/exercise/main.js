@@ -1,4 +1,5 @@
 // The instructor's page: joins the exercise, the chart and the panels.
+import { Access } from '../access.js';
 import { Connection } from '../connection.js';
 import { bindKeys, nextPalette, PictureSettings, showPalette } from '../controls.js';
 import { loadControls } from '../controls_table.js';
@@ -23,7 +24,7 @@ import { Toolbar } from './toolbar.js';
 import { Tools } from './tools.js';
 import { TraineeView } from './trainee_view.js';
 import { WeatherPanel } from './weather_panel.js';
-import { bindToken, token } from '../token.js';
+import { token } from '../token.js';
 
 const EXERCISE_HZ = 2,
   LOOK_MS = 250;
@@ -128,9 +129,8 @@ function subscribe() {
 }
 
 function askToken() {
-  $('access').hidden = false;
   if (!$('help').open) $('help').showModal();
-  $('token').focus();
+  access.want(true);
 }
 
 const TAKERS = {
@@ -233,8 +233,8 @@ $('palette').addEventListener('click', changePalette);
 $('save').addEventListener('click', saveScenario);
 $('trainee-toggle').addEventListener('click', () => trainee.toggle());
 $('help-open').addEventListener('click', () => $('help').showModal());
-bindToken($('token'), () => {
-  connection.tellToken();
+const access = new Access($('access'), (isGone) => {
+  connection.tellToken(isGone);
   if (hello && connection.state === 'live') subscribe();
 });
 

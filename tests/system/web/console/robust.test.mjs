@@ -277,3 +277,61 @@ test('who has a token says so before anything else, and asks anew for what was r
   await page.waitForFunction(() => window.skerry.settings()?.gain === 50);
   assert.deepEqual(server.received.slice(seen, seen + 2).map((m) => m.kind), ['signIn', 'subscribe']);
 });
+
+const ANNA = { users: { Anna: { password: 'correct horse', role: 'instructor' } }, mayLook: (token) => token === 'of Anna' };
+
+test('who has no token signs in by name and password, sees who she is, and signs out', async () => {
+  server = new MockServer({ ...SMALL, ...ANNA });
+  page = await openConsole(browser, await server.start());
+  const name = page.getByLabel('Name', { exact: true }), password = page.getByLabel('Password', { exact: true }), go = page.getByRole('button', { name: 'Sign in' });
+  await name.fill('Anna');
+  await password.fill('incorrect');
+  await go.click();
+  await page.getByText('No user has this name and password').waitFor();
+  server.loginStatus = 429;
+  await go.click();
+  await page.getByText('Too many sign-ins from this host').waitFor();
+  await password.fill('correct horse');
+  await password.press('Enter');
+  await page.locator('#signed-in', { hasText: 'Anna \u00b7 instructor \u00b7 until' }).waitFor();
+  assert.equal(await go.isVisible(), false);
+  assert.equal(await page.locator('#token').isVisible(), false);
+  await waitForScan(page);
+  // The tab knows her after a reload, too.
+  await page.reload();
+  await page.locator('#signed-in', { hasText: 'Anna' }).waitFor();
+  await waitForScan(page);
+  await page.getByRole('button', { name: 'Sign out' }).click();
+  await go.waitFor();
+  // What she was allowed does not go on: the link is a new one, and has been refused.
+  await waitFor(() => server.clients.size === 1 && [...server.clients].every(({ radar, token }) => radar === null && !token), 'nobody looks any more');
+  assert.deepEqual(server.logins.filter(({ method }) => method === 'DELETE').map(({ bearer }) => bearer), ['Anna']);
+  assert.equal(await page.evaluate(() => sessionStorage.getItem('skerry.token')), '');
+  assert.equal(await password.inputValue(), '');
+});
+
+test('whose session has ended is asked again', async () => {
+  server = new MockServer({ ...SMALL, ...ANNA });
+  page = await openConsole(browser, await server.start());
+  await page.locator('#sign-in-name').fill('Anna');
+  await page.locator('#sign-in-password').fill('correct horse');
+  await page.locator('#sign-in').click();
+  await page.locator('#signed-in', { hasText: 'Anna' }).waitFor();
+  // A server that knows her no more, as after its restart.
+  server = await restart(server, { users: { Tom: { password: 'battery staple', role: 'trainee' } }, mayLook: (token) => token === 'of Tom' });
+  await page.locator('#sign-in').waitFor();
+  assert.equal(await page.locator('#signed-in').isVisible(), false);
+});
+
+for (const path of ['instructor', 'conning']) {
+  test(`the page ${path} asks for name and password, too`, async () => {
+    server = new MockServer({ ...SMALL, ...ANNA });
+    const url = await server.start();
+    page = await (await browser.newContext()).newPage();
+    await page.goto(url + path);
+    await page.locator('#sign-in-name').fill('Anna');
+    await page.locator('#sign-in-password').fill('correct horse');
+    await page.getByRole('button', { name: 'Sign in' }).click();
+    await page.locator('#signed-in', { hasText: 'Anna' }).waitFor();
+  });
+}

@@ -1,25 +1,36 @@
-// ChangeBudgets: how many changes a peer may still ask for.
+// PeerBudgets: how often a peer may still ask for something, such as a change.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "server/net/common/peer_limits.hpp"
 #include "server/net/common/tcp_peer.hpp"
 
 namespace skerry::server {
 
-// A token bucket a peer: a burst at once, then as many a second as PeerLimits says.  Bounded by
+// A token bucket a peer: a burst at once, then as many a second as its rule says.  Bounded by
 // PeerLimits::most_budgets.  Time is passed in and does not go back.  Thread: net-0.
-class ChangeBudgets {
+class PeerBudgets {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  explicit ChangeBudgets(const PeerLimits& limits) : limits_(limits) {}
+  struct Rule {
+    double per_second, burst;
+  };
+  struct Rules {
+    std::string what;  // "changes": for refusals
+    Rule own_host, others;
+    std::size_t most;  // peers that are kept apart
+  };
+  explicit PeerBudgets(Rules rules) : rules_(std::move(rules)) {}
+  static PeerBudgets of_changes(const PeerLimits& limits);
+  static PeerBudgets of_sign_ins(const PeerLimits& limits);
 
-  // False: this change is one too many.
+  // False: this is one too many.
   bool take(const TcpPeer& peer, Time now);
   // Which limit that was, and what to do.
   std::string refusal(const TcpPeer& peer) const;
@@ -30,14 +41,11 @@ class ChangeBudgets {
     double left = 0.0;
     Time at{};
   };
-  struct Rule {
-    double per_second, burst;
-  };
-  Rule rule_of(bool on_own_host) const;
+  const Rule& rule_of(bool on_own_host) const;
   static double left_at(const Budget& budget, const Rule& rule, Time now);
   void make_room(Time now);
 
-  PeerLimits limits_;
+  Rules rules_;
   std::map<PeerNet, Budget> budgets_;
 };
 

@@ -1,0 +1,123 @@
+// Access: who this tab is to the server: by a token that is typed in, or by one that it was given for a name and a password.
+import { t } from './language/language.js';
+import { setToken, token } from './token.js';
+
+const ANSWER_MS = 10000;
+
+// What the server answers to a sign-in that it refuses, by HTTP status.
+const refusals = () => ({
+  401: t('No user has this name and password'),
+  429: t('Too many sign-ins from this host. Try again in a minute.'),
+  503: t('Too many sign in just now. Try again in a second.'),
+});
+
+// told: the document of an answer that is one.  bearer: who asks.
+async function ask(method, { bearer = '', body } = {}) {
+  try {
+    const headers = bearer ? { Authorization: `Bearer ${bearer}` } : {};
+    const answer = await fetch('login', { method, headers, cache: 'no-store', signal: AbortSignal.timeout(ANSWER_MS), ...(body ? { body: JSON.stringify(body) } : {}) });
+    return { status: answer.status, told: answer.ok ? await answer.json() : null };
+  } catch {
+    return { status: 0, told: null };
+  }
+}
+
+export class Access {
+  // section: #access of the page, shown when the server wants to know who one is.
+  // changed(isGone): after one is another; isGone: nobody, so that nothing may go on that the one before was allowed.
+  constructor(section, changed) {
+    Object.assign(this, { section, changed, hasUsers: false });
+    this.form = section.appendChild(document.createElement('form'));
+    this.form.hidden = true;
+    this.name = this.#row(this.form, t('Name'), { id: 'sign-in-name', type: 'text', autocomplete: 'username', required: true, maxLength: 64 });
+    this.password = this.#row(this.form, t('Password'), { id: 'sign-in-password', type: 'password', autocomplete: 'current-password', required: true, maxLength: 256 });
+    this.button = this.form.appendChild(Object.assign(document.createElement('button'), { id: 'sign-in', textContent: t('Sign in') }));
+    this.problem = this.form.appendChild(Object.assign(document.createElement('p'), { id: 'sign-in-problem', hidden: true }));
+    this.problem.setAttribute('role', 'alert');
+    this.form.addEventListener('submit', (event) => { event.preventDefault(); this.#signIn(); });
+    this.field = this.#row(section, t('Token'), { id: 'token', type: 'password', autocomplete: 'off', value: token() });
+    this.field.addEventListener('change', () => this.#become(this.field.value));
+    this.signedIn = section.appendChild(Object.assign(document.createElement('p'), { className: 'signed-in', hidden: true }));
+    this.who = this.signedIn.appendChild(Object.assign(document.createElement('output'), { id: 'signed-in' }));
+    this.out = this.signedIn.appendChild(Object.assign(document.createElement('button'), { id: 'sign-out', type: 'button', textContent: t('Sign out') }));
+    this.out.addEventListener('click', () => this.#signOut());
+    this.#look();
+  }
+
+  #row(parent, text, input) {
+    const label = parent.appendChild(Object.assign(document.createElement('label'), { className: 'row' }));
+    label.append(Object.assign(document.createElement('span'), { textContent: text }), Object.assign(document.createElement('input'), input));
+    return label.lastChild;
+  }
+
+  // The server wants to know; with `focus` the hand is led there.
+  async want(focus = false) {
+    this.section.hidden = false;
+    await this.#look();
+    if (focus) this.#focus();
+  }
+
+  #focus() {
+    if (!this.signedIn.hidden) this.out.focus();
+    else (this.form.hidden ? this.field : this.name).focus();
+  }
+
+  // What the server has of this tab's token. One that is older, or does not answer, leaves all as it is.
+  async #look() {
+    const asked = token();
+    const { told } = await ask('GET', { bearer: asked });
+    if (!told || asked !== token()) return;
+    this.hasUsers = told.users === true;
+    if (told.name) this.#show(told);
+    else this.#showNobody();
+  }
+
+  #show({ name, role, ship, ends }) {
+    const parts = [name, role, ship, ends && t('until {time}', { time: new Date(ends).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' }) })];
+    this.who.textContent = parts.filter(Boolean).join(' · ');
+    this.signedIn.hidden = false;
+    this.form.hidden = this.field.parentElement.hidden = true;
+    this.section.hidden = false;
+  }
+
+  #showNobody() {
+    this.signedIn.hidden = true;
+    this.form.hidden = !this.hasUsers;
+    this.field.parentElement.hidden = false;
+  }
+
+  #become(text, isGone = false) {
+    setToken(text);
+    this.field.value = text;
+    this.changed(isGone);
+  }
+
+  async #signIn() {
+    this.button.disabled = true;
+    this.problem.hidden = true;
+    const { status, told } = await ask('POST', { body: { name: this.name.value, password: this.password.value } });
+    this.button.disabled = false;
+    if (told) {
+      this.password.value = '';
+      this.#show(told);
+      this.#become(told.token);
+      this.#focus();
+      return;
+    }
+    this.problem.textContent = refusals()[status] ?? t('Not signed in: the server does not answer ({status})', { status });
+    this.problem.hidden = false;
+    this.password.select();
+  }
+
+  // Here at once; the server is told as well as it can be. A token of its file does not end so.
+  async #signOut() {
+    const bearer = token();
+    this.#showNobody();
+    this.#become('', true);
+    this.#focus();
+    const { status } = await ask('DELETE', { bearer });
+    if (status === 200 || status === 401) return;
+    this.problem.textContent = t('Signed out here; the server did not answer, and its session goes on until it ends');
+    this.problem.hidden = false;
+  }
+}
