@@ -73,7 +73,7 @@ export class Access {
   }
 
   #show({ name, role, ship, ends }) {
-    const parts = [name, role, ship, ends && t('until {time}', { time: new Date(ends).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' }) })];
+    const parts = [name, role, ship, ends && t('until {time}', { time: new Date(ends).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit', hourCycle: 'h23' }) })];
     this.who.textContent = parts.filter(Boolean).join(' · ');
     this.signedIn.hidden = false;
     this.form.hidden = this.field.parentElement.hidden = true;
