@@ -14,7 +14,7 @@ import { circuit, octaveCells, wrongEchoes } from '../range_pairs_kit.mjs';
 let browser, server, page;
 eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
 
-const SPOKES = 512, CELLS = 512, SIDE = 320;
+const SPOKES = 256, CELLS = 512, SIDE = 240;
 // As of canvas.test.mjs.
 const MOST = 3, MOST_PART = 0.002;
 const pairs = (path) => path.slice(1).map((to, k) => [path[k], to]);
