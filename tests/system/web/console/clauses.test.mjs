@@ -335,6 +335,7 @@ test('the heading line is solid from own ship to the edge, in each mode', async 
     const edge = along + Math.sqrt(along ** 2 + radiusPx ** 2 - ox ** 2 - oy ** 2);
     const isLine = (r) => { const [red, , blue, alpha] = ink(png, beyond(own, deg, r)); return alpha > 100 && red > blue + 40; };
     const [run, ...more] = runs(8, edge + 6, 0.5, isLine);
+    if (!run) assert.fail(`${what}: it is not there: ${JSON.stringify({ own, centre, radiusPx, upDeg, edge, ...(await page.evaluate(() => window.skerry.state())) })}`);
     assert.equal(more.length, 0, `${what}: it has gaps`);
     assert.ok(run.from === 8 && run.to >= edge - 1.5 && run.to <= edge + 2, `${what}: from ${run.from} to ${run.to} of ${edge} px`);
   };
