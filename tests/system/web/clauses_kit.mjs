@@ -33,11 +33,17 @@ export const until = (page, id, wanted) => page.waitForFunction(([i, w]) => docu
 export const ppi = (page) => page.evaluate(() => window.skerry.ppi);
 export const frames = (page) => page.evaluate(() => window.skerry.drawn(2));
 
-// A canvas of the picture as it is after the next frame: { width, height, data }.
+// A canvas of the picture as it is after the next frame, and what it was drawn for: { width, height, data, ppi }. Data that take
+// more room beside the picture make it smaller, which is drawn a moment later.
 export async function layer(page, id) {
-  await frames(page);
-  const url = await page.evaluate((name) => document.getElementById(name).toDataURL(), id);
-  return PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
+  for (;;) {
+    await frames(page);
+    const { url, ppi: drawnFor, isDrawn } = await page.evaluate((name) => {
+      const canvas = document.getElementById(name), { ppi: now } = window.skerry;
+      return { url: canvas.toDataURL(), ppi: now, isDrawn: canvas.width === Math.round(now.side * now.pixelRatio) };
+    }, id);
+    if (isDrawn) return Object.assign(PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64')), { ppi: drawnFor });
+  }
 }
 
 export function pixel(png, { x, y }) {

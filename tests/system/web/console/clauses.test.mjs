@@ -39,7 +39,7 @@ test('range scales: rings stand where they say, and their separation is told, on
     await setRange(nm);
     await until(page, 'ring-spacing', String(separation));
     await until(page, 'range-now', String(nm));
-    const view = await ppi(page), png = await layer(page, 'graticule');
+    const png = await layer(page, 'graticule'), view = png.ppi;
     const { centre, radiusPx } = view;
     // South by a little west no number stands on a ring.
     const along = (deg) => runs(4, radiusPx * 1.1, 0.25, (r) => pixel(png, beyond(centre, deg, r))[3] > 45);
@@ -73,7 +73,7 @@ test('range scales: rings stand where they say, and their separation is told, on
   assert.ok(offered.length > SEPARATIONS.length, 'others beside them');
   await page.keyboard.press('r');
   await page.waitForFunction(() => !document.querySelector('#rings').checked);
-  const { centre, radiusPx } = await ppi(page), png = await layer(page, 'graticule');
+  const png = await layer(page, 'graticule'), { centre, radiusPx } = png.ppi;
   assert.equal(runs(4, radiusPx - 3, 0.25, (r) => pixel(png, beyond(centre, 200, r))[3] > 45).length, 0, 'rings are off');
   assert.equal(await text(page, 'ring-spacing'), '4', 'and their separation still stands there');
   assert.deepEqual(page.problems, []);
@@ -140,7 +140,7 @@ test('EBL and VRM: their numbers, steps, dashes, tick and sign, and the range ke
   const font = Math.max(10, Math.min(20, (await ppi(page)).side / 62));
   // Dashes along both bearing lines, beyond VRM 1 and short of VRM 2.
   const dashes = async (deg) => {
-    const png = await layer(page, 'marks'), { centre, radiusPx } = await ppi(page);
+    const png = await layer(page, 'marks'), { centre, radiusPx } = png.ppi;
     return runs(0.26 * radiusPx, 0.7 * radiusPx, 0.25, (r) => pixel(png, beyond(centre, deg, r))[3] > 90).slice(1, -1).map(({ length }) => length);
   };
   const one = await dashes(45), two = await dashes(315);
@@ -152,14 +152,14 @@ test('EBL and VRM: their numbers, steps, dashes, tick and sign, and the range ke
   for (const deg of [45, 47.3, 52.8, 61.1]) {
     await fill('Bearing of EBL 1', String(deg));
     await page.waitForFunction((d) => window.skerry.tools().ebls[0].bearingDeg === d, deg);
-    const png = await layer(page, 'marks'), { centre, radiusPx } = await ppi(page);
+    const png = await layer(page, 'marks'), { centre, radiusPx } = png.ppi;
     assert.equal(across(png, centre, deg, (1.23 / 6) * radiusPx).length, 1, `the tick on ${deg} has gaps`);
     assert.ok(across(png, centre, deg, (2.5 / 6) * radiusPx).every(({ length }) => length < 0.65 * font), 'a tick elsewhere');
   }
   for (const nm of [3, 12, 1.5, 6]) {
     await setRange(nm);
     assert.equal(await text(page, 'vrm-range'), '1.230 NM');
-    const png = await layer(page, 'marks'), { centre, radiusPx } = await ppi(page);
+    const png = await layer(page, 'marks'), { centre, radiusPx } = png.ppi;
     const drawn = (m) => Array.from({ length: 120 }, (_, i) => pixel(png, beyond(centre, 100 + i, (m / nm) * radiusPx))[3] > 60).filter(Boolean).length;
     assert.ok(drawn(1.23) > 50, `VRM 1 on ${nm} NM: ${drawn(1.23)} of 120 places`);
     assert.ok(drawn(1.23 + 0.03 * nm) < 20, 'and not beside it');
@@ -181,7 +181,7 @@ test('parallel lines: six, each by itself, and turning with own ship', async () 
   await until(page, 'lines-on', '1 2 3 4 5 6');
   // Where a line must be: `along` miles ahead of abeam, `off` to starboard, of a bearing.
   const drawn = async (bearing) => {
-    const png = await layer(page, 'marks'), { own, radiusPx } = await ppi(page);
+    const png = await layer(page, 'marks'), { own, radiusPx } = png.ppi;
     return offsets.map((off) => [1, -1.4].every((along) => {
       const at = beyond(beyond(own, bearing, (along / 6) * radiusPx), bearing + 90, (off / 6) * radiusPx);
       return ink(png, at)[3] > 100;
@@ -329,7 +329,7 @@ test('the heading line is solid from own ship to the edge, in each mode', async 
   await open();
   const HEADING = 37;
   const check = async (what) => {
-    const png = await layer(page, 'marks'), { own, centre, radiusPx, upDeg } = await ppi(page);
+    const png = await layer(page, 'marks'), { own, centre, radiusPx, upDeg } = png.ppi;
     const deg = HEADING - upDeg, a = (deg * Math.PI) / 180;
     const ox = own.x - centre.x, oy = own.y - centre.y, along = -(ox * Math.sin(a) - oy * Math.cos(a));
     const edge = along + Math.sqrt(along ** 2 + radiusPx ** 2 - ox ** 2 - oy ** 2);

@@ -218,7 +218,7 @@ test('by day, dusk and night: a dark background, echoes of one hue, red for dang
     assert.ok(spread < 12, `${palette}: echoes of hues ${middle} +- ${spread}`);
     assert.ok(darkest < 64 && Math.max(...back) < 64, `${palette}: sea ${darkest}, page ${back}`);
     // Targets, bearing lines and trails are of another hue, own ship's vector of none.
-    const marks = await layer(page, 'target-marks'), view = await ppi(page);
+    const marks = await layer(page, 'target-marks'), view = marks.ppi;
     const at = pixelOf(view, plane(60, 4.5)), symbol = pixel(marks, { x: at.x, y: at.y - 7.5 });
     assert.ok(symbol[3] > 100 && angleBetween(hueOf(symbol), middle) > 60 && symbol[2] > symbol[0] + 30, `${palette}: targets ${symbol}, echoes of hue ${middle}`);
     const [own] = (await targetState(page)).vectors.filter(({ key }) => key === 'own');
