@@ -34,11 +34,6 @@ constexpr std::size_t kFirstRead = 4096;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
 
-// What an answer is stays as it is said, and addresses of pages are told to nobody.
-// Source: Referrer Policy (W3C).
-constexpr std::array<std::pair<const char*, const char*>, 2> kForBrowsers = {
-    {{"X-Content-Type-Options", "nosniff"}, {"Referrer-Policy", "no-referrer"}}};
-
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:
   HttpSession(NetContext& context, const WebFiles& files, SignalkSite* site, TcpSocket socket,
@@ -351,25 +346,7 @@ void HttpSession::upgrade(Request request, std::function<void()> accepted) {
 }
 
 void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive) {
-  response_ = {};
-  response_.version(11);
-  response_.result(answer.status);
-  response_.set(http::field::server, "skerryd");
-  response_.set(http::field::content_type, answer.mime);
-  response_.set(http::field::cache_control, "no-cache");
-  for (const auto& [name, value] : kForBrowsers) response_.set(name, value);
-  if (!answer.vary.empty()) {
-    response_.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
-  }
-  if (!answer.location.empty()) response_.set(http::field::location, answer.location);
-  if (answer.status == 405) {
-    response_.set(http::field::allow, beast::string_view(answer.allow.data(), answer.allow.size()));
-  }
-  if (answer.status == 401) response_.set(http::field::www_authenticate, "Bearer");
-  if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
-  response_.keep_alive(keep_alive);
-  response_.content_length(answer.body.size());
-  if (with_body) response_.body() = answer.body;
+  response_ = response_of(answer, with_body, keep_alive);
   stream_.expires_after(context_.config.http_timeout);
   http::async_write(stream_, response_,
                     [self = shared_from_this(), keep_alive](error_code error, std::size_t) {

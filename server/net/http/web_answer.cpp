@@ -52,7 +52,36 @@ bool clean(std::string_view path) {
   return true;
 }
 
+// What an answer is stays as it is said, and addresses of pages are told to nobody.
+// Source: Referrer Policy (W3C).
+constexpr std::array<std::pair<const char*, const char*>, 2> kForBrowsers = {
+    {{"X-Content-Type-Options", "nosniff"}, {"Referrer-Policy", "no-referrer"}}};
+
 }  // namespace
+
+http::response<http::string_body> response_of(const WebAnswer& answer, bool with_body,
+                                              bool keep_alive) {
+  http::response<http::string_body> response;
+  response.version(11);
+  response.result(answer.status);
+  response.set(http::field::server, "skerryd");
+  response.set(http::field::content_type, answer.mime);
+  response.set(http::field::cache_control, "no-cache");
+  for (const auto& [name, value] : kForBrowsers) response.set(name, value);
+  if (!answer.vary.empty()) {
+    response.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
+  }
+  if (!answer.location.empty()) response.set(http::field::location, answer.location);
+  if (answer.status == 405) {
+    response.set(http::field::allow, beast::string_view(answer.allow.data(), answer.allow.size()));
+  }
+  if (answer.status == 401) response.set(http::field::www_authenticate, "Bearer");
+  if (answer.status == 426) response.set(http::field::upgrade, "websocket");
+  response.keep_alive(keep_alive);
+  response.content_length(answer.body.size());
+  if (with_body) response.body() = answer.body;
+  return response;
+}
 
 WebAnswer web_error(unsigned status, std::string text) {
   text += '\n';

@@ -1,4 +1,4 @@
-// Answers to HTTP requests, decided without a socket.
+// Answers to HTTP requests, decided and made without a socket.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/net/common/asio.hpp"
 #include "server/net/common/net_config.hpp"
 
 namespace skerry::server {
@@ -19,6 +20,10 @@ struct WebAnswer {
   std::string location = {};   // of a redirection
   std::string_view allow = "GET, HEAD";  // of 405: the methods that there are; a literal
 };
+
+// The response to be sent; `with_body` is false for HEAD.
+http::response<http::string_body> response_of(const WebAnswer& answer, bool with_body,
+                                              bool keep_alive);
 
 // An error with its text as the body.
 WebAnswer web_error(unsigned status, std::string text);
