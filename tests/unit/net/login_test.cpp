@@ -28,8 +28,8 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr PasswordCost kCheap{.memory_kib = 8, .passes = 1};
-// Some 50 ms of a core, so that others can be seen to go on meanwhile.
-constexpr PasswordCost kDear{.memory_kib = 32 * 1024, .passes = 3};
+// Some 150 ms of a core, so that others can be seen to go on meanwhile.
+constexpr PasswordCost kDear{.memory_kib = 64 * 1024, .passes = 3};
 const std::string kPassword = "correct horse", kSignalkLogin = "/signalk/v1/auth/login";
 
 class ServerWithUsers : public testing::Test {
