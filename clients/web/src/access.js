@@ -1,4 +1,5 @@
-// Access: who this tab is to the server: by a token that is typed in, or by one that it was given for a name and a password.
+// Access: who this tab is to the server: by a token that is typed in, or by one that it was given for a name and a
+// password.
 import { t } from './language/language.js';
 import { setToken, token } from './token.js';
 
@@ -15,39 +16,45 @@ const refusals = () => ({
 async function ask(method, { bearer = '', body } = {}) {
   try {
     const headers = bearer ? { Authorization: `Bearer ${bearer}` } : {};
-    const answer = await fetch('login', { method, headers, cache: 'no-store', signal: AbortSignal.timeout(ANSWER_MS), ...(body ? { body: JSON.stringify(body) } : {}) });
+    const signal = AbortSignal.timeout(ANSWER_MS);
+    const sent = body && JSON.stringify(body);
+    const answer = await fetch('login', { method, headers, cache: 'no-store', signal, body: sent });
     return { status: answer.status, told: answer.ok ? await answer.json() : null };
   } catch {
     return { status: 0, told: null };
   }
 }
 
+const make = (parent, tag, values) => parent.appendChild(Object.assign(document.createElement(tag), values));
+
 export class Access {
   // section: #access of the page, shown when the server wants to know who one is.
-  // changed(isGone): after one is another; isGone: nobody, so that nothing may go on that the one before was allowed.
+  // changed(isGone): after one is another; isGone: nobody, so that nothing may go on that the one before was
+  // allowed.
   constructor(section, changed) {
     Object.assign(this, { section, changed, hasUsers: false });
-    this.form = section.appendChild(document.createElement('form'));
-    this.form.hidden = true;
-    this.name = this.#row(this.form, t('Name'), { id: 'sign-in-name', type: 'text', autocomplete: 'username', required: true, maxLength: 64 });
-    this.password = this.#row(this.form, t('Password'), { id: 'sign-in-password', type: 'password', autocomplete: 'current-password', required: true, maxLength: 256 });
-    this.button = this.form.appendChild(Object.assign(document.createElement('button'), { id: 'sign-in', textContent: t('Sign in') }));
-    this.problem = this.form.appendChild(Object.assign(document.createElement('p'), { id: 'sign-in-problem', hidden: true }));
-    this.problem.setAttribute('role', 'alert');
+    this.form = make(section, 'form', { hidden: true });
+    const required = true;
+    this.name = this.#row(this.form, t('Name'),
+      { id: 'sign-in-name', type: 'text', autocomplete: 'username', required, maxLength: 64 });
+    this.password = this.#row(this.form, t('Password'),
+      { id: 'sign-in-password', type: 'password', autocomplete: 'current-password', required, maxLength: 256 });
+    this.button = make(this.form, 'button', { id: 'sign-in', textContent: t('Sign in') });
+    this.problem = make(this.form, 'p', { id: 'sign-in-problem', hidden: true, role: 'alert' });
     this.form.addEventListener('submit', (event) => { event.preventDefault(); this.#signIn(); });
     this.field = this.#row(section, t('Token'), { id: 'token', type: 'password', autocomplete: 'off', value: token() });
     this.field.addEventListener('change', () => this.#become(this.field.value));
-    this.signedIn = section.appendChild(Object.assign(document.createElement('p'), { className: 'signed-in', hidden: true }));
-    this.who = this.signedIn.appendChild(Object.assign(document.createElement('output'), { id: 'signed-in' }));
-    this.out = this.signedIn.appendChild(Object.assign(document.createElement('button'), { id: 'sign-out', type: 'button', textContent: t('Sign out') }));
+    this.signedIn = make(section, 'p', { className: 'signed-in', hidden: true });
+    this.who = make(this.signedIn, 'output', { id: 'signed-in' });
+    this.out = make(this.signedIn, 'button', { id: 'sign-out', type: 'button', textContent: t('Sign out') });
     this.out.addEventListener('click', () => this.#signOut());
     this.#look();
   }
 
   #row(parent, text, input) {
-    const label = parent.appendChild(Object.assign(document.createElement('label'), { className: 'row' }));
-    label.append(Object.assign(document.createElement('span'), { textContent: text }), Object.assign(document.createElement('input'), input));
-    return label.lastChild;
+    const label = make(parent, 'label', { className: 'row' });
+    make(label, 'span', { textContent: text });
+    return make(label, 'input', input);
   }
 
   // The server wants to know; with `focus` the hand is led there.
@@ -73,7 +80,9 @@ export class Access {
   }
 
   #show({ name, role, ship, ends }) {
-    const parts = [name, role, ship, ends && t('until {time}', { time: new Date(ends).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit', hourCycle: 'h23' }) })];
+    const style = { hour: '2-digit', minute: '2-digit', hourCycle: 'h23' };
+    const time = ends && new Date(ends).toLocaleTimeString([], style);
+    const parts = [name, role, ship, time && t('until {time}', { time })];
     this.who.textContent = parts.filter(Boolean).join(' · ');
     this.signedIn.hidden = false;
     this.form.hidden = this.field.parentElement.hidden = true;
@@ -95,7 +104,8 @@ export class Access {
   async #signIn() {
     this.button.disabled = true;
     this.problem.hidden = true;
-    const { status, told } = await ask('POST', { body: { name: this.name.value, password: this.password.value } });
+    const body = { name: this.name.value, password: this.password.value };
+    const { status, told } = await ask('POST', { body });
     this.button.disabled = false;
     if (told) {
       this.password.value = '';
@@ -104,7 +114,8 @@ export class Access {
       this.#focus();
       return;
     }
-    this.problem.textContent = refusals()[status] ?? t('Not signed in: the server does not answer ({status})', { status });
+    this.problem.textContent = refusals()[status] ??
+      t('Not signed in: the server does not answer ({status})', { status });
     this.problem.hidden = false;
     this.password.select();
   }
@@ -117,7 +128,8 @@ export class Access {
     this.#focus();
     const { status } = await ask('DELETE', { bearer });
     if (status === 200 || status === 401) return;
-    this.problem.textContent = t('Signed out here; the server did not answer, and its session goes on until it ends');
+    this.problem.textContent =
+      t('Signed out here; the server did not answer, and its session goes on until it ends');
     this.problem.hidden = false;
   }
 }

@@ -115,8 +115,8 @@ export class Connection {
     return request;
   }
 
-  // Tells the server who the token now says one is. Where it had refused what was asked for before, and where one is nobody
-  // now (isGone), all is asked anew.
+  // Tells the server who the token now says one is. Where it had refused what was asked for before, and where one is
+  // nobody now (isGone), all is asked anew.
   tellToken(isGone = false) {
     if (this.state !== 'live') return;
     if (this.isServed && !isGone) {

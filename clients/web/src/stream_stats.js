@@ -27,9 +27,9 @@ export class LossCounter {
   }
 }
 
-// Times for which the server made no spokes: it was stopped or overloaded. The server never counted these, so none of them
-// is lost. Told by the antenna's clock, which goes on. Spokes may be lost at the same moment: the time that these took, by the
-// time of a spoke before them, is no gap.
+// Times for which the server made no spokes: it was stopped or overloaded. The server never counted these, so none of
+// them is lost. Told by the antenna's clock, which goes on. Spokes may be lost at the same moment: the time that these
+// took, by the time of a spoke before them, is no gap.
 export const GAP_S = 1;
 const TURNING = 0.1;  // by so much the antenna's speed may have changed meanwhile
 export class GapCounter {
@@ -45,8 +45,8 @@ export class GapCounter {
     this.spokeNs = null;  // from a spoke to the next, mean of about the last 64
   }
 
-  // missed: how many spokes were lost before this one; null if that is not known. Gives the length of the gap before it in
-  // seconds, or 0.
+  // missed: how many spokes were lost before this one; null if that is not known. Gives the length of the gap before it
+  // in seconds, or 0.
   take(scenarioNs, missed) {
     const passedNs = this.lastNs === null || missed === null ? 0 : scenarioNs - this.lastNs;
     this.lastNs = scenarioNs;
@@ -58,7 +58,10 @@ export class GapCounter {
       this.seconds += gapS;
       return gapS;
     }
-    if (missed === 0 && passedNs > 0) this.spokeNs = this.spokeNs === null ? passedNs : this.spokeNs + (passedNs - this.spokeNs) / 64;
+    if (missed === 0 && passedNs > 0) {
+      const before = this.spokeNs ?? passedNs;
+      this.spokeNs = before + (passedNs - before) / 64;
+    }
     return 0;
   }
 }

@@ -230,9 +230,11 @@ void HttpSession::answer_unreadable(error_code error) {
 
 std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
   // Who is on trial may sign in, as that shows who she is.
-  const std::string_view target(request.target().data(), request.target().size());
-  const bool signs_in = request.method() == http::verb::post && is_login_path(clean_path(target));
-  if (slot_->place() == Place::refused || (slot_->place() == Place::on_trial && !signs_in)) {
+  const auto signs_in = [&] {
+    return request.method() == http::verb::post &&
+           is_login_path(clean_path({request.target().data(), request.target().size()}));
+  };
+  if (slot_->place() == Place::refused || (slot_->place() == Place::on_trial && !signs_in())) {
     return web_error(503, "503: " + slot_->reason());
   }
   return refusal_of(request, context_.config);

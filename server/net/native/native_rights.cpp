@@ -94,8 +94,7 @@ void NativeSession::look_at_rights() {
                               asked);
   }
   if (!refused) return;
-  // Posted, for whoever calls may be in the middle of the feed's readers, which this session
-  // leaves.
+  // Posted: the feed may be going through its readers, of which this session is one no more then.
   asio::post(context_.io, [weak = weak_from_this(), text = *std::move(refused)] {
     const auto self = weak.lock();
     if (self == nullptr || self->failed_ || self->closed_) return;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "echo/tool_console/command.hpp"
 #include "server/access/token_file.hpp"
 #include "server/access_tool/token_command.hpp"
+#include "tests/unit/access/run_tool.hpp"
 
 namespace skerry::server {
 namespace {
@@ -21,35 +21,11 @@ class TokenTool : public testing::Test {
  protected:
   ~TokenTool() override { std::filesystem::remove_all(folder_); }
 
-  struct Ran {
-    int code = 0;
-    std::string out, err;
-  };
   Ran run(std::vector<std::string> arguments) {
-    CLI::App app{"", "skerry token"};
-    app.require_subcommand(1);
-    const auto commands = make_token_commands(app);
     if (arguments.front() != "rights") {
       arguments.insert(arguments.end(), {"--tokens", file_.string()});
     }
-    std::reverse(arguments.begin(), arguments.end());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Ran ran;
-    try {
-      app.parse(arguments);
-      for (const auto& command : commands) {
-        if (command.app->parsed()) ran.code = command.run();
-      }
-    } catch (const CLI::ParseError&) {
-      ran.code = echo::kExitUsage;
-    } catch (const std::exception& error) {
-      ran.code = echo::report(error.what());
-    }
-    std::fflush(stdout);
-    ran.out = testing::internal::GetCapturedStdout();
-    ran.err = testing::internal::GetCapturedStderr();
-    return ran;
+    return run_tool(make_token_commands, std::move(arguments));
   }
   UtcTime now() const { return std::chrono::system_clock::now(); }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -11,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "echo/tool_console/command.hpp"
 #include "server/access/password.hpp"
 #include "server/access/user_file.hpp"
 #include "server/access_tool/user_command.hpp"
+#include "tests/unit/access/run_tool.hpp"
 
 namespace skerry::server {
 namespace {
@@ -25,17 +24,9 @@ class UserTool : public testing::Test {
  protected:
   ~UserTool() override { std::filesystem::remove_all(folder_); }
 
-  struct Ran {
-    int code = 0;
-    std::string out, err;
-  };
   // With that as its standard input.
   Ran run(std::vector<std::string> arguments, const std::string& input = {}) {
-    CLI::App app{"", "skerry user"};
-    app.require_subcommand(1);
-    const auto commands = make_user_commands(app);
     arguments.insert(arguments.end(), {"--users", file_.string()});
-    std::reverse(arguments.begin(), arguments.end());
     const std::string typed = (folder_ / "typed").string();
     std::ofstream(typed) << input;
     const int before = ::dup(STDIN_FILENO), piped = ::open(typed.c_str(), O_RDONLY | O_CLOEXEC);
@@ -43,22 +34,7 @@ class UserTool : public testing::Test {
     ::close(piped);
     std::clearerr(stdin);
     std::cin.clear();
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Ran ran;
-    try {
-      app.parse(arguments);
-      for (const auto& command : commands) {
-        if (command.app->parsed()) ran.code = command.run();
-      }
-    } catch (const CLI::ParseError&) {
-      ran.code = echo::kExitUsage;
-    } catch (const std::exception& error) {
-      ran.code = echo::report(error.what());
-    }
-    std::fflush(stdout);
-    ran.out = testing::internal::GetCapturedStdout();
-    ran.err = testing::internal::GetCapturedStderr();
+    const Ran ran = run_tool(make_user_commands, std::move(arguments));
     ::dup2(before, STDIN_FILENO);
     ::close(before);
     return ran;
