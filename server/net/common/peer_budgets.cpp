@@ -58,7 +58,8 @@ void PeerBudgets::make_room(Time now) {
 
 std::string PeerBudgets::refusal(const TcpPeer& peer) const {
   return fmt::format(
-      "too many {} from {}: the limit is {} a second for all its connections together; send fewer",
+      "too many {} from {}: the limit is {:.6g} a second for all its connections together; send "
+      "fewer",
       rules_.what, peer.net.text(), rule_of(peer.on_own_host).per_second);
 }
 
