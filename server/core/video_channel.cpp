@@ -20,8 +20,9 @@ bool FormatRing::is_held(std::uint64_t sector) const {
 }
 
 EncodedSectorPtr FormatRing::take(Cursor& cursor, Overtaken jump) {
+  // Most takes are of who has all: the lock is not theirs to wait for.
+  if (cursor.next >= published_.load(std::memory_order_acquire)) return nullptr;
   const std::lock_guard lock(mutex_);
-  if (cursor.next >= published_) return nullptr;
   const std::uint64_t held = jump == Overtaken::to_newest ? capacity_ : slots_.size();
   if (published_ - cursor.next > held || !is_held(cursor.next)) {
     const std::uint64_t newest = published_ - 1;

@@ -112,8 +112,9 @@ class FormatRing {
   mutable std::mutex mutex_;
   std::vector<Slot> slots_;
   std::size_t held_bytes_ = 0;
-  std::uint64_t oldest_ = 0;            // sector from which on some are held
-  std::uint64_t published_ = 0;         // sectors
+  std::uint64_t oldest_ = 0;  // sector from which on some are held
+  // Sectors.  Written under the mutex; read without it by who may have taken all of them.
+  std::atomic<std::uint64_t> published_{0};
   std::uint64_t published_spokes_ = 0;  // spokes in them
   // Held for a whole publish, so that a sector is encoded for exactly those who were registered
   // before it, and releasing a registration waits for its last call.

@@ -45,6 +45,9 @@ class TcpTransport final : public ByteTransport {
  public:
   explicit TcpTransport(TcpSocket socket) : socket_(std::move(socket)) {
     set_stream_options(socket_);
+    error_code ignored;
+    socket_.non_blocking(true,
+                         ignored);  // for write_now(); asynchronous operations wait all the same
   }
 
   void read_some(std::span<std::uint8_t> into, Done done) override {
@@ -52,6 +55,12 @@ class TcpTransport final : public ByteTransport {
   }
   void write(const std::vector<asio::const_buffer>& buffers, Done done) override {
     asio::async_write(socket_, buffers, std::move(done));
+  }
+  std::size_t write_now(const std::vector<asio::const_buffer>& buffers) override {
+    error_code ignored;
+    // send() is cheaper than sendmsg(), and most writes are of one sector.
+    return buffers.size() == 1 ? socket_.write_some(buffers.front(), ignored)
+                               : socket_.write_some(buffers, ignored);
   }
   void finish() override {
     error_code ignored;

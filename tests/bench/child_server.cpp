@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -76,6 +77,19 @@ double ChildServer::cpu_seconds() const {
   double user = 0.0, system = 0.0;
   rest >> user >> system;
   return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+double ChildServer::thread_cpu_seconds(const std::string& name) const {
+  const std::filesystem::path tasks = "/proc/" + std::to_string(pid_) + "/task";
+  for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+    std::string comm;
+    std::ifstream(task.path() / "comm") >> comm;
+    if (comm != name) continue;
+    double nanoseconds = 0.0;
+    std::ifstream(task.path() / "schedstat") >> nanoseconds;
+    return nanoseconds * 1e-9;
+  }
+  return 0.0;
 }
 
 double ChildServer::resident_mib() const {

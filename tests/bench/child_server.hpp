@@ -20,8 +20,9 @@ class ChildServer {
   ChildServer& operator=(const ChildServer&) = delete;
 
   std::uint16_t tcp_port() const { return tcp_port_; }
-  double cpu_seconds() const;   // user and system, of all threads so far
-  double resident_mib() const;  // VmRSS
+  double cpu_seconds() const;  // user and system, of all threads so far
+  double thread_cpu_seconds(const std::string& name) const;  // 0 if it has no such thread
+  double resident_mib() const;                               // VmRSS
 
  private:
   void stop();

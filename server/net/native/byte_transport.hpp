@@ -24,6 +24,9 @@ class ByteTransport {
   virtual void read_some(std::span<std::uint8_t> into, Done done) = 0;
   // Writes all of `buffers`, whole frames, without copying them.
   virtual void write(const std::vector<asio::const_buffer>& buffers, Done done) = 0;
+  // Writes what of `buffers` the kernel has room for at once, without waiting: the bytes of it,
+  // from the first on.  0 where a transport cannot, or the connection is broken: write() tells.
+  virtual std::size_t write_now(const std::vector<asio::const_buffer>& /*buffers*/) { return 0; }
   // Tells the peer that nothing more will come.  Requires no write in flight; the peer answers by
   // ending its side, which ends the read with an error.
   virtual void finish() = 0;

@@ -107,7 +107,12 @@ class NativeSession final : public Connection,
   void unsubscribe();
   void limit_send_buffer();
 
-  void pump();  // starts a write if none is in flight and there is something to send
+  // Writes what there is to send, unless a write is in flight: what the kernel takes at once, and
+  // then starts a write of the rest.  Handles no request.
+  void pump();
+  void gather_batch();
+  void drop_written(std::size_t bytes);  // from the batch's begin
+  void end_batch(bool whole);            // it was sent, or its connection has failed
   void add_to_batch(SharedBytes frame);
   void add_sectors_to_batch();
   void add_to_batch(EncodedSectorPtr sector);
