@@ -32,7 +32,8 @@ std::string advice_for(ClientErrorKind kind) {
 }  // namespace
 
 void ServerPlace::add_options(CLI::App& command) {
-  command.add_option("--host", host, "Where skerryd runs")->capture_default_str();
+  command.add_option("--host", host, "Where skerryd runs; tls://HOST for one with a certificate")
+      ->capture_default_str();
   command.add_option("--port", port, "Its native TCP port")
       ->check(CLI::Range(1, 65535))
       ->capture_default_str();

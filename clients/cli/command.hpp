@@ -50,6 +50,7 @@ Command make_targets_command(CLI::App& app);
 Command make_track_command(CLI::App& app);
 Command make_token_command(CLI::App& app);
 Command make_user_command(CLI::App& app);
+Command make_tls_command(CLI::App& app);
 Command make_audit_command(CLI::App& app);
 Command make_traffic_command(CLI::App& app);
 Command make_board_command(CLI::App& app);

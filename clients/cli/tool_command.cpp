@@ -85,6 +85,10 @@ Command make_audit_command(CLI::App& app) {
                    {"audit"});
 }
 
+Command make_tls_command(CLI::App& app) {
+  return hand_over(app, "tls", "Makes certificates for skerryd --tls", "skerry-access", {"tls"});
+}
+
 Command make_track_command(CLI::App& app) {
   return hand_over(app, "track", "Finds and tracks targets in a recording's video", "skerry-track",
                    {});

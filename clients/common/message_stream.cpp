@@ -35,7 +35,7 @@ Deadline deadline_after(Duration timeout) {
 bool is_past(Deadline deadline) { return std::chrono::steady_clock::now() >= deadline; }
 
 MessageStream::MessageStream(const std::string& host, std::uint16_t port)
-    : name_(host_and_port(printable(host), port)) {}
+    : name_(host_and_port(printable(HostName(host).name), port)) {}
 
 bool MessageStream::run_until(Deadline deadline, const bool& done) {
   while (!done) {
@@ -49,8 +49,7 @@ bool MessageStream::run_until(Deadline deadline, const bool& done) {
 
 Failure<ClientError> MessageStream::end(ClientErrorKind kind, std::string text) {
   failure_ = ClientError{kind, std::move(text)};
-  error_code ignored;
-  socket_.close(ignored);
+  socket_.close();
   io_.restart();
   io_.poll();
   return Failure{*failure_};
@@ -65,11 +64,12 @@ Failure<ClientError> MessageStream::end_of_stream(const error_code& error) {
 
 ClientResult<Done> MessageStream::connect(const std::string& host, std::uint16_t port,
                                           Deadline deadline) {
+  const HostName name(host);
   bool done = false;
   error_code error;
   tcp::resolver resolver(io_);
   tcp::resolver::results_type places;
-  resolver.async_resolve(host, std::to_string(port), tcp::resolver::numeric_service,
+  resolver.async_resolve(name.name, std::to_string(port), tcp::resolver::numeric_service,
                          [&](const error_code& e, tcp::resolver::results_type found) {
                            error = e;
                            places = std::move(found);
@@ -87,19 +87,43 @@ ClientResult<Done> MessageStream::connect(const std::string& host, std::uint16_t
   if (error) return connect_failure(name_, error);
 
   done = false;
-  asio::async_connect(socket_, places, [&](const error_code& e, const tcp::endpoint&) {
+  asio::async_connect(socket_.tcp_socket(), places, [&](const error_code& e, const tcp::endpoint&) {
     error = e;
     done = true;
   });
-  error_code ignored;
   if (!run_until(deadline, done)) {
-    socket_.close(ignored);
+    socket_.close();
     run_until(Deadline::max(), done);
     return timed_out();
   }
   if (error) return connect_failure(name_, error);
-  socket_.set_option(tcp::no_delay(true), ignored);
-  return Done{};
+  error_code ignored;
+  socket_.tcp_socket().set_option(tcp::no_delay(true), ignored);
+  return name.secure ? secure(name, deadline) : Done{};
+}
+
+ClientResult<Done> MessageStream::secure(const HostName& host, Deadline deadline) {
+  if (const std::string fault = socket_.begin_tls(host); !fault.empty()) {
+    return failure(ClientErrorKind::unreachable, fault);
+  }
+  bool done = false;
+  error_code error;
+  socket_.async_handshake([&](const error_code& e) {
+    error = e;
+    done = true;
+  });
+  if (!run_until(deadline, done)) {
+    socket_.close();
+    run_until(Deadline::max(), done);
+    return failure(ClientErrorKind::timed_out,
+                   fmt::format("{} did not answer by TLS in time; has it a certificate (skerryd "
+                               "--tls)?  On its own host it is plain",
+                               name_));
+  }
+  if (!error) return Done{};
+  return failure(
+      ClientErrorKind::unreachable,
+      fmt::format("no TLS with {}: {}", name_, printable(socket_.handshake_fault(error))));
 }
 
 ClientResult<wire::Hello> MessageStream::open(const std::string& host, std::uint16_t port,
@@ -111,10 +135,11 @@ ClientResult<wire::Hello> MessageStream::open(const std::string& host, std::uint
   auto first = next(deadline);
   if (!first) return Failure{first.error()};
   if (!*first) {
-    return failure(ClientErrorKind::timed_out,
-                   fmt::format("{} accepted the connection but sent no Hello within {:.1f} s; is "
-                               "that the native port (usually {})?",
-                               name_, in_seconds(timeout), kDefaultTcpPort));
+    return failure(
+        ClientErrorKind::timed_out,
+        fmt::format("{} accepted the connection but sent no Hello within {:.1f} s; is "
+                    "that the native port (usually {}), and does it want TLS (tls://HOST)?",
+                    name_, in_seconds(timeout), kDefaultTcpPort));
   }
   if ((*first)->has_reply()) return rejected((*first)->reply());
   if (!(*first)->has_hello()) {
@@ -132,7 +157,8 @@ ClientResult<wire::Hello> MessageStream::open(const std::string& host, std::uint
 
 bool MessageStream::is_local() const {
   error_code no_near, no_far;
-  const auto near = socket_.local_endpoint(no_near), far = socket_.remote_endpoint(no_far);
+  const auto near = socket_.tcp_socket().local_endpoint(no_near),
+             far = socket_.tcp_socket().remote_endpoint(no_far);
   return !no_near && !no_far && near.address() == far.address();
 }
 
@@ -196,7 +222,7 @@ ClientResult<Done> MessageStream::send(const wire::ClientMessage& message, Deadl
   append_frame(bytes, message);
   bool done = false;
   error_code error;
-  asio::async_write(socket_, asio::buffer(bytes), [&](const error_code& e, std::size_t) {
+  socket_.async_write(asio::buffer(bytes), [&](const error_code& e, std::size_t) {
     error = e;
     done = true;
   });

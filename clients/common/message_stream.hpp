@@ -9,6 +9,7 @@
 
 #include "clients/common/asio.hpp"
 #include "clients/common/client_error.hpp"
+#include "clients/common/client_socket.hpp"
 #include "protocol/quantity/time.hpp"
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/radar.pb.h"
@@ -30,7 +31,7 @@ class MessageStream {
   MessageStream(const MessageStream&) = delete;
   MessageStream& operator=(const MessageStream&) = delete;
 
-  // Error: unreachable, refused, timed_out.
+  // `host` as HostName has it.  Error: unreachable, refused, timed_out.
   ClientResult<Done> connect(const std::string& host, std::uint16_t port, Deadline deadline);
 
   // Connects and waits for the server's Hello.
@@ -62,6 +63,7 @@ class MessageStream {
   using tcp = boost::asio::ip::tcp;
   using error_code = boost::system::error_code;
 
+  ClientResult<Done> secure(const HostName& host, Deadline deadline);
   // Runs handlers until `done`; false if the deadline came first.
   bool run_until(Deadline deadline, const bool& done);
   void start_read();
@@ -70,7 +72,7 @@ class MessageStream {
 
   std::string name_;
   boost::asio::io_context io_;
-  tcp::socket socket_{io_};
+  ClientSocket socket_{io_};
   FrameReader frames_{kMaxServerFrame};
   std::array<std::uint8_t, 65536> buffer_{};
   std::size_t read_size_ = 0;

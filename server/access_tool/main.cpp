@@ -1,5 +1,5 @@
-// skerry-access: the files of tokens and users that skerryd reads, and that of who did what.
-// `skerry token`, `skerry user` and `skerry audit` run it.
+// skerry-access: the files of tokens and users that skerryd reads, that of who did what, and
+// certificates.  `skerry token`, `skerry user`, `skerry audit` and `skerry tls` run it.
 #include <fmt/format.h>
 
 #include <exception>
@@ -8,6 +8,7 @@
 
 #include "echo/tool_console/console.hpp"
 #include "server/access_tool/audit_command.hpp"
+#include "server/access_tool/tls_command.hpp"
 #include "server/access_tool/token_command.hpp"
 #include "server/access_tool/user_command.hpp"
 
@@ -63,6 +64,18 @@ constexpr Tool kAudit = {
     "  skerry audit verify audit.jsonl --head HEAD       # as `verify` or the log has told it\n",
     make_audit_commands};
 
+constexpr Tool kTls = {
+    "skerry tls",
+    "Makes an authority and a certificate, so that a skerryd encrypts what it sends and gets.",
+    "All is made here, without any network.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
+    "command line cannot be understood.\n"
+    "Examples:\n"
+    "  skerry tls init                                      # ./tls, for this host\n"
+    "  skerry tls init /etc/skerry/tls --name radar.school --name 192.0.2.7\n"
+    "  skerry tls show\n"
+    "  skerry tls renew                                     # heeded by a server that runs\n",
+    make_tls_commands};
+
 int run(const Tool& tool, int argc, char** argv) {
   CLI::App app{tool.about, tool.name};
   app.set_version_flag("--version", "skerry-access " SKERRY_VERSION);
@@ -87,10 +100,14 @@ int run(const Tool& tool, int argc, char** argv) {
 
 }  // namespace
 
-// skerry-access audit ...: the file of who did what; user ...: that of users; else that of tokens.
+// skerry-access audit ...: the file of who did what; user ...: that of users; tls ...:
+// certificates; else that of tokens.
 int main(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
-  const Tool& tool = first == "audit" ? kAudit : first == "user" ? kUsers : kTokens;
+  const Tool& tool = first == "audit"  ? kAudit
+                     : first == "user" ? kUsers
+                     : first == "tls"  ? kTls
+                                       : kTokens;
   console::name_program(tool.name);
   console::watch_pipe();
   try {

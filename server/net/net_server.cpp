@@ -20,10 +20,11 @@
 #include "server/net/common/encoders.hpp"
 #include "server/net/common/listener.hpp"
 #include "server/net/common/tcp_peer.hpp"
+#include "server/net/common/tls_opening.hpp"
 #include "server/net/http/http_session.hpp"
 #include "server/net/http/web_answer.hpp"
-#include "server/net/native/byte_transport.hpp"
 #include "server/net/native/native_session.hpp"
+#include "server/net/native/stream_transport.hpp"
 #include "server/net/navigation/navigation_input.hpp"
 #include "server/net/navigation/navigation_output.hpp"
 #include "server/net/outputs/display_output.hpp"
@@ -39,48 +40,6 @@ constexpr std::chrono::milliseconds kSettingsPeriod{100};
 static_assert(std::chrono::seconds(1) / kSettingsPeriod == kOwnShipMostHz);
 constexpr int kSendBufferPeriods = 10;  // once a second
 constexpr int kNiceness = -5;
-
-// The native protocol straight on TCP.
-class TcpTransport final : public ByteTransport {
- public:
-  explicit TcpTransport(TcpSocket socket) : socket_(std::move(socket)) {
-    set_stream_options(socket_);
-    error_code ignored;
-    socket_.non_blocking(true,
-                         ignored);  // for write_now(); asynchronous operations wait all the same
-  }
-
-  void read_some(std::span<std::uint8_t> into, Done done) override {
-    socket_.async_read_some(asio::buffer(into.data(), into.size()), std::move(done));
-  }
-  void write(const std::vector<asio::const_buffer>& buffers, Done done) override {
-    asio::async_write(socket_, buffers, std::move(done));
-  }
-  std::size_t write_now(const std::vector<asio::const_buffer>& buffers) override {
-    error_code ignored;
-    // send() is cheaper than sendmsg(), and most writes are of one sector.
-    return buffers.size() == 1 ? socket_.write_some(buffers.front(), ignored)
-                               : socket_.write_some(buffers, ignored);
-  }
-  void finish() override {
-    error_code ignored;
-    socket_.shutdown(asio::socket_base::shutdown_send, ignored);
-  }
-  void close() override {
-    error_code ignored;
-    socket_.close(ignored);
-  }
-  void limit_send_buffer(std::size_t bytes) override { set_send_buffer(socket_, bytes); }
-
-  std::string name() const override { return "tcp"; }
-
- private:
-  TcpSocket socket_;
-};
-
-std::unique_ptr<ByteTransport> make_tcp_transport(TcpSocket socket) {
-  return std::make_unique<TcpTransport>(std::move(socket));
-}
 
 }  // namespace
 
@@ -187,8 +146,7 @@ class NetServer::Impl {
              .port = context_.config.tcp_port,
              .option = "--tcp-port"},
             [this](TcpSocket socket, ConnectionSlotPtr slot) {
-              NativeSession::begin(context_, make_tcp_transport(std::move(socket)),
-                                   std::move(slot));
+              open_native(std::move(socket), std::move(slot));
             },
             native_refusal),
         http_(
@@ -198,7 +156,7 @@ class NetServer::Impl {
              .port = context_.config.http_port,
              .option = "--http-port"},
             [this](TcpSocket socket, ConnectionSlotPtr slot) {
-              serve_http(signalk_->first(), std::move(socket), std::move(slot));
+              open_http(signalk_->first(), std::move(socket), std::move(slot));
             },
             http_refusal),
         tick_(context_.io) {
@@ -219,7 +177,7 @@ class NetServer::Impl {
     displays_.emplace(context_);
     navigation_.emplace(context_);
     signalk_.emplace(context_, [this](SignalkSite& site, TcpSocket socket, ConnectionSlotPtr slot) {
-      serve_http(&site, std::move(socket), std::move(slot));
+      open_http(&site, std::move(socket), std::move(slot));
     });
   }
 
@@ -286,8 +244,34 @@ class NetServer::Impl {
   std::vector<std::uint16_t> signalk_ports() const { return signalk_->further_ports(); }
 
  private:
-  void serve_http(SignalkSite* site, TcpSocket socket, ConnectionSlotPtr slot) {
-    begin_http_session(context_, files_, site, std::move(socket), std::move(slot));
+  // The server speaks first, so that the own host's clients are not waited for: they are plain.
+  void open_native(TcpSocket socket, ConnectionSlotPtr slot) {
+    if (context_.tls && !slot->peer().on_own_host) {
+      return open_connection(context_, std::move(socket), std::move(slot), native_opening_);
+    }
+    begin_native(PeerStream(std::move(socket)), std::move(slot));
+  }
+  void begin_native(PeerStream stream, ConnectionSlotPtr slot) {
+    NativeSession::begin(context_, make_stream_transport(std::move(stream)), std::move(slot));
+  }
+  // In the clear, for a client that does not know of TLS.
+  void refuse_native(PeerStream stream, const ConnectionSlotPtr& slot) {
+    context_.complain("native TCP in the clear", slot->peer().text);
+    error_code ignored;
+    stream.socket().write_some(
+        asio::buffer(native_refusal("this server takes other hosts' connections by TLS alone: "
+                                    "connect to tls://HOST, with the server's authority.pem")),
+        ignored);
+    stream.finish();
+  }
+
+  void open_http(SignalkSite* site, TcpSocket socket, ConnectionSlotPtr slot) {
+    const auto begin = [this, site](PeerStream stream, ConnectionSlotPtr taken) {
+      begin_http_session(context_, files_, site, std::move(stream), std::move(taken));
+    };
+    if (!context_.tls) return begin(PeerStream(std::move(socket)), std::move(slot));
+    open_connection(context_, std::move(socket), std::move(slot),
+                    {.protocol = "HTTP", .secure = begin, .plain = begin, .silent = begin});
   }
 
   void run() {
@@ -315,6 +299,7 @@ class NetServer::Impl {
       for (const auto& output : target_outputs_) output->tick();
       if (++ticks_ % kSendBufferPeriods == 0) {
         context_.look_at_tokens();
+        context_.look_at_tls();
         context_.tell_send_buffers();
       }
       tick();
@@ -324,6 +309,12 @@ class NetServer::Impl {
   NetContext context_;
   asio::executor_work_guard<NetExecutor> work_{context_.io.get_executor()};
   WebFiles files_;
+  const OpeningTo native_opening_{
+      .protocol = "native TCP",
+      .secure = [this](auto stream,
+                       auto slot) { begin_native(std::move(stream), std::move(slot)); },
+      .plain = [this](auto stream, auto slot) { refuse_native(std::move(stream), slot); },
+      .silent = [this](auto stream, auto slot) { refuse_native(std::move(stream), slot); }};
   Listener tcp_;
   Listener http_;
   Timer tick_;

@@ -17,14 +17,19 @@
 namespace skerry::bench {
 namespace {
 
-// The TCP port in 'tcp PORT http PORT'; 0 if the server said something else or nothing.
-std::uint16_t read_tcp_port(int from_server) {
+struct Ports {
+  std::uint16_t tcp = 0, http = 0;
+};
+
+// Those in 'tcp PORT http PORT'; 0 if the server said something else or nothing.
+Ports read_ports(int from_server) {
   FILE* const said = ::fdopen(from_server, "r");
-  if (!said) return 0;
+  if (!said) return {};
   unsigned tcp = 0, http = 0;
   const bool read = std::fscanf(said, "tcp %u http %u", &tcp, &http) == 2;
   std::fclose(said);
-  return read ? static_cast<std::uint16_t>(tcp) : std::uint16_t{0};
+  if (!read) return {};
+  return {static_cast<std::uint16_t>(tcp), static_cast<std::uint16_t>(http)};
 }
 
 }  // namespace
@@ -51,7 +56,9 @@ ChildServer::ChildServer(const std::vector<std::string>& arguments) {
     ::_exit(127);
   }
   ::close(pipe[1]);
-  tcp_port_ = read_tcp_port(pipe[0]);
+  const Ports ports = read_ports(pipe[0]);
+  tcp_port_ = ports.tcp;
+  http_port_ = ports.http;
   if (tcp_port_ == 0) {
     stop();
     throw std::runtime_error(SKERRYD_PROGRAM

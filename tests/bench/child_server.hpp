@@ -20,6 +20,7 @@ class ChildServer {
   ChildServer& operator=(const ChildServer&) = delete;
 
   std::uint16_t tcp_port() const { return tcp_port_; }
+  std::uint16_t http_port() const { return http_port_; }
   double cpu_seconds() const;  // user and system, of all threads so far
   double thread_cpu_seconds(const std::string& name) const;  // 0 if it has no such thread
   double resident_mib() const;                               // VmRSS
@@ -28,7 +29,7 @@ class ChildServer {
   void stop();
 
   pid_t pid_ = 0;
-  std::uint16_t tcp_port_ = 0;
+  std::uint16_t tcp_port_ = 0, http_port_ = 0;
 };
 
 }  // namespace skerry::bench

@@ -257,13 +257,14 @@ std::string errors(const wire::Status& status) {
 
 std::string status_table(const wire::Status& status, const std::string& place) {
   return fmt::format(
-      "{} at {}, scenario {}\nscenario time {}, up {}, {:.1f} MiB in memory\n\n"
+      "{} at {}, scenario {}\nscenario time {}, up {}, {:.1f} MiB in memory\n{}\n"
       "{}\n{}\n{}\n{}\n{}\n{}\n{}",
       printable(status.server()), place, printable(status.scenario()),
       hours_minutes_seconds(status.scenario_s()), hours_minutes_seconds(status.uptime_s()),
-      status.resident_mib(), own_ships(status), radars(status),
-      controls(status) + special_controls(status), boards(status), world(status),
-      clients(status) + outputs(status) + recorder(status), errors(status));
+      status.resident_mib(), status.warning().empty() ? "" : printable(status.warning()) + "\n",
+      own_ships(status), radars(status), controls(status) + special_controls(status),
+      boards(status), world(status), clients(status) + outputs(status) + recorder(status),
+      errors(status));
 }
 
 int run_status(const ServerPlace& place, bool as_json) {

@@ -5,6 +5,7 @@
 // before anything else is asked.
 import { answers, retryMs } from './connection_retry.js';
 import { decodeFrames, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, encodeTargetOrder } from './messages.js';
+import { signInsecure } from './insecure_sign.js';
 import { token } from './token.js';
 
 const SILENCE_MS = 6000;
@@ -91,7 +92,9 @@ export class Connection {
     } catch (error) {
       this.#refuse(error);
     }
-    if (this.state === 'greeting' && messages.some((m) => m.hello)) {
+    const hello = messages.find((m) => m.hello)?.hello;
+    if (hello) signInsecure(hello.warning);
+    if (this.state === 'greeting' && hello) {
       this.attempts = 0;
       this.isServed = false;
       if (token()) this.#send((request) => encodeSignIn(request, token()));

@@ -29,6 +29,7 @@ const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
   6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'], 9: ['hasChart', 'bool'],
+  10: ['warning', 'string'],
 });
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],

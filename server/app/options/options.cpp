@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "server/app/config.pb.h"
+#include "server/app/options/exposure.hpp"
 #include "server/app/options/field_options.hpp"
 #include "server/app/options/inputs.hpp"
 #include "server/app/options/output_text.hpp"
@@ -30,7 +31,7 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --cat240 239.192.43.78:4378       CAT240 to a multicast group (on this host: TTL 0)
   skerryd --sweeps 127.0.0.1:7413           sweeps of radar 0's interface board
   skerryd --output navico_4g                radar 0 as a Navico 4G, for displays on this host
-  skerryd --output navico_halo:radar=1,interface_address=192.0.2.7,dual_range=true
+  skerryd --output navico_halo:radar=1,interface_address=192.0.2.7,dual_range=true,obeys=true
   skerryd --output cat240:port=8601,spokes=720,cells=512,bits=4,compressed=true
   skerryd --output cat048:sac=25            plots and tracks of radar 0, for a traffic display
   skerryd --output nmea0183:port=10110 --input nmea0183:port=10111
@@ -72,7 +73,7 @@ struct CommandLine {
   std::string config_file, log_level = "info", verify, verify_video;
   std::vector<std::string> udp, cat240, sweeps, outputs, inputs;
   bool no_udp = false, no_cat240 = false, no_signalk = false, exact_sensors = false,
-       print_ports = false, check = false;
+       print_ports = false, check = false, insecure = false;
 };
 
 void add_options(CLI::App& cli, CommandLine& line) {
@@ -121,6 +122,12 @@ void add_options(CLI::App& cli, CommandLine& line) {
          "--users", config, &ServerConfig::mutable_users,
          "file of users, made by `skerry user add`: then other hosts must sign in to see anything")
       ->type_name("FILE");
+  add.text("--tls", config, &ServerConfig::mutable_tls,
+           "folder with certificate and key, made by `skerry tls init`: then other hosts come by "
+           "TLS alone")
+      ->type_name("FOLDER");
+  cli.add_flag("--insecure", line.insecure,
+               "let other hosts in without TLS or without users; every page says so");
   add.text("--setups", config, &ServerConfig::mutable_setups,
            "folder in which consoles keep set-ups by name, for all of them; made if missing")
       ->type_name("FOLDER");
@@ -233,6 +240,7 @@ Options options_of(const ServerConfig& config) {
   net.control_token = config.control_token();
   net.tokens = config.tokens();
   net.users = config.users();
+  net.tls = config.tls();
   net.setups = config.setups();
   options.audit = config.audit();
   net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());
@@ -283,6 +291,8 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   options.check_only = line.check;
   options.verify = line.verify;
   options.verify_video = line.verify_video;
+  require_guarded(options.net, line.insecure || config.insecure());
+  options.net.exposure = exposure_of(options.net);
   return options;
 }
 

@@ -126,6 +126,13 @@ DisplayOutputConfig display_of(const Output& output, const EmulatedRadar& radar,
     display.sources.push_back({output.has_radar_b() ? output.radar_b() : output.radar(),
                                !output.has_view_b() || output.view_b() == Output::own});
   }
+  // Displays cannot show who they are: whoever is on that network can command such a radar.
+  if (!display.interface_address.starts_with("127.") && !output.has_obeys()) {
+    throw std::runtime_error(fmt::format(
+        "{0}: other hosts reach it on {1}: add obeys: true if every display there may "
+        "change its range, gain and transmission, or obeys: false if they may only look",
+        name, display.interface_address));
+  }
   display.obeys = !output.has_obeys() || output.obeys();
   display.burst = radar.burst;
   return display;

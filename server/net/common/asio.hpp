@@ -16,6 +16,8 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -37,7 +39,6 @@ using NetExecutor = asio::io_context::executor_type;
 using TcpSocket = asio::basic_stream_socket<asio::ip::tcp, NetExecutor>;
 using TcpAcceptor = asio::basic_socket_acceptor<asio::ip::tcp, NetExecutor>;
 using TcpStream = beast::basic_stream<asio::ip::tcp, NetExecutor>;
-using WsStream = websocket::stream<TcpStream>;
 using UdpSocket = asio::basic_datagram_socket<asio::ip::udp, NetExecutor>;
 using Timer = asio::basic_waitable_timer<std::chrono::steady_clock,
                                          asio::wait_traits<std::chrono::steady_clock>, NetExecutor>;

@@ -51,6 +51,11 @@ struct NetConfig {
   std::string tokens;
   // File of users (server/access/user_file.hpp); empty: none, and nobody signs in by name.
   std::string users;
+  // Folder with server.pem and server.key (server/tls/certificate.hpp); empty: nothing is
+  // encrypted.
+  std::string tls;
+  // What guards it not, although other hosts may reach it (exposure_of()): for status and pages.
+  std::string exposure;
   // Folder of consoles' set-ups (server/setups/setup_shelf.hpp); empty: browsers alone keep some.
   std::string setups;
   // Where it is kept who changed what; nullptr: nowhere.  Outlives the server.

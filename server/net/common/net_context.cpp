@@ -76,9 +76,11 @@ NetContext::NetContext(RadarHost& radar_host, NetConfig net_config)
       gate({config.control_token, config.tokens, config.users}),
       changes(PeerBudgets::of_changes(config.limits)),
       sign_ins(PeerBudgets::of_sign_ins(config.limits)),
+      handshakes(PeerBudgets::of_handshakes(config.limits)),
       log_pace_(config.limits.log_period),
       settings_version_(host.settings_version()),
       world_version_(host.world_version()) {
+  if (!config.tls.empty()) tls.emplace(config.tls);
   if (!config.setups.empty()) {
     setups.emplace(SetupShelf::Config{
         config.setups, [this](SetupShelf::Task task) { asio::post(io, std::move(task)); }});
@@ -226,6 +228,20 @@ void NetContext::look_at_tokens() {
     audit({.what = "tokens and users: a file was read anew, or a token ended"});
 }
 
+void NetContext::look_at_tls(TlsKeys::When when) {
+  if (!tls) return;
+  const TlsContextPtr before = tls->context();
+  std::string what;
+  if (const auto wrong = tls->refresh(when)) {
+    what = *wrong + "; the certificate from before holds";
+    spdlog::warn("TLS: {}", what);
+  } else if (tls->context() != before) {
+    what = "the certificate was read anew";
+    spdlog::info("TLS: {}", what);
+  }
+  if (!what.empty()) audit({.what = "TLS: " + what});
+}
+
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
   const wire::Hello hello = host.hello();
   for (const wire::RadarInfo& info : hello.radars()) {
@@ -318,6 +334,7 @@ wire::Hello NetContext::hello() const {
   hello.set_can_record(host.recording() != nullptr);
   hello.set_playback(host.playback() != nullptr);
   hello.set_has_chart(host.has_chart());
+  hello.set_warning(config.exposure);
   return hello;
 }
 
@@ -364,6 +381,7 @@ wire::Status NetContext::status() const {
   if (const RecordingPort* port = host.recording()) *status.mutable_recorder() = port->state();
   if (const PlaybackPort* port = host.playback()) *status.mutable_playback() = port->state();
   status.set_resident_mib(resident_mib());
+  status.set_warning(config.exposure);
   return status;
 }
 

@@ -28,6 +28,7 @@
 #include "server/net/common/peer_budgets.hpp"
 #include "server/net/common/recording_news.hpp"
 #include "server/net/common/spoke_feed.hpp"
+#include "server/net/common/tls_keys.hpp"
 #include "server/setups/setup_shelf.hpp"
 
 namespace skerry::server {
@@ -83,7 +84,11 @@ class NetContext {
   const std::string& ship_of(std::uint32_t radar) const;
   // Heeds changed files of tokens and users, and tokens that have ended.  Call it once a second.
   void look_at_tokens();
-  PeerBudgets changes, sign_ins;
+  // Heeds a changed certificate and key: what is wrong with them is told, and the old ones hold.
+  // Call it once a second.
+  void look_at_tls(TlsKeys::When when = TlsKeys::When::settled);
+  PeerBudgets changes, sign_ins, handshakes;
+  std::optional<TlsKeys> tls;             // nothing: this server is plain
   std::optional<SetupShelf> setups;       // of consoles; nothing: this server keeps none
   std::optional<PasswordDesk> passwords;  // nothing: this server has no users
 

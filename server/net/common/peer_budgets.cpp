@@ -19,6 +19,13 @@ PeerBudgets PeerBudgets::of_sign_ins(const PeerLimits& limits) {
       {.what = "sign-ins", .own_host = rule, .others = rule, .most = limits.most_budgets});
 }
 
+PeerBudgets PeerBudgets::of_handshakes(const PeerLimits& limits) {
+  return PeerBudgets({.what = "TLS handshakes",
+                      .own_host = {limits.own_handshakes_per_second, limits.own_handshakes_burst},
+                      .others = {limits.handshakes_per_second, limits.handshakes_burst},
+                      .most = limits.most_budgets});
+}
+
 const PeerBudgets::Rule& PeerBudgets::rule_of(bool on_own_host) const {
   return on_own_host ? rules_.own_host : rules_.others;
 }

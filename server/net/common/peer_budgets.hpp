@@ -29,6 +29,7 @@ class PeerBudgets {
   explicit PeerBudgets(Rules rules) : rules_(std::move(rules)) {}
   static PeerBudgets of_changes(const PeerLimits& limits);
   static PeerBudgets of_sign_ins(const PeerLimits& limits);
+  static PeerBudgets of_handshakes(const PeerLimits& limits);
 
   // False: this is one too many.
   bool take(const TcpPeer& peer, Time now);

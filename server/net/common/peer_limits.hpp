@@ -33,6 +33,9 @@ struct PeerLimits {
   // --- Times.  All are noticed up to 0.1 s late.
 
   std::chrono::milliseconds trial_time{2'000};
+  // From the first byte of a TLS handshake to its end, and for that first byte where TLS is asked
+  // for.
+  std::chrono::milliseconds opening_time{3'000};
   // A native connection that has asked for nothing, and an HTTP connection that has not begun its
   // first request, end after this.  Clients ask within a second of Hello.
   std::chrono::milliseconds silent_time{10'000};
@@ -57,6 +60,12 @@ struct PeerLimits {
   // behind one address signs in at once; after that one guesses 20 times a minute.
   double sign_ins_per_second = 1.0 / 3.0;
   double sign_ins_burst = 40.0;
+  // TLS handshakes begun by a peer on another host, and on the server's own.  Each takes the
+  // network thread some 0.2 ms; a class of 64 browsers opens some three connections each at once.
+  double handshakes_per_second = 50.0;
+  double handshakes_burst = 400.0;
+  double own_handshakes_per_second = 500.0;
+  double own_handshakes_burst = 2'000.0;
   // Peers whose budgets are kept apart: a peer takes 100 bytes.  More than can be connected at
   // once; a budget that is full again is forgotten.
   std::size_t most_budgets = 4'096;

@@ -48,4 +48,14 @@ std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig&
   return std::nullopt;
 }
 
+WebAnswer to_secure(const HttpRequest& request) {
+  const std::string host(*header_of(request, http::field::host));
+  if (!only_reads(request) || websocket::is_upgrade(request)) {
+    return web_error(403, "403: this server heeds other hosts by TLS alone: https://" + host);
+  }
+  WebAnswer answer = web_error(308, "308: by TLS alone: https://" + host);
+  answer.location = "https://" + host + std::string(request.target());
+  return answer;
+}
+
 }  // namespace skerry::server

@@ -28,4 +28,8 @@ bool only_reads(const HttpRequest& request);
 // or a page of another origin that would change something (cross-site request).
 std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config);
 
+// What is said in the clear to a request that is to come by TLS: go on to https, or, if it was more
+// than to look, that it was not heeded.  Requires one that refusal_of() lets pass.
+WebAnswer to_secure(const HttpRequest& request);
+
 }  // namespace skerry::server

@@ -36,12 +36,12 @@ constexpr std::chrono::seconds kClosingTime{2};  // for the client to close afte
 
 class HttpSession final : public Connection, public std::enable_shared_from_this<HttpSession> {
  public:
-  HttpSession(NetContext& context, const WebFiles& files, SignalkSite* site, TcpSocket socket,
+  HttpSession(NetContext& context, const WebFiles& files, SignalkSite* site, PeerStream stream,
               ConnectionSlotPtr slot)
       : context_(context),
         files_(files),
         site_(site),
-        stream_(std::move(socket)),
+        stream_(std::move(stream)),
         slot_(std::move(slot)) {}
 
   void start() {
@@ -95,7 +95,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   NetContext& context_;
   const WebFiles& files_;
   SignalkSite* site_;
-  TcpStream stream_;
+  PeerStream stream_;
   ConnectionSlotPtr slot_;
   bool reading_ = false, is_late_ = false;
   bool has_begun_ = false;   // the request that is being read
@@ -237,7 +237,9 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
   if (slot_->place() == Place::refused || (slot_->place() == Place::on_trial && !signs_in())) {
     return web_error(503, "503: " + slot_->reason());
   }
-  return refusal_of(request, context_.config);
+  if (auto refused = refusal_of(request, context_.config)) return refused;
+  if (!context_.tls || stream_.is_secure() || slot_->peer().on_own_host) return std::nullopt;
+  return to_secure(request);
 }
 
 WebAnswer HttpSession::answer(const Request& request) const {
@@ -359,8 +361,7 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
 void HttpSession::on_sent(error_code error, bool keep_alive) {
   if (error) return;
   if (keep_alive) return wait(context_.config.http_timeout);
-  error_code ignored;
-  stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
+  stream_.finish();
   stream_.expires_after(kClosingTime);
   discard();
 }
@@ -376,8 +377,8 @@ void HttpSession::discard() {
 }  // namespace
 
 void begin_http_session(NetContext& context, const WebFiles& files, SignalkSite* site,
-                        TcpSocket socket, ConnectionSlotPtr slot) {
-  std::make_shared<HttpSession>(context, files, site, std::move(socket), std::move(slot))->start();
+                        PeerStream stream, ConnectionSlotPtr slot) {
+  std::make_shared<HttpSession>(context, files, site, std::move(stream), std::move(slot))->start();
 }
 
 }  // namespace skerry::server

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "server/net/common/asio.hpp"
+#include "server/net/common/peer_stream.hpp"
 #include "server/net/native/byte_transport.hpp"
 
 namespace skerry::server {

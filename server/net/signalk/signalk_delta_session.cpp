@@ -43,7 +43,7 @@ SignalkDeltaSession::SignalkDeltaSession(NetContext& context, SignalkSite& site,
 
 void SignalkDeltaSession::start() {
   slot_->owner = weak_from_this();
-  TcpStream& tcp = beast::get_lowest_layer(*stream_);
+  PeerStream& tcp = beast::get_lowest_layer(*stream_);
   set_stream_options(tcp.socket());
   tcp.expires_never();
   stream_->text(true);

@@ -10,6 +10,7 @@
 
 #include "protocol/signalk/subscription.hpp"
 #include "server/net/common/net_context.hpp"
+#include "server/net/common/peer_stream.hpp"
 #include "server/net/signalk/signalk_site.hpp"
 #include "server/net/signalk/stream_right.hpp"
 

@@ -28,7 +28,7 @@ SignalkSpokeSession::SignalkSpokeSession(NetContext& context, std::uint32_t rada
 
 void SignalkSpokeSession::start() {
   slot_->owner = weak_from_this();
-  TcpStream& tcp = beast::get_lowest_layer(*stream_);
+  PeerStream& tcp = beast::get_lowest_layer(*stream_);
   set_stream_options(tcp.socket());
   set_send_buffer(tcp.socket(), context_.send_buffer_for(radar_));
   tcp.expires_never();

@@ -3,11 +3,12 @@
 //
 //   fan_out                              100, 200, 400 and 600 consoles, three rounds (4 minutes)
 //   fan_out --consoles 400 --rounds 5 --seconds 10
+//   fan_out --tls --consoles 50 100 200  WebSockets, in the clear and by TLS, in turns
 //
 // The consoles are one process, which throws away what comes (MSG_TRUNC), so that they take little
-// from the sender.  For each: MB a second that came, CPU of the sending thread for a MB, and what
-// was lost: spokes for the server, and for the bare loop what a console was more than half a second
-// behind, as in the server's ring.
+// from the sender, decrypting nothing.  For each: MB a second that came, CPU of the sending thread
+// for a MB, and what was lost: spokes for the server, and for the bare loop what a console was more
+// than half a second behind, as in the server's ring.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -19,13 +20,15 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "clients/common/spoke_client.hpp"
-#include "protocol/wire/frame.hpp"
+#include "server/tls/certificate.hpp"
 #include "tests/bench/child_server.hpp"
+#include "tests/bench/fan_out/arrivals.hpp"
 #include "tests/bench/fan_out/bare_sender.hpp"
 #include "tests/bench/fan_out/many_consoles.hpp"
 
@@ -65,9 +68,10 @@ class Folder {
   ~Folder() { std::filesystem::remove_all(path_); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
+  std::string path(const char* name) const { return (path_ / name).string(); }
   std::string write(const char* name, const std::string& text) const {
     std::ofstream(path_ / name) << text;
-    return (path_ / name).string();
+    return path(name);
   }
 
  private:
@@ -78,6 +82,7 @@ struct Run {
   double mb_per_second = 0.0;
   double cpu_ms_per_mb = 0.0;
   double lost_percent = 0.0;
+  double p99_ms = 0.0;  // how late sectors came to one more console, which reads; WebSockets alone
 };
 
 template <typename Cpu>
@@ -121,31 +126,53 @@ Counted counted(client::SpokeClient& client) {
   return all;
 }
 
-std::string subscription() {
-  wire::ClientMessage message;
-  message.set_request(1);
-  message.mutable_subscribe()->set_radar(0);
-  Bytes bytes;
-  append_frame(bytes, message);
-  return {bytes.begin(), bytes.end()};
-}
+// A server as it is for many consoles, with a certificate.
+class Served {
+ public:
+  explicit Served(const Folder& folder) : certified_(folder), server_(options(folder)) {}
+  const ChildServer& server() const { return server_; }
+  std::uint16_t port(Way way) const {
+    return way == Way::native ? server_.tcp_port() : server_.http_port();
+  }
 
-Run run_server(const Folder& folder, std::size_t count, std::chrono::seconds time) {
-  const ChildServer server({"--config", folder.write("server.yaml", "max_connections: 4096\n"),
-                            "--scenario", folder.write("scenario.yaml", kScenario),
-                            "--no-signalk"});
-  auto watcher = connected(server);
-  const ManyConsoles consoles(count, server.tcp_port(), subscription());
+ private:
+  struct Certified {
+    explicit Certified(const Folder& folder) {
+      if (std::filesystem::exists(folder.path("tls"))) return;
+      server::make_authority(folder.path("tls"), "Bench");
+      server::make_server_certificate(folder.path("tls"), {"127.0.0.1"});
+    }
+  };
+  static std::vector<std::string> options(const Folder& folder) {
+    return {"--config",    folder.write("server.yaml", "max_connections: 4096\n"),
+            "--scenario",  folder.write("scenario.yaml", kScenario),
+            "--tls",       folder.path("tls"),
+            "--no-signalk"};
+  }
+  Certified certified_;
+  ChildServer server_;
+};
+
+Run run_server(const Folder& folder, Way way, std::size_t count, std::chrono::seconds time) {
+  const Served served(folder);
+  auto watcher = connected(served.server());
+  const ManyConsoles consoles(count, way, served.port(way));
   std::this_thread::sleep_for(kSettling);
   const Counted before = counted(watcher);
-  Run run = measured(consoles, time, [&] { return server.thread_cpu_seconds("net-0"); });
+  std::optional<Arrivals> arrivals;
+  if (way != Way::native) {
+    arrivals.emplace(WireConsole(way, served.port(way)), kStream.piece_bytes,
+                     kStream.pieces_per_second);
+  }
+  Run run = measured(consoles, time, [&] { return served.server().thread_cpu_seconds("net-0"); });
+  if (arrivals) run.p99_ms = arrivals->p99_ms();
   run.lost_percent = percent(before, counted(watcher));
   return run;
 }
 
 Run run_bare(const BareStream& stream, std::size_t count, std::chrono::seconds time) {
   const BareSender sender(stream);
-  const ManyConsoles consoles(count, sender.port(), "");
+  const ManyConsoles consoles(count, Way::bare, sender.port());
   std::this_thread::sleep_for(kSettling);
   const Counted before{sender.sent(), sender.lost()};
   Run run = measured(consoles, time, [&] { return sender.cpu_seconds(); });
@@ -159,48 +186,70 @@ double median_of(std::vector<double> values) {
 }
 
 struct Rounds {
-  std::vector<double> rate, cost, lost;
+  std::vector<double> rate, cost, lost, late;
   void add(const Run& run) {
     rate.push_back(run.mb_per_second);
     cost.push_back(run.cpu_ms_per_mb);
     lost.push_back(run.lost_percent);
+    late.push_back(run.p99_ms);
   }
 };
 
-void compare(const Folder& folder, std::size_t count, int rounds, std::chrono::seconds time) {
-  Rounds server, bare;
+double worst_of(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+// The rounds of two, in turns, and how much more the first costs, in each pair.
+template <typename First, typename Second>
+void compare(std::size_t count, int rounds, const First& run_first, const Second& run_second) {
+  Rounds first, second;
   std::vector<double> ratios;
   for (int round = 0; round < rounds; ++round) {
-    server.add(run_server(folder, count, time));
-    bare.add(run_bare(kStream, count, time));
-    ratios.push_back(server.cost.back() / bare.cost.back());
+    first.add(run_first());
+    second.add(run_second());
+    ratios.push_back(first.cost.back() / second.cost.back());
   }
-  fmt::print("{:8} {:9.1f} {:9.3f} {:9.4f} {:9.1f} {:9.3f} {:9.4f} {:8.2f}\n", count,
-             median_of(server.rate), median_of(server.cost),
-             *std::max_element(server.lost.begin(), server.lost.end()), median_of(bare.rate),
-             median_of(bare.cost), *std::max_element(bare.lost.begin(), bare.lost.end()),
-             median_of(ratios));
+  fmt::print("{:8}", count);
+  for (const Rounds& each : {first, second}) {
+    fmt::print(" {:9.1f} {:9.3f} {:9.4f} {:9.1f}", median_of(each.rate), median_of(each.cost),
+               worst_of(each.lost), median_of(each.late));
+  }
+  fmt::print(" {:8.2f}\n", median_of(ratios));
   std::fflush(stdout);
 }
 
 int run_all(int argc, char** argv) {
   std::vector<std::size_t> counts = {100, 200, 400, 600};
   int rounds = 3, seconds = 6;
+  bool tls = false;
   CLI::App app{"What one thread can send to many consoles over TCP, beside a bare epoll loop"};
   app.add_option("--consoles", counts, "how many (100 200 400 600)");
   app.add_option("--rounds", rounds, "of which medians are told, and the worst loss (3)");
   app.add_option("--seconds", seconds, "measured of each (6)");
+  app.add_flag("--tls", tls, "WebSockets by TLS beside such in the clear");
   CLI11_PARSE(app, argc, argv);
   rlimit files{};
   ::getrlimit(RLIMIT_NOFILE, &files);
   files.rlim_cur = files.rlim_max;
   ::setrlimit(RLIMIT_NOFILE, &files);
   const Folder folder;
-  fmt::print("{:8} {:^29} {:^29}\n{:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n", "", "skerryd",
-             "bare loop", "consoles", "MB/s", "ms/MB", "lost %", "MB/s", "ms/MB", "lost %",
-             "ms ratio");
-  for (const std::size_t count : counts)
-    compare(folder, count, rounds, std::chrono::seconds(seconds));
+  fmt::print("{:8} {:^39} {:^39}\n{:>8}", "", tls ? "wss" : "skerryd, native",
+             tls ? "ws" : "bare loop", "consoles");
+  for (int i = 0; i < 2; ++i) {
+    fmt::print(" {:>9} {:>9} {:>9} {:>9}", "MB/s", "ms/MB", "lost %", "p99 ms");
+  }
+  fmt::print(" {:>8}\n", "ms ratio");
+  const std::chrono::seconds time(seconds);
+  for (const std::size_t count : counts) {
+    const auto served = [&](Way way) {
+      return [&, way] { return run_server(folder, way, count, time); };
+    };
+    if (tls) {
+      compare(count, rounds, served(Way::wss), served(Way::ws));
+    } else {
+      compare(count, rounds, served(Way::native), [&] { return run_bare(kStream, count, time); });
+    }
+  }
   return 0;
 }
 

@@ -1,7 +1,5 @@
 #include "tests/bench/fan_out/many_consoles.hpp"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <signal.h>
 #include <sys/epoll.h>
 #include <sys/mman.h>
@@ -13,9 +11,11 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <new>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace skerry::bench {
 
@@ -28,26 +28,21 @@ namespace {
 
 constexpr std::size_t kAtOnce = 1 << 20;  // bytes thrown away by one call
 
-bool connect_one(int epoll, std::uint16_t port, const std::string& greeting) {
-  const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in where{};
-  where.sin_family = AF_INET;
-  where.sin_port = htons(port);
-  where.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (fd < 0 || ::connect(fd, reinterpret_cast<const sockaddr*>(&where), sizeof where) != 0) {
-    return false;
+std::vector<WireConsole> connected(std::size_t count, Way way, std::uint16_t port, int epoll) {
+  std::vector<WireConsole> consoles;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int fd = consoles.emplace_back(way, port).socket();
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.fd = fd;
+    ::epoll_ctl(epoll, EPOLL_CTL_ADD, fd, &event);
   }
-  const auto size = static_cast<ssize_t>(greeting.size());
-  if (::send(fd, greeting.data(), greeting.size(), MSG_NOSIGNAL) != size) return false;
-  epoll_event event{};
-  event.events = EPOLLIN;
-  event.data.fd = fd;
-  return ::epoll_ctl(epoll, EPOLL_CTL_ADD, fd, &event) == 0;
+  return consoles;
 }
 
 }  // namespace
 
-ManyConsoles::ManyConsoles(std::size_t count, std::uint16_t port, const std::string& greeting) {
+ManyConsoles::ManyConsoles(std::size_t count, Way way, std::uint16_t port) {
   void* const memory =
       ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::runtime_error("no memory for the consoles' counts");
@@ -57,8 +52,10 @@ ManyConsoles::ManyConsoles(std::size_t count, std::uint16_t port, const std::str
   if (pid_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int epoll = ::epoll_create1(EPOLL_CLOEXEC);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (connect_one(epoll, port, greeting)) continue;
+    std::vector<WireConsole> consoles;
+    try {
+      consoles = connected(count, way, port, epoll);
+    } catch (const std::exception&) {
       shared_->ready = -1;
       ::_exit(1);
     }
@@ -70,7 +67,7 @@ ManyConsoles::ManyConsoles(std::size_t count, std::uint16_t port, const std::str
         const int fd = events[static_cast<std::size_t>(i)].data.fd;
         const ssize_t got = ::recv(fd, nullptr, kAtOnce, MSG_TRUNC | MSG_DONTWAIT);
         if (got > 0) shared_->bytes.fetch_add(static_cast<std::uint64_t>(got));
-        if (got == 0) ::close(fd);
+        if (got == 0) ::epoll_ctl(epoll, EPOLL_CTL_DEL, fd, nullptr);
       }
     }
   }

@@ -6,20 +6,20 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include "tests/bench/fan_out/wire_console.hpp"
 
 namespace skerry::bench {
 
 class ManyConsoles {
  public:
-  // Connects `count` times to 127.0.0.1 and first sends `greeting` on each.
+  // Connects `count` times that way.
   // Error: std::runtime_error if there is no process to be had, or not all could connect.
-  ManyConsoles(std::size_t count, std::uint16_t port, const std::string& greeting);
+  ManyConsoles(std::size_t count, Way way, std::uint16_t port);
   ~ManyConsoles();
   ManyConsoles(const ManyConsoles&) = delete;
   ManyConsoles& operator=(const ManyConsoles&) = delete;
 
-  std::uint64_t bytes() const;  // that came so far, on all of them
+  std::uint64_t bytes() const;  // that came so far, on all of them, encrypted or not
 
  private:
   struct Shared;

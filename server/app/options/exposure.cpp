@@ -1,0 +1,46 @@
+#include "server/app/options/exposure.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "server/net/common/tcp_peer.hpp"
+
+namespace skerry::server {
+namespace {
+
+bool is_open_to_others(const NetConfig& net) {
+  boost::system::error_code error;
+  const auto address = asio::ip::make_address(net.bind, error);
+  return !error && !is_loopback(address);  // what is no address is told when it is listened on
+}
+
+bool has_users(const NetConfig& net) { return !net.users.empty() || !net.tokens.empty(); }
+
+// Requires that something is.
+const char* missing(const NetConfig& net) {
+  if (has_users(net)) return "encryption";
+  return net.tls.empty() ? "users and without encryption" : "users";
+}
+
+}  // namespace
+
+std::string exposure_of(const NetConfig& net) {
+  if (!is_open_to_others(net) || (has_users(net) && !net.tls.empty())) return {};
+  return fmt::format("Not secure: this server is open to other hosts without {}.", missing(net));
+}
+
+void require_guarded(const NetConfig& net, bool insecure) {
+  if (insecure || exposure_of(net).empty()) return;
+  std::string lines;
+  if (net.tls.empty()) lines += "\n  skerry tls init tls                       then --tls tls";
+  if (!has_users(net)) {
+    lines += "\n  skerry user add NAME --role instructor    then --users users.yaml";
+  }
+  throw std::runtime_error(
+      fmt::format("bind {}: other hosts would reach this server without {}. Make{}\nor say "
+                  "--insecure, on a network where everybody may see, and read along",
+                  net.bind, missing(net), lines));
+}
+
+}  // namespace skerry::server

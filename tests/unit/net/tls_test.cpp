@@ -1,0 +1,302 @@
+// TLS: who comes by it, who is told to, what it offers, and what a damaged certificate does.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/common/spoke_client.hpp"
+#include "server/tls/certificate.hpp"
+#include "tests/unit/net/fake_host.hpp"
+#include "tests/unit/net/test_client.hpp"
+#include "tests/unit/net/test_tls.hpp"
+
+namespace skerry::server {
+namespace {
+
+using client::ClientErrorKind;
+using client::SpokeClient;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr Duration kPatience = std::chrono::seconds(20);
+
+class ServerWithTls : public testing::Test {
+ protected:
+  ServerWithTls() {
+    make_authority(folder_, "Test authority");
+    make_server_certificate(folder_, {"127.0.0.1"});
+    config_.tls = folder_.string();
+    config_.foreign_addresses = {"127.0.0.1"};  // everybody is of another host
+    ::setenv("SKERRY_CA", file(kAuthorityCertificate).c_str(), 1);
+  }
+  ~ServerWithTls() override {
+    ::unsetenv("SKERRY_CA");
+    if (server_) server_->stop();
+    std::filesystem::remove_all(folder_);
+  }
+
+  void start() {
+    server_.emplace(host_, config_, std::span<const WebFile>{});
+    server_->start();
+  }
+  std::string file(const char* name) const { return (folder_ / name).string(); }
+  void write(const char* name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  static std::string get(const std::string& path) {
+    return "GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n";
+  }
+  std::string https(const std::string& request) const {
+    TestTls tls(server_->http_port(), {.authority = file(kAuthorityCertificate)});
+    if (!tls.is_open()) return "no handshake";
+    tls.send(request);
+    return tls.receive_all();
+  }
+  std::uint64_t errors(const std::string& kind) const {
+    const wire::Status status = server_->status();
+    const auto found = status.errors().find(kind);
+    return found == status.errors().end() ? 0 : found->second;
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("skerry-tls-" + std::to_string(::getpid()));
+  FakeHost host_;
+  NetConfig config_ = test_config();
+  std::optional<NetServer> server_;
+};
+
+TEST_F(ServerWithTls, SendsTheSameSpokesToNativeClients) {
+  start();
+  auto client = SpokeClient::connect("tls://127.0.0.1", server_->tcp_port(), kPatience);
+  ASSERT_TRUE(client.ok()) << client.error().text;
+  ASSERT_TRUE(client->subscribe(0, 0, kPatience).ok());
+  constexpr std::uint64_t kSpokes = 4096;
+  for (std::uint64_t sent = 0; sent < kSpokes;) {
+    host_.publish_sector(0);
+    sent += FakeHost::kSectorSpokes;
+    // No more than the ring holds before it is read.
+    for (std::uint32_t i = 0; i < FakeHost::kSectorSpokes;) {
+      const auto event = client->receive(kPatience);
+      ASSERT_TRUE(event.ok()) << event.error().text;
+      ASSERT_TRUE(event->has_value());
+      if (std::holds_alternative<Spoke>(**event)) ++i;
+    }
+  }
+  EXPECT_EQ(client->losses().lost(), 0u);
+  EXPECT_EQ(client->losses().received(), kSpokes);
+}
+
+TEST_F(ServerWithTls, TellsANativeClientInTheClearToComeByIt) {
+  config_.limits.opening_time = std::chrono::milliseconds(200);
+  start();
+  // It waits for Hello and says nothing, or speaks at once.
+  const auto silent = SpokeClient::connect("127.0.0.1", server_->tcp_port(), kPatience);
+  ASSERT_FALSE(silent.ok());
+  EXPECT_THAT(silent.error().text, HasSubstr("by TLS alone: connect to tls://HOST"));
+  TestClient hasty(server_->tcp_port());
+  hasty.send(subscribe_message(1, 0));
+  EXPECT_EQ(hasty.receive_reply().code(), wire::Reply::REFUSED);
+  EXPECT_FALSE(hasty.receive().has_value());
+}
+
+TEST_F(ServerWithTls, LeavesItsOwnHostInTheClear) {
+  config_.foreign_addresses = {};
+  start();
+  EXPECT_TRUE(SpokeClient::connect("127.0.0.1", server_->tcp_port(), kPatience).ok());
+  EXPECT_THAT(http_get(server_->http_port(), "/status"), StartsWith("HTTP/1.1 200"));
+  // And lets it come by TLS, over HTTP.
+  EXPECT_THAT(https(get("/status")), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(ServerWithTls, IsTrustedByItsAuthorityAndItsNameAlone) {
+  start();
+  const auto other = folder_ / "other";
+  make_authority(other, "Another authority");
+  ::setenv("SKERRY_CA", (other / kAuthorityCertificate).c_str(), 1);
+  const auto wrong = SpokeClient::connect("tls://127.0.0.1", server_->tcp_port(), kPatience);
+  ASSERT_FALSE(wrong.ok());
+  EXPECT_THAT(wrong.error().text, HasSubstr("not trusted"));
+  ::setenv("SKERRY_CA", file(kAuthorityCertificate).c_str(), 1);
+  const auto misnamed = SpokeClient::connect("tls://localhost", server_->tcp_port(), kPatience);
+  ASSERT_FALSE(misnamed.ok());
+  EXPECT_THAT(misnamed.error().text, HasSubstr("hostname mismatch"));
+  ::setenv("SKERRY_CA", "/nowhere.pem", 1);
+  const auto none = SpokeClient::connect("tls://127.0.0.1", server_->tcp_port(), kPatience);
+  ASSERT_FALSE(none.ok());
+  EXPECT_THAT(none.error().text, HasSubstr("/nowhere.pem"));
+}
+
+TEST_F(ServerWithTls, ServesHttpAndSendsOnWhoComesInTheClear) {
+  start();
+  EXPECT_THAT(https(get("/status")), StartsWith("HTTP/1.1 200"));
+  const std::string sent_on = http_get(server_->http_port(), "/status?x=1");
+  EXPECT_THAT(sent_on, StartsWith("HTTP/1.1 308"));
+  EXPECT_THAT(sent_on, HasSubstr("Location: https://localhost/status?x=1"));
+  const std::string posted = http_exchange(server_->http_port(),
+                                           "POST /login HTTP/1.1\r\nHost: localhost\r\nConnection: "
+                                           "close\r\nContent-Length: 2\r\n\r\n{}");
+  EXPECT_THAT(posted, StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(posted, HasSubstr("by TLS alone: https://localhost"));
+}
+
+TEST_F(ServerWithTls, CarriesWebSockets) {
+  start();
+  TestTls tls(server_->http_port());
+  ASSERT_TRUE(tls.is_open());
+  tls.send(
+      "GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+      "Origin: https://127.0.0.1\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
+  const std::string answer = tls.receive(200);
+  EXPECT_THAT(answer, StartsWith("HTTP/1.1 101"));
+  EXPECT_THAT(answer + tls.receive(20), HasSubstr("fake"));  // the server's name in Hello
+}
+
+TEST_F(ServerWithTls, OffersVersionsAndCiphersOfTodayAlone) {
+  start();
+  struct Case {
+    const char* what;
+    TestTlsOptions options;
+    bool taken;
+  };
+  const std::vector<Case> cases = {
+      {"TLS 1.3", {.least = TLS1_3_VERSION}, true},
+      {"TLS 1.2", {.most = TLS1_2_VERSION}, true},
+      {"TLS 1.1", {.least = TLS1_VERSION, .most = TLS1_1_VERSION}, false},
+      {"TLS 1.0", {.least = TLS1_VERSION, .most = TLS1_VERSION}, false},
+      {"AES-128-GCM", {.most = TLS1_2_VERSION, .ciphers = "ECDHE-ECDSA-AES128-GCM-SHA256"}, true},
+      {"ChaCha20", {.most = TLS1_2_VERSION, .ciphers = "ECDHE-ECDSA-CHACHA20-POLY1305"}, true},
+      {"CBC", {.most = TLS1_2_VERSION, .ciphers = "ECDHE-ECDSA-AES128-SHA256"}, false},
+      {"no forward secrecy", {.most = TLS1_2_VERSION, .ciphers = "AES128-GCM-SHA256"}, false},
+      {"RC4, 3DES, export, none",
+       {.most = TLS1_2_VERSION, .ciphers = "RC4:3DES:EXPORT:eNULL:aNULL"},
+       false},
+  };
+  for (const Case& each : cases) {
+    const TestTls tls(server_->http_port(), each.options);
+    EXPECT_EQ(tls.is_open(), each.taken) << each.what;
+    if (tls.is_open()) {
+      EXPECT_THAT(tls.version() + " " + tls.cipher(),
+                  AnyOf(HasSubstr("GCM"), HasSubstr("CHACHA20")))
+          << each.what;
+    }
+  }
+}
+
+TEST_F(ServerWithTls, DoesNotRenegotiate) {
+  start();
+  TestTls tls(server_->http_port(), {.most = TLS1_2_VERSION});
+  ASSERT_TRUE(tls.is_open());
+  EXPECT_FALSE(tls.renegotiate());
+  EXPECT_THAT(https(get("/status")), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(ServerWithTls, HoldsGarbageAndHalfAHandshake) {
+  config_.limits.opening_time = std::chrono::milliseconds(300);
+  start();
+  TestSocket half(server_->http_port());
+  half.send(std::string("\x16\x03\x01", 3));  // and nothing more
+  for (const std::string& garbage :
+       {std::string("\x16\x03\x01\x00\x04zzzz", 9), std::string("\x16") + std::string(70'000, 'a'),
+        std::string("\x16\x03\x03\xff\xff", 5) + std::string(66'000, '\0')}) {
+    for (const std::uint16_t port : {server_->http_port(), server_->tcp_port()}) {
+      TestSocket socket(port);
+      socket.send(garbage);
+      socket.finish_sending();
+      socket.receive_all();  // an alert, or nothing; then the end
+    }
+  }
+  half.receive_all();
+  EXPECT_TRUE(wait_until([&] { return errors("HTTP TLS handshake") >= 4; }));
+  EXPECT_TRUE(wait_until([&] { return errors("native TCP TLS handshake") >= 3; }));
+  EXPECT_THAT(https(get("/status")), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(ServerWithTls, LimitsHandshakesOfAPeer) {
+  config_.limits.handshakes_burst = 3;
+  config_.limits.handshakes_per_second = 0.001;
+  start();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(TestTls(server_->http_port()).is_open());
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(TestTls(server_->http_port()).is_open());
+  EXPECT_EQ(errors("HTTP too many TLS handshakes"), 3u);
+}
+
+TEST_F(ServerWithTls, TakesARenewedCertificateAndKeepsWhatIsConnected) {
+  start();
+  auto client = SpokeClient::connect("tls://127.0.0.1", server_->tcp_port(), kPatience);
+  ASSERT_TRUE(client.ok()) << client.error().text;
+  const auto fingerprint = [&] { return TestTls(server_->http_port()).fingerprint(); };
+  const std::string before = fingerprint();
+  EXPECT_EQ(before, facts_of_certificate(file(kServerCertificate)).fingerprint);
+  make_server_certificate(folder_, {"127.0.0.1"});
+  const std::string after = facts_of_certificate(file(kServerCertificate)).fingerprint;
+  EXPECT_NE(before, after);
+  EXPECT_TRUE(wait_until([&] { return fingerprint() == after; }));
+  EXPECT_TRUE(client->get_status(kPatience).ok());
+
+  write(kServerCertificate, "-----BEGIN CERTIFICATE-----\nrubbish\n-----END CERTIFICATE-----\n");
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));  // it is looked at twice
+  EXPECT_EQ(fingerprint(), after);
+  EXPECT_TRUE(client->get_status(kPatience).ok());
+}
+
+TEST_F(ServerWithTls, SaysWhatIsWrongWithItsFiles) {
+  const auto what_is_wrong = [&] {
+    try {
+      const NetServer server(host_, config_, std::span<const WebFile>{});
+      return std::string("nothing");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(what_is_wrong(), "nothing");
+  const std::filesystem::path key = folder_ / kServerKey, kept = folder_ / "kept";
+  std::filesystem::copy_file(key, kept);
+
+  std::filesystem::copy_file(folder_ / kAuthorityKey, key,
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THAT(what_is_wrong(), StartsWith(key.string() + ": "));
+  std::filesystem::remove(key);
+  EXPECT_THAT(what_is_wrong(), HasSubstr(key.string() + ": there is no such file"));
+  write(kServerKey, "not a key");
+  EXPECT_THAT(what_is_wrong(), HasSubstr("in PEM without a passphrase"));
+  std::filesystem::copy_file(kept, key, std::filesystem::copy_options::overwrite_existing);
+
+  write(kServerCertificate, "Bag attributes\n\n-----BEGIN CERTIFICATE-----\nrubbish\n");
+  EXPECT_THAT(what_is_wrong(),
+              HasSubstr("server.pem:3: the certificate that begins here is damaged"));
+  write(kServerCertificate, "");
+  EXPECT_THAT(what_is_wrong(), HasSubstr("server.pem: no line '-----BEGIN CERTIFICATE-----'"));
+  std::filesystem::remove(folder_ / kServerCertificate);
+  EXPECT_THAT(what_is_wrong(), HasSubstr("skerry tls init"));
+}
+
+TEST(Certificate, HasTheNamesItIsFor) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("skerry-certificate-" + std::to_string(::getpid()));
+  make_authority(folder, "Test authority");
+  make_server_certificate(folder, {"radar.school", "192.0.2.7", "2001:db8::7"});
+  const CertificateFacts facts = facts_of_certificate(folder / kServerCertificate);
+  EXPECT_THAT(facts.names, testing::ElementsAre("radar.school", "192.0.2.7", "2001:db8::7"));
+  EXPECT_GE(facts.days_left, 823);
+  EXPECT_LE(facts.days_left, 825);
+  EXPECT_THROW(make_authority(folder, "Another"), std::runtime_error);
+  for (const char* name : {"", "a b", "bridge:7410", "[2001:db8::7]", "x,DNS:evil", "x\n"}) {
+    EXPECT_THROW(make_server_certificate(folder, {name}), std::runtime_error) << name;
+  }
+  EXPECT_EQ(std::filesystem::status(folder / kServerKey).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace skerry::server
