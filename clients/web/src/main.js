@@ -311,7 +311,14 @@ if (isWatching || choices.has('bare')) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-const access = new Access($('access'), (isGone) => connection.tellToken(isGone));
+// Whoever is of one ship looks at a radar of hers: whether that is another one than till now.
+function goAboard(ship) {
+  const radars = radar.hello?.radars ?? [], hers = radars.find(({ ownShip }) => ownShip === ship);
+  if (!hers || radars.find((each) => each.radar === radar.radar)?.ownShip === ship) return false;
+  radar.radar = hers.radar;
+  return true;
+}
+const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew), goAboard);
 
 // Keys and hands.
 const keys = new KeyTable();

@@ -90,7 +90,8 @@ export class MockServer {
       if (!files.has(name)) { response.writeHead(404).end(); return; }
       response.writeHead(200, {
         'Content-Type': MIME[extname(name)], 'Cache-Control': 'no-store',
-        'Content-Security-Policy': "default-src 'self'",
+        // As skerryd has it (server/net/http/web_answer.cpp).
+        'Content-Security-Policy': "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; object-src 'none'",
       }).end(readFileSync(WEB + name));
     });
     this.sockets = new WebSocketServer({ server: this.http, path: '/ws' });
