@@ -34,7 +34,8 @@ export class Access {
   // section: #access of the page, shown when the server wants to know who one is.
   // changed(isAnew): after one is another; isAnew: the connection has to begin anew, as nobody may go on with what the
   // one before was allowed, or as the token is in a cookie.
-  // aboard(ship): one is of that own ship alone; gives whether the connection has to begin anew for that.
+  // aboard(ship): one is of that own ship alone, '': of none in particular; gives whether the connection has to begin
+  // anew for that.
   constructor(section, changed, aboard = () => false) {
     Object.assign(this, { section, changed, aboard, hasUsers: false, hasClass: false });
     this.form = make(section, 'form', { hidden: true });
@@ -96,10 +97,11 @@ export class Access {
     this.signedIn.hidden = false;
     this.form.hidden = this.field.parentElement.hidden = true;
     this.section.hidden = false;
-    return Boolean(ship) && this.aboard(ship);
+    return this.aboard(ship ?? '');
   }
 
   #showNobody() {
+    this.aboard('');
     this.signedIn.hidden = true;
     this.form.hidden = !this.hasUsers && !this.hasClass;
     this.password.parentElement.hidden = !this.hasUsers;

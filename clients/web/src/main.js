@@ -120,8 +120,18 @@ const targets = new TargetConsole({
 });
 const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
 
+// Whoever is of one ship alone looks at a radar of hers: gives whether that is another one than till now.
+let herShip = '';
+function goAboard() {
+  const radars = radar.hello?.radars ?? [], hers = radars.find(({ ownShip }) => ownShip === herShip);
+  if (herShip === '' || !hers || radars.find((each) => each.radar === radar.radar)?.ownShip === herShip) return false;
+  radar.radar = hers.radar;
+  return true;
+}
+
 const radar = new RadarConsole(health.renderer.maxRows, {
   hello: (hello, wanted) => {
+    goAboard();
     greeting.take(hello, wanted);
     recording.greet(hello.canRecord);
     playback.greet(hello.playback);
@@ -311,14 +321,7 @@ if (isWatching || choices.has('bare')) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-// Whoever is of one ship looks at a radar of hers: whether that is another one than till now.
-function goAboard(ship) {
-  const radars = radar.hello?.radars ?? [], hers = radars.find(({ ownShip }) => ownShip === ship);
-  if (!hers || radars.find((each) => each.radar === radar.radar)?.ownShip === ship) return false;
-  radar.radar = hers.radar;
-  return true;
-}
-const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew), goAboard);
+const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew), (ship) => { herShip = ship; return goAboard(); });
 
 // Keys and hands.
 const keys = new KeyTable();
