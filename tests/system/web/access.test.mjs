@@ -61,7 +61,7 @@ test('who signs in is known by a cookie that no script reads, in all tabs, until
   const page = await open();
   const { status, told } = await login(page, { name: 'Anna', password: PASSWORD, cookie: true });
   assert.deepEqual([status, told.token, told.role], [200, undefined, 'instructor']);
-  const [cookie] = await page.context().cookies(url);
+  const [cookie] = await page.context().cookies();
   assert.deepEqual([cookie.name, cookie.httpOnly, cookie.secure, cookie.sameSite, cookie.path],
     ['__Host-skerry', true, true, 'Strict', '/']);
   assert.equal(await page.evaluate(() => document.cookie), '');
@@ -73,7 +73,7 @@ test('who signs in is known by a cookie that no script reads, in all tabs, until
   await other.locator('#signed-in', { hasText: 'Anna' }).waitFor();
   await page.getByRole('button', { name: 'Sign out' }).click();
   await page.locator('#signed-in').waitFor({ state: 'hidden' });
-  assert.deepEqual(await page.context().cookies(url), []);
+  assert.deepEqual(await page.context().cookies(), []);
 });
 
 test('the instructor makes a code and shows it large; a trainee signs in by it and is aboard her ship', async () => {
