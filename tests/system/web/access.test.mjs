@@ -89,6 +89,7 @@ test('the instructor makes a code and shows it large; a trainee signs in by it a
   assert.equal(await page.locator('#class-large-code').textContent(), code);
   assert.equal(await page.locator('#class-large-where').textContent(), `127.0.0.1:${server.http}`);
   assert.equal((await page.locator('#class-large-code').boundingBox()).height > 100, true);
+  assert.equal(await page.locator('#class-large').evaluate((dialog) => dialog.scrollWidth <= dialog.clientWidth), true);
   await page.locator('#class-large button').click();
 
   const trainee = await open();
