@@ -6,11 +6,21 @@
 #include <cstdlib>
 
 #include "clients/cli/number_within.hpp"
+#include "clients/cli/password_entry.hpp"
 
 namespace skerry::client {
 namespace {
 
-std::string advice_for(ClientErrorKind kind) {
+// A server with users or tokens says who may; who one is is said here.
+std::string advice_for_refusal(const std::string& text, const std::string& otherwise) {
+  for (const char* word : {"token", "sign in"}) {
+    if (text.find(word) == std::string::npos) continue;
+    return "Say who you are: --user NAME asks for a password, SKERRY_TOKEN has a token.";
+  }
+  return otherwise;
+}
+
+std::string advice_for(ClientErrorKind kind, const std::string& text) {
   switch (kind) {
     case ClientErrorKind::refused:
     case ClientErrorKind::timed_out:
@@ -22,7 +32,7 @@ std::string advice_for(ClientErrorKind kind) {
       return "The server stopped or dropped this client; see its log, start it with server/run and "
              "try again.";
     case ClientErrorKind::rejected:
-      return "skerry status shows the radars and their settings.";
+      return advice_for_refusal(text, "skerry status shows the radars and their settings.");
     case ClientErrorKind::malformed:
       return fmt::format("Is that the native port of skerryd? Usually it is {}.", kDefaultTcpPort);
   }
@@ -38,16 +48,27 @@ void ServerPlace::add_options(CLI::App& command) {
       ->check(CLI::Range(1, 65535))
       ->capture_default_str();
   command
+      .add_option("--user", user,
+                  "Signs in by this name; the password is asked for, or the first line of a pipe")
+      ->envname("SKERRY_USER");
+  command
       .add_option("--timeout", timeout_s, "Seconds without an answer or a spoke to give up after")
       ->check(number_within(0.1, 3600.0))
       ->capture_default_str();
 }
 
 ClientResult<SpokeClient> ServerPlace::connect() const {
+  wire::SignIn who;
+  if (!user.empty()) {
+    // Before there is a connection: a server ends one that asks for nothing.
+    who.set_password(enter_password(user, fmt::format("{}:{}", host, port)));
+    who.set_name(user);
+  } else if (const char* token = std::getenv("SKERRY_TOKEN")) {
+    who.set_token(token);
+  }
   auto client = SpokeClient::connect(host, port, timeout());
-  const char* token = std::getenv("SKERRY_TOKEN");
-  if (!client || token == nullptr || *token == '\0') return client;
-  if (auto known = client->sign_in(token, timeout()); !known) return Failure{known.error()};
+  if (!client || (user.empty() && who.token().empty())) return client;
+  if (auto known = client->sign_in(who, timeout()); !known) return Failure{known.error()};
   return client;
 }
 
@@ -64,6 +85,13 @@ int report(const std::string& text, const std::string& advice) {
   return kExitFailure;
 }
 
-int report(const ClientError& error) { return report(error.text, advice_for(error.kind)); }
+int report_refusal(const ClientError& error, const std::string& advice) {
+  if (error.kind != ClientErrorKind::rejected) return report(error);
+  return report(error.text, advice_for_refusal(error.text, advice));
+}
+
+int report(const ClientError& error) {
+  return report(error.text, advice_for(error.kind, error.text));
+}
 
 }  // namespace skerry::client

@@ -51,6 +51,7 @@ Command make_track_command(CLI::App& app);
 Command make_token_command(CLI::App& app);
 Command make_user_command(CLI::App& app);
 Command make_tls_command(CLI::App& app);
+Command make_class_command(CLI::App& app);
 Command make_audit_command(CLI::App& app);
 Command make_traffic_command(CLI::App& app);
 Command make_board_command(CLI::App& app);
@@ -61,10 +62,12 @@ struct ServerPlace {
   std::string host = kDefaultHost;
   std::uint16_t port = kDefaultTcpPort;
   double timeout_s = 5.0;
+  std::string user;  // who signs in; empty: nobody
 
   Duration timeout() const { return seconds_as_duration(timeout_s); }
   void add_options(CLI::App& command);
-  // Signs in with the token in the environment's SKERRY_TOKEN, if there is one.
+  // Signs in: the user, whose password is asked for; otherwise with the token in the environment's
+  // SKERRY_TOKEN, if there is one.
   ClientResult<SpokeClient> connect() const;
 };
 
@@ -77,5 +80,7 @@ struct ViewChoice {
 // Writes the error and what to try to stderr; gives kExitFailure.
 int report(const ClientError& error);
 int report(const std::string& text, const std::string& advice = {});
+// The same of what a server has refused: what to try, unless it is to say who one is.
+int report_refusal(const ClientError& error, const std::string& advice);
 
 }  // namespace skerry::client

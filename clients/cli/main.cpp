@@ -44,7 +44,8 @@ int run(int argc, char** argv) {
       make_doctor_command(app),   make_picture_command(app),  make_radar_command(app),
       make_scenario_command(app), make_exercise_command(app), make_traffic_command(app),
       make_targets_command(app),  make_track_command(app),    make_token_command(app),
-      make_user_command(app),     make_audit_command(app),    make_tls_command(app)};
+      make_user_command(app),     make_audit_command(app),    make_class_command(app),
+      make_tls_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

@@ -22,6 +22,7 @@ class SpokeClient::Connection {
   // Sends it and waits for its reply; `kind` names it.
   ClientResult<wire::Reply> ask(wire::ClientMessage message, const char* kind, Duration timeout);
   ClientResult<wire::Status> get_status(Duration timeout);
+  ClientResult<wire::ClassList> order_class(const wire::ClassOrder& order, Duration timeout);
 
   const wire::Hello& hello() const { return hello_; }
   const std::string& name() const { return stream_.name(); }
@@ -93,6 +94,7 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
     case wire::ServerMessage::kBoardRecords:
     case wire::ServerMessage::kCoastline:  // this client asks for none
     case wire::ServerMessage::kChartObjects:
+    case wire::ServerMessage::kClasses:  // order_class() waits for it
     case wire::ServerMessage::KIND_NOT_SET:
       return Event{};
   }
@@ -193,6 +195,28 @@ ClientResult<wire::Status> SpokeClient::Connection::get_status(Duration timeout)
   }
 }
 
+ClientResult<wire::ClassList> SpokeClient::Connection::order_class(const wire::ClassOrder& order,
+                                                                   Duration timeout) {
+  const Deadline deadline = deadline_after(timeout);
+  wire::ClientMessage request;
+  *request.mutable_class_order() = order;
+  if (auto sent = send(request, deadline); !sent) return Failure{sent.error()};
+  wire::ClassList list;
+  for (;;) {
+    auto message = stream_.next(deadline);
+    if (!message) return Failure{message.error()};
+    if (!*message) return stream_.no_answer("class_order");
+    if ((*message)->has_classes()) list = (*message)->classes();
+    if ((*message)->has_reply() && (*message)->reply().request() == request.request()) {
+      const wire::Reply& reply = (*message)->reply();
+      if (reply.code() == wire::Reply::OK) return list;
+      return stream_.rejected(reply);
+    }
+    if (auto kept = keep(**message); !kept) return Failure{kept.error()};
+    if (is_past(deadline)) return stream_.no_answer("class_order");
+  }
+}
+
 ClientResult<SpokeClient> SpokeClient::connect(const std::string& host, std::uint16_t port,
                                                Duration timeout) {
   auto connection = std::make_unique<Connection>(host, port);
@@ -214,6 +238,22 @@ ClientResult<wire::Reply> SpokeClient::sign_in(const std::string& token, Duratio
   wire::ClientMessage message;
   message.mutable_sign_in()->set_token(token);
   return connection_->ask(std::move(message), "sign_in", timeout);
+}
+ClientResult<wire::Reply> SpokeClient::sign_in(const wire::SignIn& who, Duration timeout) {
+  if (who.token().empty() && !hello().has_classes()) {
+    return Failure{ClientError{ClientErrorKind::rejected,
+                               name() + " knows nobody by a password: it is an older server"}};
+  }
+  wire::ClientMessage message;
+  *message.mutable_sign_in() = who;
+  return connection_->ask(std::move(message), "sign_in", timeout);
+}
+ClientResult<wire::ClassList> SpokeClient::order_class(const wire::ClassOrder& order,
+                                                       Duration timeout) {
+  if (!hello().has_classes()) {
+    return Failure{ClientError{ClientErrorKind::rejected, name() + " has no class codes"}};
+  }
+  return connection_->order_class(order, timeout);
 }
 ClientResult<Done> SpokeClient::subscribe(std::uint32_t radar, std::uint32_t view,
                                           Duration timeout) {

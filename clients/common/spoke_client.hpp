@@ -47,6 +47,11 @@ class SpokeClient {
   // Error: rejected if the server does not know the token, and the errors of receive().
   ClientResult<wire::Reply> sign_in(const std::string& token, Duration timeout);
 
+  // The same by a token, by name and password, or by a class code.  Only a server whose Hello says
+  // has_classes knows more than a token; to another nothing is sent.
+  // Error: also rejected if the server does not know who that is.
+  ClientResult<wire::Reply> sign_in(const wire::SignIn& who, Duration timeout);
+
   // From now on receive() brings the spokes, settings and own ship of that radar and view; what was
   // waiting of an earlier subscription is dropped and the loss counter begins anew.
   // Error: rejected if there is no such radar or view, and the errors of receive().
@@ -85,6 +90,10 @@ class SpokeClient {
   // may not know the request.
   // Error: as set(); with Reply::UNKNOWN where no echo is to be acquired, or a target is not there.
   ClientResult<wire::Reply> order_targets(const wire::TargetOrder& order, Duration timeout);
+
+  // Makes or ends a class code, or neither; gives what codes there are then.  Only for a server
+  // whose Hello says has_classes; otherwise it is rejected here. Error: as set().
+  ClientResult<wire::ClassList> order_class(const wire::ClassOrder& order, Duration timeout);
 
   // Only for a server whose Hello says can_record, or playback.  Otherwise it is rejected here and
   // nothing is sent, because such a server may not know the request.  All or nothing.

@@ -58,6 +58,7 @@ Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
   const bool is_control_token =
       !control_token_.empty() && !token.empty() && is_same(token, control_token_);
   if (is_control_token) return admin_named("with the control token");
+  if (auto signed_in = who_signed_in(token, now)) return *std::move(signed_in);
   if (!is_closed()) {
     if (from_here) return admin_named("on the server's own host");
     Who looker{access::OBSERVER, {}, "of another host", {}};
@@ -73,12 +74,6 @@ Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
     return nobody(has_users() ? "from another host one has to sign in, or to give a token"
                               : "from another host it needs a token; `skerry token new` makes one");
   }
-  const auto session = sessions_.find(digest_of(token));
-  if (session != sessions_.end()) {
-    const KeptUser* user = user_of(session->second, now);
-    if (user == nullptr) return nobody("one has to sign in again, or to give a token");
-    return {user->role, user->ship, user->name, {}};
-  }
   const TokenFile::Found found = tokens_.contents.find(token, now);
   switch (found.state) {
     case TokenState::unknown:
@@ -93,8 +88,19 @@ Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
   return {found.token->role, found.token->ship, found.token->name, {}};
 }
 
+std::optional<Who> Gate::who_signed_in(std::string_view token, UtcTime now) const {
+  if (token.empty()) return std::nullopt;
+  const std::string digest = digest_of(token);
+  if (const auto* trainee = classes_.find(digest, now)) return trainee->who();
+  const auto session = sessions_.find(digest);
+  if (session == sessions_.end()) return std::nullopt;
+  const KeptUser* user = user_of(session->second, now);
+  if (user == nullptr) return nobody("one has to sign in again, or to give a token");
+  return Who{user->role, user->ship, user->name, {}};
+}
+
 bool Gate::knows(std::string_view token, UtcTime now) const {
-  if (token.empty() || !knows_tokens()) return false;
+  if (token.empty()) return false;
   const Who known = who(false, token, now);
   return known.role && known.more.empty();
 }
@@ -128,6 +134,7 @@ std::optional<std::string> Gate::refresh(UtcTime now) {
   heed(users_, "users");
   const auto is_over = [&](const auto& each) { return user_of(each.second, now) == nullptr; };
   if (std::erase_if(sessions_, is_over) > 0) ++generation_;
+  if (classes_.refresh(now)) ++generation_;
   if (wrong.empty()) return std::nullopt;
   return wrong;
 }
@@ -163,8 +170,29 @@ std::optional<Gate::SignedIn> Gate::sign_in(std::string_view name, std::string_v
   return made;
 }
 
+std::optional<Gate::SignedIn> Gate::sign_in_class(std::string_view code, const std::string& name,
+                                                  UtcTime now) {
+  auto made = classes_.sign_in(code, name, now);
+  if (!made) return std::nullopt;
+  ++generation_;  // somebody may have been the one too many
+  return SignedIn{std::move(made->token), made->trainee.who(), made->trainee.ends};
+}
+
+void Gate::make_class_code(const std::string& ship, std::chrono::minutes time, unsigned digits,
+                           UtcTime now) {
+  classes_.make(ship, time, digits, now);
+  ++generation_;
+}
+
+bool Gate::end_class_code(std::string_view ship) {
+  ++generation_;
+  return classes_.end(ship);
+}
+
 bool Gate::sign_out(std::string_view token) {
-  if (token.empty() || sessions_.erase(digest_of(token)) == 0) return false;
+  if (token.empty()) return false;
+  const std::string digest = digest_of(token);
+  if (sessions_.erase(digest) == 0 && !classes_.sign_out(digest)) return false;
   ++generation_;
   return true;
 }
@@ -173,6 +201,7 @@ std::optional<UtcTime> Gate::end_of(std::string_view token, UtcTime now) const {
   if (token.empty()) return std::nullopt;
   const auto session = sessions_.find(digest_of(token));
   if (session != sessions_.end()) return session->second.ends;
+  if (const auto* trainee = classes_.find(digest_of(token), now)) return trainee->ends;
   const TokenFile::Found found = tokens_.contents.find(token, now);
   return found.token != nullptr ? found.token->ends : std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/access/class_codes.hpp"
 #include "server/access/rights.hpp"
 #include "server/access/token_file.hpp"
 #include "server/access/user_file.hpp"
@@ -18,8 +19,8 @@ namespace skerry::server {
 
 // Where there is no file of tokens or users, everybody sees and the control token makes an admin.
 // With one, who is not on the server's own host sees nothing without a token: of the file, or one
-// that a user was given when she signed in.  Who is on that host is an admin, unless a token says
-// otherwise.
+// that a user or a trainee was given when she signed in.  Who is on that host is an admin, unless a
+// token says otherwise.
 //
 // Thread: one at a time.
 class Gate {
@@ -68,6 +69,16 @@ class Gate {
   // `hash`: what hash_of() gave when the password was tried.  Nothing if it is no more that of the
   // user.
   std::optional<SignedIn> sign_in(std::string_view name, std::string_view hash, UtcTime now);
+  // The same by a class code, for a trainee.  Error: as ClassCodes::sign_in().
+  std::optional<SignedIn> sign_in_class(std::string_view code, const std::string& name,
+                                        UtcTime now);
+  // Error: as ClassCodes::make().
+  void make_class_code(const std::string& ship, std::chrono::minutes time, unsigned digits,
+                       UtcTime now);
+  // False if the ship has none.
+  bool end_class_code(std::string_view ship);
+  const ClassCodes& class_codes() const { return classes_; }
+
   // False if nobody is signed in with it.
   bool sign_out(std::string_view token);
   // When the token ends; nothing: it does not, or is none.
@@ -98,11 +109,14 @@ class Gate {
   };
   // The user of a session, as the file has her now; nullptr if it is over.
   const KeptUser* user_of(const Session& session, UtcTime now) const;
+  // Whoever signed in with the token; nothing: nobody did.
+  std::optional<Who> who_signed_in(std::string_view token, UtcTime now) const;
 
   std::string control_token_;
   Watched<TokenFile> tokens_;
   Watched<UserFile> users_;
   std::map<std::string, Session, std::less<>> sessions_;  // by the digest of the token
+  ClassCodes classes_;
   UtcTime looked_at_{};
   std::uint64_t generation_ = 1;
 };

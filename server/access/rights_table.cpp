@@ -19,7 +19,7 @@ constexpr Roles kExercise = roles_of(INSTRUCTOR, ADMIN);
 
 constexpr auto kRights = std::to_array<Right>({
     // The native protocol: messages, and fields of those whose fields differ.
-    {"sign_in.*", Scope::open, 0, "say who one is, by a token"},
+    {"sign_in.*", Scope::open, 0, "say who one is, by a token, a password or a class code"},
     {"subscribe.*", Scope::ship, kAll, "see a radar's video, settings and own ship"},
     {"subscribe.new_view", Scope::ship, kConsole, "have a view of her own"},
     {"subscribe.exercise_hz", Scope::fleet, kTruth, "see all ships as they really are"},
@@ -38,6 +38,7 @@ constexpr auto kRights = std::to_array<Right>({
     {"get_chart_objects.*", Scope::any, kAll, "have the chart's objects about a place"},
     {"record.*", Scope::fleet, kExercise, "start, mark and stop recordings"},
     {"playback.*", Scope::fleet, kExercise, "pause, move and pace a playback"},
+    {"class_order.*", Scope::fleet, kExercise, "make, see and end class codes"},
     {"board_access.*", Scope::ship, kAll, "read an interface board's registers"},
     {"board_access.write", Scope::ship, kExercise, "write an interface board's registers"},
     {"board_stream.*", Scope::ship, kBoard, "have the records or signals of a board"},
@@ -48,7 +49,7 @@ constexpr auto kRights = std::to_array<Right>({
     {"GET /controls.json", Scope::open, 0, "read what controls there are"},
     {"GET /ws", Scope::open, 0, "begin the native protocol; each message has its own right"},
     {"GET /login", Scope::open, 0, "learn who one is"},
-    {"POST /login", Scope::open, 0, "sign in by name and password"},
+    {"POST /login", Scope::open, 0, "sign in by password or class code"},
     {"DELETE /login", Scope::open, 0, "sign out"},
     {"GET /status", Scope::any, kAll, "read the server's status"},
     {"GET /metrics", Scope::any, kAll, "read the metrics"},

@@ -27,6 +27,10 @@ void BoardPlace::add_stream_option(CLI::App& command) {
 }
 
 ClientResult<BoardClient> BoardPlace::connect() const {
+  if (!server.user.empty()) {
+    return failure(ClientErrorKind::rejected,
+                   "a board is asked with a token, not by a user; give --token");
+  }
   return BoardClient::connect(server.host, server.port, radar, timeout(), token);
 }
 

@@ -16,8 +16,7 @@ constexpr std::uint32_t kTimesASecond = 4;  // so that the first comes soon
 
 // What to try where the server has said no.
 int report_exercise(const ClientError& error) {
-  if (error.kind != ClientErrorKind::rejected) return report(error);
-  return report(error.text, "skerry exercise show tells what there is.");
+  return report_refusal(error, "skerry exercise show tells what there is.");
 }
 
 }  // namespace

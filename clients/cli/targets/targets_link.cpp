@@ -71,8 +71,7 @@ ClientResult<wire::Reply> TargetsLink::order(wire::TargetOrder order) {
 }
 
 int report_targets(const ClientError& error) {
-  if (error.kind != ClientErrorKind::rejected) return report(error);
-  return report(error.text, "skerry targets shows what is plotted, skerry status the radars.");
+  return report_refusal(error, "skerry targets shows what is plotted, skerry status the radars.");
 }
 
 int misuse_of_targets(const std::string& text) {

@@ -4,7 +4,7 @@
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew. Who has a token says so
 // before anything else is asked.
 import { answers, retryMs } from './connection_retry.js';
-import { decodeFrames, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, encodeTargetOrder } from './messages.js';
+import { decodeFrames, encodeClassOrder, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, encodeTargetOrder } from './messages.js';
 import { signInsecure } from './insecure_sign.js';
 import { token } from './token.js';
 
@@ -118,11 +118,11 @@ export class Connection {
     return request;
   }
 
-  // Tells the server who the token now says one is. Where it had refused what was asked for before, and where one is
-  // nobody now (isGone), all is asked anew.
-  tellToken(isGone = false) {
+  // Tells the server who the token now says one is. Where it had refused what was asked for before, and where the
+  // token cannot say it (isAnew), all is asked anew.
+  tellToken(isAnew = false) {
     if (this.state !== 'live') return;
-    if (this.isServed && !isGone) {
+    if (this.isServed && !isAnew) {
       this.#send((request) => encodeSignIn(request, token()));
       return;
     }
@@ -143,6 +143,11 @@ export class Connection {
 
   targetOrder(radar, view, order, token) {
     return this.#send((request) => encodeTargetOrder(request, radar, view, order, token));
+  }
+
+  // Only where Hello says hasClasses.
+  classOrder(order, token) {
+    return this.#send((request) => encodeClassOrder(request, order, token));
   }
 
   // place: { latitudeDeg, longitudeDeg, radiusNm }.

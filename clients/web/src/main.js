@@ -120,8 +120,18 @@ const targets = new TargetConsole({
 });
 const alerts = new AlertConsole({ orders: targets.orders, notify, choose: (alert) => targets.choose(alert) });
 
+// Whoever is of one ship alone looks at a radar of hers: gives whether that is another one than till now.
+let herShip = '';
+function goAboard() {
+  const radars = radar.hello?.radars ?? [], hers = radars.find(({ ownShip }) => ownShip === herShip);
+  if (herShip === '' || !hers || radars.find((each) => each.radar === radar.radar)?.ownShip === herShip) return false;
+  radar.radar = hers.radar;
+  return true;
+}
+
 const radar = new RadarConsole(health.renderer.maxRows, {
   hello: (hello, wanted) => {
+    goAboard();
     greeting.take(hello, wanted);
     recording.greet(hello.canRecord);
     playback.greet(hello.playback);
@@ -311,7 +321,7 @@ if (isWatching || choices.has('bare')) {
 }
 
 $('radar').addEventListener('change', () => subscription.chooseRadar(Number($('radar').value)));
-const access = new Access($('access'), (isGone) => connection.tellToken(isGone));
+const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew), (ship) => { herShip = ship; return goAboard(); });
 
 // Keys and hands.
 const keys = new KeyTable();

@@ -1,6 +1,7 @@
 // The messages of protocol/wire/radar.proto that a console reads and writes, and their frames: each
 // message after its length as a varint, any number of them in one WebSocket message.
 import { ChartObjects, encodeChartRequest, partsOfChart } from './chart/chart_wire.js';
+import { ClassList, encodeClassOrderBody } from './exercise/class_wire.js';
 import { Coastline, encodeCoastRequest, encodeOrder, exerciseState } from './exercise/wire.js';
 import { message, Reader, WireError, Writer } from './protobuf.js';
 import { checkTargets, encodeTargetOrderBody, TargetList } from './targets/wire.js';
@@ -28,8 +29,8 @@ const RadarInfo = message({
 const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
-  6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'], 9: ['hasChart', 'bool'],
-  10: ['warning', 'string'],
+  6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'], 9: ['hasChart', 'bool'], 10: ['hasClasses', 'bool'],
+  11: ['warning', 'string'],
 });
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
@@ -113,6 +114,7 @@ export function useControls({ controls, artefacts, faults = [] }) {
     6: ['ownShip', OwnShip], 7: ['world', message({ ...ofWorld.read, ...WORLD_FIELDS })],
     10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
     12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline], 14: ['targets', TargetList], 15: ['chartObjects', ChartObjects],
+    16: ['classes', ClassList],
   });
   faultTable = faults;
   setFields = ofSet;
@@ -272,6 +274,11 @@ export function encodeTargetOrder(request, radar, view, order, token = '') {
 
 export function encodeSignIn(request, token) {
   return frame(request, 14, new Writer().string(1, token).finish());
+}
+
+// order: as exercise/class_wire.js has it.
+export function encodeClassOrder(request, order, token = '') {
+  return frame(request, 15, encodeClassOrderBody(order, token));
 }
 
 export function encodeGetCoastline(request, place) {

@@ -1,9 +1,11 @@
 #include "server/net/common/net_context.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "protocol/wire/frame.hpp"
@@ -218,6 +220,16 @@ const std::string& NetContext::ship_of(std::uint32_t radar) const {
   return radar < ships_.size() ? ships_[radar] : none;
 }
 
+bool NetContext::has_ship(std::string_view name) const {
+  return !name.empty() && std::find(ships_.begin(), ships_.end(), name) != ships_.end();
+}
+
+std::string NetContext::ships_in_words() const {
+  const std::set<std::string> names(ships_.begin(), ships_.end());
+  return fmt::format("there {}",
+                     names.empty() ? "is none" : fmt::format("are {}", fmt::join(names, ", ")));
+}
+
 void NetContext::look_at_tokens() {
   const std::uint64_t before = gate.generation();
   if (const auto wrong = gate.refresh(utc_now())) {
@@ -335,6 +347,7 @@ wire::Hello NetContext::hello() const {
   hello.set_playback(host.playback() != nullptr);
   hello.set_has_chart(host.has_chart());
   hello.set_warning(config.exposure);
+  hello.set_has_classes(true);
   return hello;
 }
 

@@ -82,6 +82,9 @@ class NetContext {
 
   // The own ship that carries a radar; empty if there is no such radar.
   const std::string& ship_of(std::uint32_t radar) const;
+  // Whether it is one; and which there are, for a refusal.
+  bool has_ship(std::string_view name) const;
+  std::string ships_in_words() const;
   // Heeds changed files of tokens and users, and tokens that have ended.  Call it once a second.
   void look_at_tokens();
   // Heeds a changed certificate and key: what is wrong with them is told, and the old ones hold.

@@ -13,6 +13,7 @@ struct TcpPeer {
   std::string text = "unknown";
   PeerNet net;
   bool on_own_host = false;  // needs no token
+  bool is_secure = false;    // the connection is encrypted
 };
 
 // An IPv4 address that came in over an IPv6 socket counts as the IPv4 address it is.

@@ -1,9 +1,44 @@
 #include "server/net/http/http_request.hpp"
 
 #include "server/net/common/access_policy.hpp"
+#include "server/net/http/carried_token.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
 
 namespace skerry::server {
+namespace {
+
+// What a browser says of the page that asks: "same-origin", "same-site", "cross-site", or "none" of
+// what a person has typed.  Nothing: no browser, or an old one.  Source: Fetch Metadata (W3C).
+std::optional<std::string_view> fetch_site_of(const HttpRequest& request) {
+  const auto found = request.find("Sec-Fetch-Site");
+  if (found == request.end()) return std::nullopt;
+  return std::string_view(found->value().data(), found->value().size());
+}
+
+bool is_of_another_site(const HttpRequest& request) {
+  const auto site = fetch_site_of(request);
+  return site && *site != "same-origin" && *site != "none";
+}
+
+// Why a request that would change something, or opens a WebSocket, is not of a page of this server.
+std::optional<WebAnswer> cross_site_refusal(const HttpRequest& request, std::string_view host) {
+  if (request.count(http::field::origin) > 1) return web_error(400, "400: more than one Origin");
+  const auto origin = header_of(request, http::field::origin);
+  if (auto text = origin_refusal(origin, host)) return web_error(403, "403: " + *text);
+  if (is_of_another_site(request)) {
+    return web_error(403, "403: a page of another site may not ask for this");
+  }
+  const bool has_cookie =
+      request.count(http::field::authorization) == 0 && !token_of(request).empty();
+  if (has_cookie && !origin && fetch_site_of(request) != "same-origin") {
+    return web_error(403,
+                     "403: a request with the cookie must say of which page it is (Origin); a "
+                     "program sends Authorization: Bearer");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<std::string_view> header_of(const HttpRequest& request, http::field field) {
   const auto found = request.find(field);
@@ -21,8 +56,14 @@ std::string headers_of(const HttpRequest& request, http::field field) {
   return joined;
 }
 
-std::string_view bearer_of(const HttpRequest& request) {
-  return token_of(header_of(request, http::field::authorization).value_or(""));
+std::string_view token_of(const HttpRequest& request) {
+  const auto authorization = header_of(request, http::field::authorization);
+  if (authorization) return token_of(*authorization);
+  // A browser sends one Cookie header.  Its own page's requests are of this origin; others' have
+  // nothing to ask for in this user's name.
+  const auto cookie = header_of(request, http::field::cookie);
+  if (!cookie || request.count(http::field::cookie) != 1 || is_of_another_site(request)) return {};
+  return cookie_token(*cookie);
 }
 
 bool only_reads(const HttpRequest& request) {
@@ -34,6 +75,12 @@ std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig&
   if (!host || request.count(http::field::host) != 1) {
     return web_error(400, "400: a request needs one Host header");
   }
+  // Where two readers could differ about where a request ends, what follows could be read as
+  // another one (request smuggling).  Source: RFC 9112, 6.1.
+  if (request.count(http::field::transfer_encoding) > 0 &&
+      !beast::iequals(headers_of(request, http::field::transfer_encoding), "chunked")) {
+    return web_error(400, "400: the only Transfer-Encoding that is read is chunked");
+  }
   error_code error;
   const auto bound = asio::ip::make_address(config.bind, error);
   const HostPolicy policy{.allowed_hosts = config.allowed_hosts,
@@ -41,11 +88,7 @@ std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig&
   if (auto text = host_refusal(*host, policy)) return web_error(403, "403: " + *text);
   // Any page may send a request that only reads; the browser does not show it the answer.
   if (only_reads(request) && !websocket::is_upgrade(request)) return std::nullopt;
-  if (request.count(http::field::origin) > 1) return web_error(400, "400: more than one Origin");
-  if (auto text = origin_refusal(header_of(request, http::field::origin), *host)) {
-    return web_error(403, "403: " + *text);
-  }
-  return std::nullopt;
+  return cross_site_refusal(request, *host);
 }
 
 WebAnswer to_secure(const HttpRequest& request) {

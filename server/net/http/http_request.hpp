@@ -18,14 +18,16 @@ std::optional<std::string_view> header_of(const HttpRequest& request, http::fiel
 // All of them as one, as they may be read.  Source: RFC 9110, 5.3.
 std::string headers_of(const HttpRequest& request, http::field field);
 
-// The token of "Authorization: Bearer"; empty if there is none.
-std::string_view bearer_of(const HttpRequest& request);
+// The token that the request carries: as bearer, or where it has no Authorization header, in the
+// cookie of a page of this server (carried_token.hpp).  A view of the request; empty: none.
+std::string_view token_of(const HttpRequest& request);
 
 // GET and HEAD change nothing.
 bool only_reads(const HttpRequest& request);
 
 // Why a browser's request is not served, if so: a Host that is not this server's (DNS rebinding),
-// or a page of another origin that would change something (cross-site request).
+// or a page of another origin that would change something (cross-site request).  Who has the cookie
+// must show that the page is this server's, by Origin or Sec-Fetch-Site.
 std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config);
 
 // What is said in the clear to a request that is to come by TLS: go on to https, or, if it was more

@@ -13,6 +13,7 @@
 
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/tcp_peer.hpp"
+#include "server/net/http/carried_token.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/net/http/http_request.hpp"
 #include "server/net/http/login_routes.hpp"
@@ -31,6 +32,8 @@ constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = SetupShelf::kMostBytes;
 constexpr std::uint64_t kMaxOtherBodyBytes = 4 * 1024;  // of all but set-ups
 constexpr std::size_t kFirstRead = 4096;
+constexpr std::size_t kMostDiscarded = 256 * 1024;  // of what comes meanwhile
+constexpr auto kSubprotocols = http::field::sec_websocket_protocol;
 constexpr std::chrono::seconds kHandshakeTime{10};
 constexpr std::chrono::seconds kClosingTime{2};  // for the client to close after the last answer
 
@@ -79,6 +82,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   WebAnswer answer_metrics(const Request& request) const;
   WebAnswer answer_signalk(const Request& request, std::string path);
   void upgrade(Request request, std::function<void()> accepted);
+  void upgrade_native(Request request);
   // False if no WebSocket is there.
   bool upgrade_signalk(Request& request, std::string_view path);
   void send(const WebAnswer& answer, bool with_body, bool keep_alive);
@@ -107,6 +111,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   std::unique_ptr<WsStream> ws_;  // during the handshake, when stream_ has moved into it
   Request upgrade_request_;
   std::array<char, 1024> discarded_;
+  std::size_t discarded_bytes_ = 0;
 };
 
 const std::array<HttpSession::Route, 4> HttpSession::kRoutes = {
@@ -166,7 +171,7 @@ void HttpSession::on_read(error_code error) {
   if (error) return answer_unreadable(error);
   has_served_ = true;
   Request request = parser_->release();
-  if (context_.gate.knows(bearer_of(request), utc_now())) slot_->trust();
+  if (context_.gate.knows(token_of(request), utc_now())) slot_->trust();
   if (auto refused = refusal(request)) {
     const std::string_view text = refused->body;
     context_.complain("http refused",
@@ -178,12 +183,7 @@ void HttpSession::on_read(error_code error) {
     return send(web_error(413, "413: the request body is too long"), true, false);
   }
   const bool upgrades = websocket::is_upgrade(request);
-  if (path == "/ws" && upgrades) {
-    return upgrade(std::move(request), [self = shared_from_this()] {
-      NativeSession::begin(self->context_, make_ws_transport(std::move(self->ws_)),
-                           std::move(self->slot_));
-    });
-  }
+  if (path == "/ws" && upgrades) return upgrade_native(std::move(request));
   const bool with_body = request.method() != http::verb::head;
   const auto method = request.method_string();
   const auto later = [self = shared_from_this(), with_body,
@@ -195,7 +195,8 @@ void HttpSession::on_read(error_code error) {
                         {.method = {method.data(), method.size()},
                          .path = std::move(path),
                          .body = std::move(request.body()),
-                         .token = std::string(bearer_of(request)),
+                         .token = std::string(token_of(request)),
+                         .by_cookie = request.count(http::field::authorization) == 0,
                          .signed_in = [self = shared_from_this()] { self->slot_->trust(); }},
                         later);
   }
@@ -209,7 +210,7 @@ void HttpSession::on_read(error_code error) {
         {.method = {method.data(), method.size()},
          .path = std::move(path),
          .body = std::move(request.body()),
-         .who = context_.gate.who(slot_->peer().on_own_host, bearer_of(request), utc_now())},
+         .who = context_.gate.who(slot_->peer().on_own_host, token_of(request), utc_now())},
         later);
   }
   send(answer(request), with_body, request.keep_alive());
@@ -251,7 +252,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
                                   [&](const Route& each) { return each.path == path; });
   const bool is_file = route == kRoutes.end();
-  const Who who = context_.gate.who(slot_->peer().on_own_host, bearer_of(request), utc_now());
+  const Who who = context_.gate.who(slot_->peer().on_own_host, token_of(request), utc_now());
   if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
     context_.refuse("HTTP " + slot_->peer().text, text_of(who), *refused);
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
@@ -281,7 +282,7 @@ WebAnswer HttpSession::answer_metrics(const Request& request) const {
 WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
   const NetConfig& config = context_.config;
   const TcpPeer& peer = slot_->peer();
-  const Who who = context_.gate.who(peer.on_own_host, bearer_of(request), utc_now());
+  const Who who = context_.gate.who(peer.on_own_host, token_of(request), utc_now());
   const auto method = request.method_string();
   const auto right = signalk_right({method.data(), method.size()}, path);
   error_code error;
@@ -294,7 +295,7 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
       .address = error ? config.bind : local.address().to_string(),
       .origin = "Signal K display " + peer.text,
       .refusal = why_not(who, right, context_.ship_of(site_->radars().front().number)),
-      .has_token = !bearer_of(request).empty() && who.role && who.more.empty(),
+      .has_token = !token_of(request).empty() && who.role && who.more.empty(),
       .is_known = who.role.has_value()};
   const bool reads = only_reads(request);
   if (!reads && !context_.changes.take(peer, std::chrono::steady_clock::now())) {
@@ -314,7 +315,7 @@ WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) 
 bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   const auto wanted = signalk_stream(*site_, path);
   if (!wanted) return false;
-  const StreamRight right(context_, slot_->peer().on_own_host, std::string(bearer_of(request)),
+  const StreamRight right(context_, slot_->peer().on_own_host, std::string(token_of(request)),
                           site_->radars().front().number);
   if (const auto refused = right.refusal_of("signalk.stream")) {
     send(web_error(401, "401: " + *refused), true, false);
@@ -334,13 +335,28 @@ bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   return true;
 }
 
+void HttpSession::upgrade_native(Request request) {
+  const auto offered = offered_subprotocols(headers_of(request, kSubprotocols));
+  std::string token = offered.token.empty() ? std::string(token_of(request)) : offered.token;
+  if (context_.gate.knows(token, utc_now())) slot_->trust();
+  upgrade(std::move(request), [self = shared_from_this(), token = std::move(token)] {
+    NativeSession::begin(self->context_, make_ws_transport(std::move(self->ws_)),
+                         std::move(self->slot_), token);
+  });
+}
+
 void HttpSession::upgrade(Request request, std::function<void()> accepted) {
   stream_.expires_never();  // the WebSocket has its own time limits
   ws_ = std::make_unique<WsStream>(std::move(stream_));
   ws_->set_option(
       websocket::stream_base::timeout{kHandshakeTime, websocket::stream_base::none(), false});
-  ws_->set_option(websocket::stream_base::decorator(
-      [](websocket::response_type& response) { response.set(http::field::server, "skerryd"); }));
+  const bool is_skerry = offered_subprotocols(headers_of(request, kSubprotocols)).skerry;
+  ws_->set_option(
+      websocket::stream_base::decorator([is_skerry](websocket::response_type& response) {
+        response.set(http::field::server, "skerryd");
+        if (!is_skerry) return;
+        response.set(kSubprotocols, beast::string_view(kSubprotocol.data(), kSubprotocol.size()));
+      }));
   upgrade_request_ = std::move(request);
   ws_->async_accept(upgrade_request_,
                     [self = shared_from_this(), accepted = std::move(accepted)](error_code error) {
@@ -369,8 +385,9 @@ void HttpSession::on_sent(error_code error, bool keep_alive) {
 // Closing with bytes unread would reset the connection, and the client might never see the answer.
 void HttpSession::discard() {
   stream_.async_read_some(asio::buffer(discarded_),
-                          [self = shared_from_this()](error_code error, std::size_t) {
-                            if (!error) self->discard();
+                          [self = shared_from_this()](error_code error, std::size_t size) {
+                            self->discarded_bytes_ += size;
+                            if (!error && self->discarded_bytes_ < kMostDiscarded) self->discard();
                           });
 }
 

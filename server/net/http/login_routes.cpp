@@ -9,6 +9,10 @@
 #include "protocol/picture/label_text.hpp"
 #include "protocol/signalk/documents.hpp"
 #include "protocol/signalk/json.hpp"
+#include "server/net/common/net_clock.hpp"
+#include "server/net/common/signing_in.hpp"
+#include "server/net/http/carried_token.hpp"
+#include "server/net/http/login_body.hpp"
 
 namespace skerry::server {
 namespace {
@@ -37,19 +41,27 @@ void describe(Json& json, const Who& who, std::optional<UtcTime> ends) {
   if (ends) json["ends"] = utc_text(*ends);
 }
 
-WebAnswer tell(const NetContext& context, const TcpPeer& peer, const std::string& token) {
+WebAnswer tell(const NetContext& context, const TcpPeer& peer, const LoginRequest& request) {
   const UtcTime now = utc_now();
-  Json json{{"users", context.gate.has_users()}};
-  if (context.gate.knows(token, now)) {
-    describe(json, context.gate.who(peer.on_own_host, token, now), context.gate.end_of(token, now));
+  Json json{{"users", context.gate.has_users()},
+            {"class", context.gate.class_codes().takes_in(now)}};
+  const bool is_known = context.gate.knows(request.token, now);
+  if (is_known) {
+    describe(json, context.gate.who(peer.on_own_host, request.token, now),
+             context.gate.end_of(request.token, now));
   }
-  return document_of(json);
+  WebAnswer answer = document_of(json);
+  // A browser that keeps the cookie of a session that has ended is nobody again.
+  if (!is_known && request.by_cookie && !request.token.empty()) {
+    answer.set_cookie = cookie_without_token();
+  }
+  return answer;
 }
 
-WebAnswer sign_out(NetContext& context, const TcpPeer& peer, const std::string& token,
+WebAnswer sign_out(NetContext& context, const TcpPeer& peer, const LoginRequest& request,
                    bool is_signalk) {
-  const std::string who = text_of(context.gate.who(peer.on_own_host, token, utc_now()));
-  if (!context.gate.sign_out(token)) {
+  const std::string who = text_of(context.gate.who(peer.on_own_host, request.token, utc_now()));
+  if (!context.gate.sign_out(request.token)) {
     // A token of the file does not end so; Signal K's clients are content with that.
     if (is_signalk) return login_error(true, 200, "OK");
     return login_error(false, 401, "nobody is signed in with this token");
@@ -58,76 +70,57 @@ WebAnswer sign_out(NetContext& context, const TcpPeer& peer, const std::string& 
                  .from = "HTTP " + peer.text,
                  .who = who,
                  .what = "sign out"});
-  return is_signalk ? login_error(true, 200, "OK") : document_of(Json::object());
+  WebAnswer answer = is_signalk ? login_error(true, 200, "OK") : document_of(Json::object());
+  if (request.by_cookie) answer.set_cookie = cookie_without_token();
+  return answer;
 }
 
-// What is asked for when a password comes.
-struct Wanted {
-  std::string name = {}, password = {};
-  bool is_signalk = false;
-};
-
-std::optional<Wanted> wanted_by(const LoginRequest& request) {
-  const auto body = signalk::read_json(request.body);
-  if (!body) return std::nullopt;
-  Wanted wanted{.is_signalk = request.path == kSignalkLogin};
-  wanted.name = signalk::text_member(*body, wanted.is_signalk ? "username" : "name");
-  wanted.password = signalk::text_member(*body, "password");
-  if (wanted.password.empty()) return std::nullopt;
-  return wanted;
-}
-
-WebAnswer welcome(const Gate::SignedIn& made, bool is_signalk) {
-  Json json{{"token", made.token}};
+WebAnswer welcome_document(const Gate::SignedIn& made, bool is_signalk, bool by_cookie) {
   if (is_signalk) {
-    json["timeToLive"] = std::chrono::seconds(Gate::kSignedIn).count();
-  } else {
-    describe(json, made.who, made.ends);
+    return document_of(
+        Json{{"token", made.token}, {"timeToLive", std::chrono::seconds(Gate::kSignedIn).count()}});
   }
-  return document_of(json);
+  Json json = Json::object();
+  if (!by_cookie) json["token"] = made.token;
+  describe(json, made.who, made.ends);
+  WebAnswer answer = document_of(json);
+  if (by_cookie) answer.set_cookie = cookie_with(made.token);
+  return answer;
 }
 
-void sign_in(NetContext& context, const TcpPeer& peer, Wanted wanted,
-             std::function<void()> signed_in, std::function<void(WebAnswer)> answer) {
-  const std::string from = "HTTP " + peer.text;
-  const bool is_signalk = wanted.is_signalk;
-  if (!context.passwords) {
-    return answer(
-        is_signalk
-            ? login_error(true, 401, "the password is a token of the server; this is none")
-            : login_error(false, 404, "this server has no users; with --users FILE it does"));
+unsigned status_of(SignInOutcome::Kind kind) {
+  switch (kind) {
+    case SignInOutcome::Kind::signed_in:
+      return 200;
+    case SignInOutcome::Kind::malformed:
+      return 400;
+    case SignInOutcome::Kind::wrong:
+      return 401;
+    case SignInOutcome::Kind::too_often:
+      return 429;
+    case SignInOutcome::Kind::busy:
+      return 503;
+    case SignInOutcome::Kind::not_here:
+      return 404;
   }
-  const auto too_many = [&](unsigned status, const std::string& why) {
-    context.complain("too many sign-ins", peer.text + ": " + why);
-    answer(login_error(is_signalk, status, why));
-  };
-  // Who finds no place has not tried, and may as often as before.
-  if (!context.passwords->has_place()) {
-    return too_many(503, "too many sign in just now; try again in a second");
+  return 500;
+}
+
+void sign_in_over_http(NetContext& context, const TcpPeer& peer, LoginBody body, bool is_signalk,
+                       std::function<void()> signed_in, std::function<void(WebAnswer)> answer) {
+  if (is_signalk && !context.passwords) {
+    return answer(login_error(true, 401, "the password is a token of the server; this is none"));
   }
-  if (!context.sign_ins.take(peer, std::chrono::steady_clock::now())) {
-    return too_many(429, context.sign_ins.refusal(peer));
-  }
-  const std::string hash = context.gate.hash_of(wanted.name);
-  context.passwords->try_password(
-      hash, std::move(wanted.password),
-      [&context, from, hash, is_signalk, name = std::move(wanted.name),
-       signed_in = std::move(signed_in), answer = std::move(answer)](bool is_right) {
-        const auto made = is_right ? context.gate.sign_in(name, hash, utc_now()) : std::nullopt;
-        if (!made) {
-          constexpr const char* kWrong = "no user has this name and password";
-          // A name that nobody has may be a password, typed into the wrong field.
-          const std::string as = context.gate.has_user(name) ? " as " + name : "";
-          context.refuse(from, {}, fmt::format("sign in{}: {}", as, kWrong));
-          return answer(login_error(is_signalk, 401, kWrong));
-        }
-        context.audit({.kind = AuditEntry::Kind::sign_in,
-                       .from = from,
-                       .who = text_of(made->who),
-                       .what = "by password"});
-        if (signed_in) signed_in();
-        answer(welcome(*made, is_signalk));
-      });
+  const bool by_cookie = body.cookie && (peer.is_secure || peer.on_own_host);
+  sign_in(context, peer, "HTTP " + peer.text, std::move(body.credentials),
+          [is_signalk, by_cookie, signed_in = std::move(signed_in),
+           answer = std::move(answer)](const SignInOutcome& outcome) {
+            if (!outcome.made) {
+              return answer(login_error(is_signalk, status_of(outcome.kind), outcome.text));
+            }
+            if (signed_in) signed_in();
+            answer(welcome_document(*outcome.made, is_signalk, by_cookie));
+          });
 }
 
 // Signal K's paths may end in a slash.
@@ -156,11 +149,11 @@ void answer_login(NetContext& context, const TcpPeer& peer, LoginRequest request
       return answer(login_error(is_signalk, 403, *refused));
   }
   if (!is_signalk && (request.method == "GET" || request.method == "HEAD")) {
-    return answer(tell(context, peer, request.token));
+    return answer(tell(context, peer, request));
   }
   const bool ends = is_signalk ? request.method == "PUT" && request.path == kSignalkLogout
                                : request.method == "DELETE";
-  if (ends) return answer(sign_out(context, peer, request.token, is_signalk));
+  if (ends) return answer(sign_out(context, peer, request, is_signalk));
   if (request.method != "POST" || request.path == kSignalkLogout) {
     WebAnswer refused =
         login_error(is_signalk, 405,
@@ -172,16 +165,19 @@ void answer_login(NetContext& context, const TcpPeer& peer, LoginRequest request
                                                    : "GET, HEAD, POST, DELETE";
     return answer(std::move(refused));
   }
-  auto wanted = wanted_by(request);
-  if (!wanted) {
+  auto body = read_login_body(request.body, is_signalk);
+  if (!body) {
     return answer(login_error(is_signalk, 400,
                               is_signalk ? "expected {\"username\": ..., \"password\": ...}"
-                                         : "expected {\"name\": ..., \"password\": ...}"));
+                                         : "expected {\"name\": ..., \"password\": ...} or "
+                                           "{\"name\": ..., \"code\": ...}"));
   }
-  if (is_signalk && context.gate.knows(wanted->password, utc_now())) {
-    return answer(document_of(Json{{"token", wanted->password}}));
+  const std::string& password = body->credentials.password;
+  if (is_signalk && context.gate.knows(password, utc_now())) {
+    return answer(document_of(Json{{"token", password}}));
   }
-  sign_in(context, peer, std::move(*wanted), std::move(request.signed_in), std::move(answer));
+  sign_in_over_http(context, peer, std::move(*body), is_signalk, std::move(request.signed_in),
+                    std::move(answer));
 }
 
 }  // namespace skerry::server

@@ -1,4 +1,4 @@
-// Signing in by name and password: /login, and Signal K's /signalk/v1/auth/login.
+// Signing in by password or class code: /login, and Signal K's /signalk/v1/auth/login.
 #pragma once
 
 #include <functional>
@@ -14,20 +14,23 @@ struct LoginRequest {
   std::string method;
   std::string path;
   std::string body;
-  std::string token;                     // of "Authorization: Bearer"; empty: none
+  std::string token;                     // that it carries (http_request.hpp); empty: none
+  bool by_cookie = false;                // in the cookie
   std::function<void()> signed_in = {};  // called before the answer, if so
 };
 
 bool is_login_path(std::string_view path);
 
-// GET tells who bears the token: {"users", "role", "name", "ship", "ends"}; without a good one
-// {"users"} alone.  POST of {"name", "password"} signs in: {"token", "role", "name", "ship",
-// "ends"}.  DELETE ends the token that it bears.  Signal K: POST of {"username", "password"} gives
-// {"token", "timeToLive"} in seconds; a password that is itself a token is given back, for clients
-// that know no other way to have one.
+// GET tells who bears the token: {"users", "class", "role", "name", "ship", "ends"}; without a good
+// one {"users", "class"} alone: whether there are users, and a class code that takes somebody in.
+// POST of {"name", "password"} or {"name", "code"} signs in: {"token", "role", "name", "ship",
+// "ends"}; with "cookie": true over an encrypted connection, or on the server's own host, the token
+// is in a cookie instead (carried_token.hpp).  DELETE ends the token that it bears.  Signal K: POST
+// of {"username", "password"} gives {"token", "timeToLive"} in seconds; a password that is itself a
+// token is given back, for clients that know no other way to have one.
 //
 // `answer` is called once, at once or when the password was tried: 400 no such document, 401 no
-// such user or password, or no such token, 404 no users here, 405, 429 too many sign-ins of this
+// such user or password, code or token, 404 no users here, 405, 429 too many sign-ins of this
 // peer, 503 too many wait.  An answer to a wrong name takes as long as one to a wrong password.
 // Thread: net-0.
 void answer_login(NetContext& context, const TcpPeer& peer, LoginRequest request,

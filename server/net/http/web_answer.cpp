@@ -57,6 +57,22 @@ bool clean(std::string_view path) {
 constexpr std::array<std::pair<const char*, const char*>, 2> kForBrowsers = {
     {{"X-Content-Type-Options", "nosniff"}, {"Referrer-Policy", "no-referrer"}}};
 
+// A page of the console has no code or style in its text, and nothing of it is from elsewhere.  The
+// instructor's page has the console in a frame.
+// Source: Content Security Policy Level 3 (W3C).
+constexpr const char* policy_text(ContentPolicy policy) {
+  switch (policy) {
+    case ContentPolicy::data:
+      return "default-src 'none'; frame-ancestors 'none'";
+    case ContentPolicy::own_page:
+      return "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; "
+             "object-src 'none'";
+    case ContentPolicy::guest:
+      return "frame-ancestors 'self'";
+  }
+  return "";
+}
+
 }  // namespace
 
 http::response<http::string_body> response_of(const WebAnswer& answer, bool with_body,
@@ -68,10 +84,12 @@ http::response<http::string_body> response_of(const WebAnswer& answer, bool with
   response.set(http::field::content_type, answer.mime);
   response.set(http::field::cache_control, "no-cache");
   for (const auto& [name, value] : kForBrowsers) response.set(name, value);
+  response.set("Content-Security-Policy", policy_text(answer.policy));
   if (!answer.vary.empty()) {
     response.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
   }
   if (!answer.location.empty()) response.set(http::field::location, answer.location);
+  if (!answer.set_cookie.empty()) response.set(http::field::set_cookie, answer.set_cookie);
   if (answer.status == 405) {
     response.set(http::field::allow, beast::string_view(answer.allow.data(), answer.allow.size()));
   }
@@ -158,12 +176,23 @@ WebAnswer WebFiles::get(std::string_view target) const {
   return answer;
 }
 
-WebAnswer WebFiles::get_file(const std::string& path) const {
-  if (!root_.empty()) return get_from_root(path);
+const WebFile* WebFiles::find_built_in(const std::string& path) const {
   const auto file = std::find_if(built_in_.begin(), built_in_.end(),
                                  [&path](const WebFile& known) { return known.path == path; });
-  if (file == built_in_.end()) return web_error(404, "404: no such file; the console is at /");
-  return {.mime = std::string(file->mime), .body = std::string(file->body)};
+  return file == built_in_.end() ? nullptr : &*file;
+}
+
+WebAnswer WebFiles::get_file(const std::string& path) const {
+  const WebFile* file = find_built_in(path);
+  if (!root_.empty()) {
+    WebAnswer answer = get_from_root(path);
+    answer.policy = file != nullptr ? ContentPolicy::own_page : ContentPolicy::guest;
+    return answer;
+  }
+  if (file == nullptr) return web_error(404, "404: no such file; the console is at /");
+  return {.mime = std::string(file->mime),
+          .body = std::string(file->body),
+          .policy = ContentPolicy::own_page};
 }
 
 WebAnswer WebFiles::get_from_root(const std::string& path) const {

@@ -3,6 +3,7 @@
 
 #include <google/protobuf/message.h>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,12 +13,21 @@
 
 namespace skerry::server {
 
+// What a browser may do with an answer (Content-Security-Policy).
+enum class ContentPolicy : std::uint8_t {
+  data,      // it is no page: nothing at all
+  own_page,  // load what is this server's, and run no code but that of its files
+  guest,     // of another maker's application in the web root: only be in no other site's frame
+};
+
 struct WebAnswer {
   unsigned status = 200;
   std::string mime = "text/plain; charset=utf-8";
   std::string body = {};
   std::string_view vary = {};  // the request header that decided about the answer; a literal
   std::string location = {};   // of a redirection
+  std::string set_cookie = {};
+  ContentPolicy policy = ContentPolicy::data;
   std::string_view allow = "GET, HEAD";  // of 405: the methods that there are; a literal
 };
 
@@ -50,11 +60,13 @@ class WebFiles {
 
   // `target` as in the request line.  "/" is "/index.html", "/name" is "/name.html" if there is no
   // file of that name; "/name/" leads to "/name", on which a page's relative links rest.  Reads the
-  // disk if there is a root: meant for working on the console.
+  // disk if there is a root: meant for working on the console.  Files of the console are own
+  // pages, what else is in the root is a guest's.
   WebAnswer get(std::string_view target) const;
 
  private:
   WebAnswer get_file(const std::string& path) const;
+  const WebFile* find_built_in(const std::string& path) const;
   WebAnswer get_from_root(const std::string& path) const;
 
   std::span<const WebFile> built_in_;

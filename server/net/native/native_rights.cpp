@@ -39,10 +39,16 @@ bool is_audited(const wire::ClientMessage& message, const Asked& asked) {
              asked.rights.end();
 }
 
+// "trainee bridge-1, of the ship Frida"
+std::string text_for_client(const Who& who) {
+  const std::string ship = who.ship.empty() ? "" : ", of the ship " + who.ship;
+  return fmt::format("{} {}{}", name_of(*who.role), who.name, ship);
+}
+
 }  // namespace
 
 bool NativeSession::may(const wire::ClientMessage& message) {
-  if (asked_.token.empty()) asked_.token = token_;
+  if (asked_.token.empty() && !message.has_sign_in()) asked_.token = token_;
   const Who who = context_.gate.who(slot_->peer().on_own_host, asked_.token, utc_now());
   auto refused = why_not_allowed(who, asked_);
   if (!refused) {
@@ -64,15 +70,76 @@ std::optional<std::string> NativeSession::why_not_allowed(const Who& who,
 }
 
 void NativeSession::sign_in(std::uint32_t request, const wire::SignIn& wanted) {
+  if (!wanted.class_code().empty() || !wanted.password().empty()) {
+    return sign_in_by(
+        request,
+        {.name = wanted.name(), .password = wanted.password(), .class_code = wanted.class_code()});
+  }
   const Who who = context_.gate.who(slot_->peer().on_own_host, wanted.token(), utc_now());
-  if (!who.role || (!wanted.token().empty() && !who.more.empty())) {
+  if (!wanted.token().empty() && (!who.role || !who.more.empty())) {
     context_.refuse(origin(), {}, "sign in: " + who.more);
     return reply(request, wire::Reply::REFUSED, "sign in: " + who.more);
   }
-  token_ = wanted.token();
+  if (!wanted.name().empty() && wanted.token().empty()) {
+    return reply(request, wire::Reply::OUT_OF_RANGE,
+                 "sign in: a name alone; expected a token, or a password or class code with it");
+  }
+  if (wanted.token().empty() && !token_.empty()) {
+    const Who before = context_.gate.who(slot_->peer().on_own_host, token_, utc_now());
+    context_.audit({.kind = AuditEntry::Kind::sign_in,
+                    .from = origin(),
+                    .who = text_of(before),
+                    .what = "sign out"});
+  }
+  become(wanted.token());
+  if (!token_.empty()) tell_sign_in();
+  reply(request, wire::Reply::OK,
+        who.role ? text_for_client(who) : "nobody in particular; " + who.more);
+}
+
+void NativeSession::sign_in_by(std::uint32_t request, Credentials credentials) {
+  signing_in_ = true;
+  server::sign_in(context_, slot_->peer(), origin(), std::move(credentials),
+                  [self = shared_from_this(), request](SignInOutcome outcome) {
+                    self->signed_in(request, std::move(outcome));
+                  });
+}
+
+void NativeSession::signed_in(std::uint32_t request, SignInOutcome outcome) {
+  signing_in_ = false;
+  if (closed_) {
+    if (outcome.made) context_.gate.sign_out(outcome.made->token);
+    return;
+  }
+  if (outcome.made) {
+    slot_->trust();
+    become(outcome.made->token);
+    has_made_token_ = true;
+    reply(request, wire::Reply::OK, text_for_client(outcome.made->who));
+  } else if (slot_->place() == Place::on_trial) {
+    fail(wire::Reply::REFUSED, "refused", "sign in: " + outcome.text);
+  } else {
+    reply(request, wire::Reply::REFUSED, "sign in: " + outcome.text);
+  }
+  // Posted: the outcome may have come at once, while requests are being handled.
+  asio::post(context_.io, [self = shared_from_this()] {
+    if (!self->closed_) self->process();
+  });
+}
+
+void NativeSession::become(std::string token) {
+  // What was asked for by the one before holds only as far as the new one may have it, too.
+  for (auto* holds : {&subscribed_, &streamed_}) {
+    if (*holds && (*holds)->token == token_) (*holds)->token = token;
+  }
+  if (std::exchange(has_made_token_, false)) context_.gate.sign_out(token_);
+  token_ = std::move(token);
+  looked_at_ = 0;
+}
+
+void NativeSession::tell_sign_in() const {
+  const Who who = context_.gate.who(slot_->peer().on_own_host, token_, utc_now());
   context_.audit({.kind = AuditEntry::Kind::sign_in, .from = origin(), .who = text_of(who)});
-  const std::string ship = who.ship.empty() ? "" : ", of the ship " + who.ship;
-  reply(request, wire::Reply::OK, fmt::format("{} {}{}", name_of(*who.role), who.name, ship));
 }
 
 void NativeSession::audit(const wire::Reply& answer) {

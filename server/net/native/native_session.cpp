@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "server/net/common/encoders.hpp"
+#include "server/net/common/net_clock.hpp"
 
 namespace skerry::server {
 namespace {
@@ -26,18 +27,20 @@ std::string native_refusal(const std::string& reason) {
 }
 
 void NativeSession::begin(NetContext& context, std::unique_ptr<ByteTransport> transport,
-                          ConnectionSlotPtr slot) {
-  std::make_shared<NativeSession>(context, std::move(transport), std::move(slot))->start();
+                          ConnectionSlotPtr slot, std::string token) {
+  std::make_shared<NativeSession>(context, std::move(transport), std::move(slot), std::move(token))
+      ->start();
 }
 
 NativeSession::NativeSession(NetContext& context, std::unique_ptr<ByteTransport> transport,
-                             ConnectionSlotPtr slot)
+                             ConnectionSlotPtr slot, std::string token)
     : context_(context),
       transport_(std::move(transport)),
       slot_(std::move(slot)),
       client_(context.clients.add(transport_->name(), slot_->peer().text)),
       deadline_(context.io),
-      boards_(context, *this) {}
+      boards_(context, *this),
+      token_(std::move(token)) {}
 
 void NativeSession::start() {
   slot_->owner = weak_from_this();
@@ -49,6 +52,7 @@ void NativeSession::start() {
     *message.mutable_hello() = context_.hello();
     message.mutable_hello()->set_you(origin());
     send(message);
+    if (context_.gate.knows(token_, utc_now())) tell_sign_in();
   }
   pump();
   read();
@@ -60,6 +64,7 @@ void NativeSession::close() {
   unsubscribe();
   boards_.leave();
   context_.host.leave(origin());
+  if (has_made_token_) context_.gate.sign_out(token_);
   deadline_.cancel();
   transport_->close();
   spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,
@@ -91,10 +96,13 @@ void NativeSession::on_read(error_code error, std::size_t size) {
 void NativeSession::process() {
   bool handled_all = false;
   do {
-    while (!failed_ && !handled_all && !replies_full()) handled_all = !handle_next();
+    while (!failed_ && !signing_in_ && !handled_all && !replies_full()) {
+      handled_all = !handle_next();
+    }
     pump();  // makes room for more replies, unless a write is in flight
-  } while (!failed_ && !handled_all && !replies_full());
+  } while (!failed_ && !signing_in_ && !handled_all && !replies_full());
 
+  if (signing_in_) return;  // goes on when the password was tried
   if (failed_ || handled_all) {
     if (std::exchange(waiting_for_replies_, false) && !failed_) deadline_.cancel();
     read();
@@ -152,13 +160,15 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       return record(message.request(), message.record());
     case wire::ClientMessage::kPlayback:
       return control_playback(message.request(), message.playback());
+    case wire::ClientMessage::kClassOrder:
+      return order_class(message.request(), message.class_order());
     case wire::ClientMessage::KIND_NOT_SET:
       break;
   }
   fail(wire::Reply::MALFORMED, "malformed request",
        "a ClientMessage without a kind this server knows; expected sign_in, subscribe, set, "
-       "get_status, record, playback, get_coastline, get_chart_objects, target_order or one of a "
-       "board's");
+       "get_status, record, playback, get_coastline, get_chart_objects, target_order, class_order "
+       "or one of a board's");
 }
 
 std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,

@@ -15,6 +15,7 @@
 #include "protocol/wire/frame.hpp"
 #include "server/access/asked.hpp"
 #include "server/net/common/net_context.hpp"
+#include "server/net/common/signing_in.hpp"
 #include "server/net/native/board_requests.hpp"
 #include "server/net/native/byte_transport.hpp"
 
@@ -44,11 +45,13 @@ class NativeSession final : public Connection,
   static constexpr std::size_t kMaxReplyBytes = 64 * 1024;  // queued; one more reply may exceed it
   static constexpr std::size_t kBatchBytes = 64 * 1024;  // one write; one more sector may exceed it
 
+  // `token`: what the client has shown already, good or not, as if it had signed in; empty:
+  // nothing.
   static void begin(NetContext& context, std::unique_ptr<ByteTransport> transport,
-                    ConnectionSlotPtr slot);
+                    ConnectionSlotPtr slot, std::string token = {});
 
   NativeSession(NetContext& context, std::unique_ptr<ByteTransport> transport,
-                ConnectionSlotPtr slot);
+                ConnectionSlotPtr slot, std::string token);
 
   void close() override;
   void check(std::chrono::steady_clock::time_point now) override;
@@ -93,6 +96,13 @@ class NativeSession final : public Connection,
   // Keeps what was asked for and this answer.
   void audit(const wire::Reply& answer);
   void sign_in(std::uint32_t request, const wire::SignIn& wanted);
+  // By name and password, or class code: what comes meanwhile waits.
+  void sign_in_by(std::uint32_t request, Credentials credentials);
+  void signed_in(std::uint32_t request, SignInOutcome outcome);
+  void tell_sign_in() const;  // to the audit
+  // From now on what it asks for is asked with this token; empty: by nobody.
+  void become(std::string token);
+  void order_class(std::uint32_t request, const wire::ClassOrder& order);
   // Ends the connection of a client who may have no longer what it gets: its token was revoked or
   // has ended.
   void look_at_rights();
@@ -151,10 +161,12 @@ class NativeSession final : public Connection,
 
   BoardRequests boards_;
 
-  std::string token_;    // signed in with
-  std::string who_;      // asked for what is handled, for the audit
-  std::string audited_;  // what that is, until it is answered
-  Asked asked_;          // by the message that is handled; its token is the one it was allowed by
+  std::string token_;            // signed in with
+  bool has_made_token_ = false;  // it was made for this connection, and ends with it
+  bool signing_in_ = false;      // until then nothing is handled
+  std::string who_;              // asked for what is handled, for the audit
+  std::string audited_;          // what that is, until it is answered
+  Asked asked_;  // by the message that is handled; its token is the one it was allowed by
   std::optional<Asked> subscribed_, streamed_;  // by the Subscribe and the BoardStream that hold
   std::uint64_t looked_at_ = 0;                 // Gate::generation() when these were looked at
 

@@ -11,6 +11,7 @@ import { controlsDocument } from './controls_document.mjs';
 import { cellsAt, NM } from './mock_scene.mjs';
 import { chartAt, OWN } from './mock_chart.mjs';
 import { coastlineAt } from './mock_exercise.mjs';
+import { answerLogin } from './mock_login.mjs';
 
 const path = (name) => fileURLToPath(new URL(`../../../${name}`, import.meta.url));
 export const WEB = path('clients/web/');
@@ -33,7 +34,7 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, mayLook: () => true, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null, scene: cellsAt, users: null,
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null, scene: cellsAt, users: null, classCode: null, losesCookies: false,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
@@ -43,6 +44,7 @@ export class MockServer {
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
     // users: by name { password, role }, who may sign in; what mayLook() and Reply then know of them is up to the test.
+    // classCode: by which one is a trainee of the second ship; losesCookies: whoever wants a cookie has neither it nor a token.
     // scene(bearingDeg, { cells, cellSizeM, gain }): cells of one spoke, 0..255.
     // mayLook(token): whether who signed in with it, or with none, may subscribe.
     // silent: [[fromDeg, toDeg]] true bearings of which nothing is sent.
@@ -85,12 +87,13 @@ export class MockServer {
         response.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify({ radars }));
         return;
       }
-      if (name === 'login') { this.#answerLogin(request, response); return; }
+      if (name === 'login') { answerLogin(this, request, response); return; }
       if (/^setups(\/|$)/.test(name)) { this.#answerSetups(request, response, decodeURIComponent(name.slice(7))); return; }
       if (!files.has(name)) { response.writeHead(404).end(); return; }
       response.writeHead(200, {
         'Content-Type': MIME[extname(name)], 'Cache-Control': 'no-store',
-        'Content-Security-Policy': "default-src 'self'",
+        // As skerryd has it (server/net/http/web_answer.cpp).
+        'Content-Security-Policy': "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; object-src 'none'",
       }).end(readFileSync(WEB + name));
     });
     this.sockets = new WebSocketServer({ server: this.http, path: '/ws' });
@@ -109,21 +112,6 @@ export class MockServer {
     this.targeting = setInterval(() => this.showTargets(), 500);
     this.exercising = setInterval(() => this.showExercise(0.25), 250);
     return `http://${this.host}:${this.port}/`;
-  }
-
-  // As server/net/http/login_routes.cpp; the token is "of" the user's name.
-  async #answerLogin(request, response) {
-    let body = '';
-    for await (const piece of request) body += piece;
-    const reply = (status, json) => response.writeHead(status, { 'Content-Type': 'application/json' }).end(JSON.stringify(json));
-    const bearer = /^Bearer of (.*)$/.exec(request.headers.authorization ?? '')?.[1];
-    const told = (name) => ({ name, role: this.users[name].role, ship: this.users[name].ship, ends: '2030-01-01T22:10:00Z' });
-    this.logins = [...(this.logins ?? []), { method: request.method, body, bearer }];
-    if (request.method === 'GET') return reply(200, { users: this.users !== null, ...(bearer && this.users?.[bearer] ? told(bearer) : {}) });
-    if (request.method === 'DELETE') return reply(bearer ? 200 : 401, {});
-    const { name, password } = JSON.parse(body);
-    if (this.users?.[name]?.password !== password) return reply(this.loginStatus ?? 401, {});
-    return reply(200, { token: `of ${name}`, ...told(name) });
   }
 
   // As server/net/http/setup_routes.cpp. setups: a Map of name and document, or null where none are kept.

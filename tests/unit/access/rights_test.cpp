@@ -164,14 +164,16 @@ TEST(Rights, OfEachRoleAreAsTheyAreMeant) {
     const std::string kind = each.substr(0, each.find('.'));
     of_trainee.insert(kind == "set" || kind == "subscribe" ? each : kind);
   }
-  EXPECT_THAT(of_trainee, UnorderedElementsAre("subscribe.exercise_hz", "set.world", "set.exercise",
-                                               "set.lock", "set.unlock", "set.instructor", "record",
-                                               "playback", "board_fifo", "board_ring"));
+  EXPECT_THAT(of_trainee,
+              UnorderedElementsAre("subscribe.exercise_hz", "set.world", "set.exercise", "set.lock",
+                                   "set.unlock", "set.instructor", "record", "playback",
+                                   "class_order", "board_fifo", "board_ring"));
   for (const Role looker : {access::OBSERVER, access::ASSESSOR}) {
     for (const FieldDescriptor* kind : kinds()) {
       const std::string name = kind->name();
       const bool changes = name == "set" || name == "target_order" || name == "record" ||
-                           name == "playback" || name == "board_fifo" || name == "board_ring";
+                           name == "playback" || name == "class_order" || name == "board_fifo" ||
+                           name == "board_ring";
       for (int i = 0; i < kind->message_type()->field_count(); ++i) {
         const std::string each = name + "." + kind->message_type()->field(i)->name();
         EXPECT_TRUE(!changes || refused[looker].count(each) == 1u) << each;

@@ -41,16 +41,19 @@ inline std::string test_folder() {
 
 class Program {
  public:
-  explicit Program(std::vector<std::string> arguments) : folder_(test_folder()) {
+  // `input`: what it reads.
+  explicit Program(std::vector<std::string> arguments, const std::string& input = {})
+      : folder_(test_folder()) {
+    std::ofstream(folder_ + "/in") << input;
     arguments.insert(arguments.begin(), SKERRY_PROGRAM);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    const std::string out = folder_ + "/out", err = folder_ + "/err";
+    const std::string in = folder_ + "/in", out = folder_ + "/out", err = folder_ + "/err";
     pid_ = ::fork();
     if (pid_ != 0) return;
     constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
-    ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+    ::dup2(::open(in.c_str(), O_RDONLY), STDIN_FILENO);
     ::dup2(::open(out.c_str(), kWrite, 0600), STDOUT_FILENO);
     ::dup2(::open(err.c_str(), kWrite, 0600), STDERR_FILENO);
     ::execv(argv[0], argv.data());

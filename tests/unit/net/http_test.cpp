@@ -62,6 +62,20 @@ TEST_F(Http, BrowsersAreToldToGuessNothingAndToTellNobody) {
   }
 }
 
+TEST_F(Http, APageMayLoadAndRunWhatIsThisServersAloneAndDataNothing) {
+  const std::string page = http_get(server_.http_port(), "/");
+  EXPECT_NE(page.find("Content-Security-Policy: default-src 'self'; base-uri 'none'; form-action "
+                      "'self'; frame-ancestors 'self'; object-src 'none'\r\n"),
+            std::string::npos)
+      << page;
+  for (const char* path : {"/status", "/no-such-file", "/controls.json", "/login"}) {
+    const std::string data = http_get(server_.http_port(), path);
+    EXPECT_NE(data.find("Content-Security-Policy: default-src 'none'; frame-ancestors 'none'\r\n"),
+              std::string::npos)
+        << path << data;
+  }
+}
+
 TEST_F(Http, HeadHasTheLengthButNoBody) {
   const std::string answer =
       exchange("HEAD / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");

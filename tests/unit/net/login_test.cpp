@@ -4,20 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "protocol/signalk/json.hpp"
-#include "server/access/password.hpp"
 #include "server/access/password_desk.hpp"
-#include "server/access/user_file.hpp"
-#include "tests/unit/net/fake_host.hpp"
-#include "tests/unit/net/kept_audit.hpp"
-#include "tests/unit/net/test_client.hpp"
+#include "tests/unit/net/server_with_users.hpp"
 
 namespace skerry::server {
 namespace {
@@ -27,79 +20,9 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr PasswordCost kCheap{.memory_kib = 8, .passes = 1};
 // Some 150 ms of a core, so that others can be seen to go on meanwhile.
 constexpr PasswordCost kDear{.memory_kib = 64 * 1024, .passes = 3};
-const std::string kPassword = "correct horse", kSignalkLogin = "/signalk/v1/auth/login";
-
-class ServerWithUsers : public testing::Test {
- protected:
-  ServerWithUsers() : host_(2) {
-    add("Anna", access::INSTRUCTOR, kPassword);
-    add("Tom", access::TRAINEE, "battery staple", "ship of radar 0");
-    // Everybody is of another host.
-    config_.foreign_addresses = {"127.0.0.1"};
-    config_.users = file_.string();
-    config_.audit = &audit_;
-  }
-  ~ServerWithUsers() override {
-    if (server_) server_->stop();
-    std::filesystem::remove_all(folder_);
-  }
-
-  void start() {
-    server_.emplace(host_, config_, std::span<const WebFile>{});
-    server_->start();
-  }
-  void add(const std::string& name, Role role, const std::string& password,
-           const std::string& ship = {}, PasswordCost cost = kCheap) {
-    change_users(file_, [&](UserFile& file) {
-      file.add({name, role, ship, hash_of_password(password, cost)});
-    });
-  }
-
-  struct Answer {
-    std::string head;
-    std::string body;
-  };
-  static std::string request(const std::string& method, const std::string& path,
-                             const std::string& body, const std::string& token) {
-    return method + " " + path + " HTTP/1.1\r\nHost: localhost\r\n" +
-           (token.empty() ? "" : "Authorization: Bearer " + token + "\r\n") +
-           "Connection: close\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" +
-           body;
-  }
-  Answer http(const std::string& method, const std::string& path, const std::string& body = {},
-              const std::string& token = {}) {
-    const std::string all = http_exchange(server_->http_port(), request(method, path, body, token));
-    const auto end = all.find("\r\n\r\n");
-    return {all.substr(0, end), end == std::string::npos ? "" : all.substr(end + 4)};
-  }
-  static std::string who(const std::string& name, const std::string& password) {
-    return Json{{"name", name}, {"password", password}}.dump();
-  }
-  Json sign_in(const std::string& name, const std::string& password) {
-    const Answer answer = http("POST", "/login", who(name, password));
-    EXPECT_THAT(answer.head, StartsWith("HTTP/1.1 200")) << answer.body;
-    return signalk::read_json(answer.body).value_or(Json());
-  }
-  wire::Reply native_sign_in(TestClient& client, const std::string& token) {
-    wire::ClientMessage message;
-    message.mutable_sign_in()->set_token(token);
-    client.send(message);
-    return client.receive_reply();
-  }
-
-  std::filesystem::path folder_ = [] {
-    std::string pattern = testing::TempDir() + "skerry-login-XXXXXX";
-    return std::filesystem::path(::mkdtemp(pattern.data()));
-  }();
-  std::filesystem::path file_ = folder_ / "users.yaml";
-  NetConfig config_ = test_config();
-  KeptAudit audit_;
-  FakeHost host_;
-  std::optional<NetServer> server_;
-};
+const std::string kSignalkLogin = "/signalk/v1/auth/login";
 
 TEST_F(ServerWithUsers, APasswordGivesATokenThatEveryProtocolTakes) {
   start();
@@ -124,17 +47,18 @@ TEST_F(ServerWithUsers, APasswordGivesATokenThatEveryProtocolTakes) {
 
 TEST_F(ServerWithUsers, TellsWhoOneIs) {
   start();
+  const Json kNobody{{"users", true}, {"class", false}};
   const auto told = [&](const std::string& token) {
     return *signalk::read_json(http("GET", "/login", {}, token).body);
   };
-  EXPECT_EQ(told({}), (Json{{"users", true}}));
+  EXPECT_EQ(told({}), kNobody);
   const Json anna = sign_in("Anna", kPassword);
   const Json as_anna = told(anna["token"]);
   for (const char* name : {"role", "name", "ends"}) EXPECT_EQ(as_anna[name], anna[name]) << name;
   EXPECT_FALSE(as_anna.contains("token"));
-  EXPECT_EQ(told("skerry_guess"), (Json{{"users", true}}));
+  EXPECT_EQ(told("skerry_guess"), kNobody);
   // Who is nobody in particular is not told as if she had signed in, also on the server's own host.
-  EXPECT_EQ(told({}), (Json{{"users", true}}));
+  EXPECT_EQ(told({}), kNobody);
 }
 
 TEST_F(ServerWithUsers, WhatIsWrongIsRefusedAlikeAndToldToTheAuditWithoutThePassword) {

@@ -175,7 +175,7 @@ $('radar').addEventListener('change', () => {
   $('radar').blur();
   subscribe();
 });
-const access = new Access($('access'), (isGone) => connection.tellToken(isGone));
+const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew));
 
 function askWho() {
   if (!$('help').open) $('help').showModal();

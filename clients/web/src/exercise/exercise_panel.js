@@ -2,8 +2,8 @@
 import { duration } from '../format.js';
 import { $, write } from '../widgets.js';
 import { LiveField } from './live_field.js';
+import { sureButton } from './sure_button.js';
 
-const SURE_MS = 4000;
 export const KINDS = {
   mark: 'Mark',
   event: 'Event',
@@ -112,26 +112,13 @@ export class ExercisePanel {
     return item;
   }
 
-  // Pressed twice, as it takes everybody back.
+  // It takes everybody back.
   #snapshot(name) {
     const item = document.createElement('li'),
-      text = document.createElement('span'),
-      button = document.createElement('button');
+      text = document.createElement('span');
     text.textContent = name;
-    button.type = 'button';
-    button.textContent = 'Restore';
-    button.ariaLabel = `Restore ${name}`;
-    button.addEventListener('click', () => {
-      clearTimeout(button.timer);
-      const sure = button.classList.toggle('sure');
-      button.textContent = sure ? 'Sure?' : 'Restore';
-      if (sure)
-        button.timer = setTimeout(() => {
-          button.classList.remove('sure');
-          button.textContent = 'Restore';
-        }, SURE_MS);
-      else this.orders.exercise({ restore: name }, `restore ${name}`);
-    });
+    const restore = () => this.orders.exercise({ restore: name }, `restore ${name}`);
+    const button = sureButton('Restore', `Restore ${name}`, restore);
     item.append(text, button);
     return item;
   }

@@ -10,6 +10,7 @@ import { showLink } from '../readouts.js';
 import { $, write } from '../widgets.js';
 import { Chart } from './chart.js';
 import { ChartInput } from './chart_input.js';
+import { ClassPanel } from './class_panel.js';
 import { Coast } from './coast.js';
 import { Exercise } from './exercise.js';
 import { ExercisePanel } from './exercise_panel.js';
@@ -75,6 +76,14 @@ function send(values, what, radar = hello?.radars[0]?.radar ?? 0) {
   return request;
 }
 
+let askedClasses = null; // the request that only looks what there is
+function orderClass(order) {
+  const request = connection.classOrder(order, token());
+  if (Object.keys(order).length === 0) askedClasses = request;
+  else if (request === null) notify('Not connected: the order was not sent');
+  return request;
+}
+
 const exercise = new Exercise(() => changed());
 const replay = new Replay((change) => connection.playback(change, token()), notify);
 const orders = new Orders(send);
@@ -91,6 +100,7 @@ const ships = new ShipsPanel(exercise, orders, { openTrainee: (ship) => trainee.
 const weather = new WeatherPanel(exercise, orders);
 const faults = new FaultsPanel(table.faults ?? [], exercise, orders);
 const clock = new ExercisePanel(exercise, orders, notify);
+const classes = new ClassPanel(exercise, orderClass, notify);
 const toolbar = new Toolbar({ chart, tools, exercise, changed });
 new ChartInput(chart, exercise, tools, orders, (place) => {
   write(
@@ -113,6 +123,7 @@ function show() {
   weather.show();
   faults.show();
   clock.show();
+  classes.show();
   trainee.follow(exercise.chosenOwn[0]);
   chart.changed();
 }
@@ -142,6 +153,7 @@ const TAKERS = {
     for (const part of document.querySelectorAll('#tab-weather .fields, #fault-table')) part.inert = replay.on;
     trainee.greet(hello.radars);
     subscribe();
+    classes.greet(hello.hasClasses);
   },
   exercise: (state) => {
     heardMs = performance.now();
@@ -155,10 +167,15 @@ const TAKERS = {
   },
   playback: (state) => replay.take(state),
   coastline: (coastline) => coast.take(coastline),
+  classes: (list) => classes.take(list),
   reply: (reply) => {
     const what = orderedBy.get(reply.request);
     orderedBy.delete(reply.request);
     replay.takeReply(reply);
+    if (reply.request === askedClasses) {
+      if (reply.code !== 0) classes.refused();
+      return;
+    }
     if (coast.takeReply(reply)) notify(`No coast: ${reply.text}`);
     else if (reply.code !== 0) {
       const why = reply.text || REPLY_CODES[reply.code] || `code ${reply.code}`;
@@ -233,9 +250,11 @@ $('palette').addEventListener('click', changePalette);
 $('save').addEventListener('click', saveScenario);
 $('trainee-toggle').addEventListener('click', () => trainee.toggle());
 $('help-open').addEventListener('click', () => $('help').showModal());
-const access = new Access($('access'), (isGone) => {
-  connection.tellToken(isGone);
-  if (hello && connection.state === 'live') subscribe();
+const access = new Access($('access'), (isAnew) => {
+  connection.tellToken(isAnew);
+  if (!hello || connection.state !== 'live') return;
+  subscribe();
+  classes.greet(hello.hasClasses);
 });
 
 const tool = (name) => () => (replay.on && name !== 'look' ? notify(PLAYED) : tools.take(name));

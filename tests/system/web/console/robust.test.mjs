@@ -310,6 +310,53 @@ test('who has no token signs in by name and password, sees who she is, and signs
   assert.equal(await password.inputValue(), '');
 });
 
+test('a trainee signs in by the code of her class, and is aboard her ship', async () => {
+  server = new MockServer({ ...SMALL, classCode: '123456', mayLook: (token) => token === 'of Kim' });
+  page = await openConsole(browser, await server.start());
+  const name = page.getByLabel('Name', { exact: true }), code = page.getByLabel('Class code', { exact: true }), go = page.getByRole('button', { name: 'Sign in' });
+  await name.fill('Kim');
+  assert.equal(await page.locator('#sign-in-password').isVisible(), false);
+  await code.fill('654321');
+  await go.click();
+  await page.getByText('No class has this code now').waitFor();
+  await code.fill('123 456');
+  await code.press('Enter');
+  await page.locator('#signed-in', { hasText: 'Kim (class) \u00b7 trainee \u00b7 Gannet' }).waitFor();
+  await waitForScan(page);
+  assert.equal((await state(page)).radar, 1);
+  await page.reload();
+  await page.locator('#signed-in', { hasText: 'Kim' }).waitFor();
+  await page.waitForFunction(() => window.skerry.state().radar === 1 && window.skerry.settings() !== null);
+});
+
+test('who has a password needs no class code, and the other way round', async () => {
+  server = new MockServer({ ...SMALL, ...ANNA, classCode: '123456' });
+  page = await openConsole(browser, await server.start());
+  const required = () => page.evaluate(() => ['name', 'password', 'code'].map((each) => document.getElementById(`sign-in-${each}`).required));
+  await page.locator('#sign-in-code').waitFor();
+  assert.deepEqual(await required(), [true, true, true]);
+  await page.locator('#sign-in-code').fill('1');
+  assert.deepEqual(await required(), [true, false, true]);
+  await page.locator('#sign-in-code').fill('');
+  await page.locator('#sign-in-name').fill('Anna');
+  await page.locator('#sign-in-password').fill('correct horse');
+  assert.deepEqual(await required(), [true, true, false]);
+  await page.locator('#sign-in').click();
+  await page.locator('#signed-in', { hasText: 'Anna' }).waitFor();
+});
+
+test('a browser that keeps no cookie has a token in its tab', async () => {
+  server = new MockServer({ ...SMALL, ...ANNA, losesCookies: true });
+  page = await openConsole(browser, await server.start());
+  await page.locator('#sign-in-name').fill('Anna');
+  await page.locator('#sign-in-password').fill('correct horse');
+  await page.locator('#sign-in').click();
+  await page.locator('#signed-in', { hasText: 'Anna' }).waitFor();
+  await waitForScan(page);
+  assert.equal(await page.evaluate(() => sessionStorage.getItem('skerry.token')), 'of Anna');
+  assert.deepEqual(server.logins.filter(({ method }) => method === 'POST').map(({ body }) => JSON.parse(body).cookie), [true, undefined]);
+});
+
 test('whose session has ended is asked again', async () => {
   server = new MockServer({ ...SMALL, ...ANNA });
   page = await openConsole(browser, await server.start());

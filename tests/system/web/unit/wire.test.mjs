@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import protobuf from 'protobufjs';
-import { decodeFrames, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, MAX_FRAME, useControls } from '../../../../clients/web/src/messages.js';
+import { decodeFrames, encodeClassOrder, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, MAX_FRAME, useControls } from '../../../../clients/web/src/messages.js';
 import { WireError } from '../../../../clients/web/src/protobuf.js';
 import { ClientMessage, CONTROLS, ServerMessage } from '../mock_server.mjs';
 import { random } from '../random.mjs';
@@ -38,6 +38,18 @@ test('who one is goes in a message', () => {
   assert.equal(message.request, 7);
   assert.equal(message.kind, 'signIn');
   assert.equal(message.signIn.token, 'skerry_Ab-_');
+});
+
+test('class codes are ordered and told', () => {
+  const order = (...args) => ClientMessage.toObject(ClientMessage.decodeDelimited(encodeClassOrder(...args)));
+  assert.deepEqual(order(7, { make: { ship: 'Frida', minutes: 90 } }, 'skerry_x'), { request: 7, classOrder: { make: { ship: 'Frida', minutes: 90 }, token: 'skerry_x' } });
+  assert.deepEqual(order(8, { end: 'Frida' }), { request: 8, classOrder: { end: 'Frida' } });
+  assert.deepEqual(order(9, {}), { request: 9, classOrder: {} });
+  const code = { ship: 'Frida', code: '012345', trainees: ['Kim', 'Lea'], wrong: 3, wrongMost: 20 };
+  const [{ classes }] = decode(frame({ classes: { codes: [{ ...code, endsUtcNs: 1700000000123456789n }] } }));
+  const { endsUtcNs, ...rest } = { ...classes.codes[0] };
+  assert.deepEqual(rest, code);
+  assert.ok(Math.abs(endsUtcNs - 1700000000123456789) <= 512);
 });
 
 test('any number of frames in one message come in order', () => {
