@@ -27,6 +27,7 @@ struct Options {
   std::size_t board_ring_bytes = 16u << 20;  // of each board's ring in shared memory
   std::string log_level = "info";
   std::string audit;         // file of who did what; empty: none
+  std::string state;         // folder of what the server keeps; empty: none
   bool print_ports = false;  // one line "tcp PORT http PORT" on standard output once listening
   bool check_only = false;   // read everything, start nothing
   std::string verify;        // a recording whose video is made again; empty: none

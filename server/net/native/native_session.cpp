@@ -59,7 +59,10 @@ void NativeSession::close() {
   closed_ = true;
   unsubscribe();
   boards_.leave();
-  context_.host.leave(origin());
+  {
+    const AuditedRequest audited(context_.config.audit, origin(), who_);
+    context_.host.leave(origin());
+  }
   deadline_.cancel();
   transport_->close();
   spdlog::debug("{} {} closed: {} spokes sent, {} lost", client_->transport, client_->peer,

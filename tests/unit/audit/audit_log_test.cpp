@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 using Kind = AuditEntry::Kind;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 class AuditLogFile : public testing::Test {
  protected:
@@ -44,6 +45,16 @@ class AuditLogFile : public testing::Test {
     std::stringstream all;
     all << std::ifstream(file_, std::ios::binary).rdbuf();
     return all.str();
+  }
+
+  static std::vector<std::string> whats(const AuditAnswer& answer) {
+    std::vector<std::string> all;
+    for (const AuditEntryPtr& entry : answer.entries) all.push_back(entry->what());
+    return all;
+  }
+  // Until the thread has numbered so many.
+  static void await(const AuditLog& log, std::uint32_t n) {
+    while (log.ask({}).newest < n) std::this_thread::yield();
   }
 
   fs::path folder_ = [] {
@@ -232,6 +243,146 @@ TEST_F(AuditLogFile, AFullDiskLosesNothingThatWaits) {
   }
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(entries().size(), 3u);
+}
+
+// The newest are in memory, with a file and without.
+TEST_F(AuditLogFile, TheNewestCanBeAskedForByNumberPlaceAndKind) {
+  for (const fs::path& file : {file_, fs::path()}) {
+    AuditLog log(file);
+    log.add({.what = "begin"});
+    log.add({.kind = Kind::change, .from = "console 10.0.0.5:1", .who = "Anna", .what = "a"});
+    log.add({.kind = Kind::change, .from = "HTTP 10.0.0.6:1", .what = "b"});
+    log.add({.kind = Kind::refusal, .from = "console 10.0.0.5:1", .what = "c"});
+    await(log, 4);
+    EXPECT_THAT(whats(log.ask({})), ElementsAre("c", "b", "a", "begin"));
+    EXPECT_THAT(whats(log.ask({.most = 2})), ElementsAre("c", "b"));
+    EXPECT_THAT(whats(log.ask({.after = 3})), ElementsAre("c"));
+    EXPECT_THAT(whats(log.ask({.after = 4})), IsEmpty());
+    EXPECT_THAT(whats(log.ask({.who = "aNN"})), ElementsAre("a"));
+    EXPECT_THAT(whats(log.ask({.who = "10.0.0.5"})), ElementsAre("c", "a"));
+    EXPECT_THAT(whats(log.ask({.who = "10.0.0.5", .kind = "change"})), ElementsAre("a"));
+    EXPECT_EQ(log.ask({}).has_file, !file.empty());
+    EXPECT_EQ(log.ask({.most = 0}).newest, 4u);
+  }
+}
+
+TEST_F(AuditLogFile, InMemoryAreSoManyAndNoMore) {
+  AuditLog log({});
+  constexpr std::uint32_t kMany = 2 * AuditLog::kMostRecent;
+  for (std::uint32_t i = 0; i < kMany; ++i) {
+    log.add({.what = std::to_string(i)});
+    if (i % 1000 == 999) await(log, i);
+  }
+  await(log, kMany);
+  const AuditAnswer all = log.ask({.most = kMany});
+  ASSERT_EQ(all.entries.size(), AuditLog::kMostRecent);
+  EXPECT_EQ(all.entries.front()->n(), kMany);
+  EXPECT_EQ(all.entries.back()->n(), kMany - AuditLog::kMostRecent + 1);
+}
+
+TEST_F(AuditLogFile, ATakerGetsEachOnceInOrderAlsoWhileTheDiskTakesNothing) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  std::vector<std::uint32_t> taken;
+  {
+    AuditLog log(file_);
+    log.add({.what = "not taken"});
+    await(log, 1);
+    log.give_to([&](const AuditEntryPtr& entry) { taken.push_back(entry->n()); });
+    const rlimit none{0, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+    for (int i = 0; i < 20; ++i) log.add(change(i));
+    await(log, 21);
+    EXPECT_GE(log.ask({}).unwritten, 20u);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    while (log.head().n < 21) std::this_thread::yield();
+    EXPECT_EQ(log.ask({}).unwritten, 0u);
+    log.give_to(nullptr);
+    log.add(change(21));
+  }
+  std::signal(SIGXFSZ, handler);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t n = 2; n <= 21; ++n) expected.push_back(n);
+  EXPECT_EQ(taken, expected);
+  EXPECT_EQ(entries().size(), 22u);
+}
+
+// Moved away, then told: another file at the old place goes on from it.
+TEST_F(AuditLogFile, GoesOnInANewFileThatNamesTheEndOfTheOld) {
+  const fs::path old = folder_ / "audit.jsonl.1";
+  {
+    AuditLog log(file_);
+    for (int i = 0; i < 5; ++i) log.add(change(i));
+    while (log.head().n < 5) std::this_thread::yield();
+    fs::rename(file_, old);
+    log.add(change(5));
+    while (log.head().n < 6) std::this_thread::yield();
+    log.reopen();
+    while (log.head().n < 7) std::this_thread::yield();
+    log.add(change(6));
+  }
+  { AuditLog(file_).add(change(7)); }
+  const AuditCheck first = check_audit(old);
+  EXPECT_EQ(first.entries, 6u) << "what came before it was told";
+  std::vector<std::string> whats;
+  const AuditCheck second = check_audit(
+      file_, {}, [&](const audit::Entry& entry) { whats.push_back(entry.what()); }, first.head);
+  EXPECT_EQ(second.wrong_line, 0u) << second.wrong;
+  EXPECT_EQ(second.follows, first.head);
+  EXPECT_EQ(second.head.n, 9u) << "the next run goes on";
+  ASSERT_EQ(whats.size(), 3u);
+  EXPECT_EQ(whats[0], "a new file goes on from entry 6, head " + first.head.chain);
+}
+
+TEST_F(AuditLogFile, AFileThatIsInPlaceOrInTheWayLosesNothing) {
+  const fs::path old = folder_ / "audit.jsonl.1";
+  {
+    AuditLog log(file_);
+    log.add(change(0));
+    log.reopen();
+    log.add(change(1));
+    while (log.head().n < 2) std::this_thread::yield();
+    fs::rename(file_, old);
+    std::ofstream(file_) << "in the way\n";
+    log.reopen();
+    while (log.head().n < 3) std::this_thread::yield();
+    log.add(change(2));
+  }
+  EXPECT_EQ(text(), "in the way\n");
+  file_ = old;
+  const auto all = entries();
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_THAT(all[2].what(), HasSubstr("no new file: --audit: "));
+  EXPECT_THAT(all[2].what(), HasSubstr("is not empty; move it away"));
+}
+
+// What waits because the disk is full goes to the next file, which may be on another.
+TEST_F(AuditLogFile, WhatWaitsIsInTheNextFile) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const fs::path old = folder_ / "audit.jsonl.1";
+  {
+    AuditLog log(file_);
+    log.add(change(0));
+    while (log.head().n < 1) std::this_thread::yield();
+    const rlimit none{fs::file_size(file_), before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+    log.add(change(1));
+    await(log, 2);
+    fs::rename(file_, old);
+    log.reopen();
+    await(log, 3);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    while (log.head().n < 3) std::this_thread::yield();
+  }
+  std::signal(SIGXFSZ, handler);
+  const AuditCheck first = check_audit(old);
+  EXPECT_EQ(first.entries, 1u);
+  const AuditCheck second = check_audit(file_, {}, {}, first.head);
+  EXPECT_EQ(second.wrong_line, 0u) << second.wrong;
+  EXPECT_EQ(second.head.n, 3u);
 }
 
 }  // namespace
