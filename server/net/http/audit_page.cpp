@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 namespace skerry::server {
 namespace {
+
+constexpr std::size_t kMostWhoBytes = 200;
 
 std::optional<std::uint32_t> whole_number(const std::string& text, std::uint32_t most) {
   std::uint32_t value = 0;
@@ -34,6 +37,7 @@ std::optional<AuditQuestion> question_of(std::string_view target) {
       if (!after) return std::nullopt;
       question.after = *after;
     } else if (name == "who") {
+      if (value.size() > kMostWhoBytes) return std::nullopt;
       question.who = value;
     } else if (name == "kind") {
       const auto known = std::find(kAuditKinds.begin(), kAuditKinds.end(), value);
@@ -52,8 +56,8 @@ WebAnswer audit_page(const AuditPort* audit, std::string_view target) {
   const auto question = question_of(target);
   if (!question) {
     return web_error(400, fmt::format("400: expected of the query: last=0..{}, after=NUMBER, "
-                                      "who=PART, kind=one of {}",
-                                      kMostShown, fmt::join(kAuditKinds, ", ")));
+                                      "who=PART of at most {} bytes, kind=one of {}",
+                                      kMostShown, kMostWhoBytes, fmt::join(kAuditKinds, ", ")));
   }
   const AuditAnswer told = audit == nullptr ? AuditAnswer{} : audit->ask(*question);
   WebAnswer page{.mime = "application/json", .body = "{\"entries\":["};
