@@ -49,7 +49,7 @@ std::string good_text(const std::string& file, const AuditCheck& check) {
 }
 
 int verify_files(const AuditAsked& given) {
-  AuditHead end;
+  AuditHead end, begin;
   bool has_head = false;
   for (std::size_t i = 0; i < given.files.size(); ++i) {
     const std::string& file = given.files[i];
@@ -70,12 +70,17 @@ int verify_files(const AuditAsked& given) {
     }
     has_head = has_head || check.has_wanted;
     end = check.head;
+    if (i == 0) begin = check.follows;
     console::write_out(good_text(file, check));
   }
   if (given.head.empty() || has_head) return console::kExitOk;
   return console::report(fmt::format("{}: all entries hold together, but none has the head {}",
                                      given.files.back(), given.head),
-                         "Entries are missing at the end, or it was made anew.");
+                         begin.n > 0
+                             ? fmt::format("It may be in a file before {}, which goes on from "
+                                           "entry {}; or entries are missing at the end.",
+                                           given.files.front(), begin.n)
+                             : "Entries are missing at the end, or it was made anew.");
 }
 
 console::Command make_verify_command(CLI::App& app) {

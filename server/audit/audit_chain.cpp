@@ -129,6 +129,7 @@ AuditCheck check_audit(const std::filesystem::path& file, std::string_view wante
     if (number == 1) {
       check.first_utc = entry->utc();
       if (!entry->follows().empty()) check.follows = {entry->n() - 1, entry->follows()};
+      check.has_wanted = check.has_wanted || wanted == entry->follows();
     }
     check.last_utc = entry->utc();
     ++check.entries;

@@ -240,7 +240,8 @@ void AuditLog::run() {
     lock.unlock();
     hand_on(fresh);
     if (reopens) go_on_in_next_file();
-    const bool has_written = !batch.empty() && write(batch);
+    AuditHead head = head_;  // this thread's alone to change
+    const bool has_written = !batch.empty() && write(batch, head);
     if (!batch.empty()) {
       tried = now;
       takes = has_written;
@@ -248,6 +249,7 @@ void AuditLog::run() {
     }
     lock.lock();
     if (has_written) {
+      head_ = head;
       const auto count = static_cast<std::ptrdiff_t>(batch.size());
       waiting_.erase(waiting_.begin(), waiting_.begin() + count);
       numbered_ -= batch.size();
@@ -276,9 +278,8 @@ void AuditLog::go_on_in_next_file() {
   }
 }
 
-bool AuditLog::write(const std::vector<AuditEntryPtr>& entries) {
+bool AuditLog::write(const std::vector<AuditEntryPtr>& entries, AuditHead& head) {
   if (!file_) return true;
-  AuditHead head = head_;  // this thread's alone to change
   const bool goes_on = file_->is_empty() && head.n > 0;
   std::string text;
   for (const AuditEntryPtr& from : entries) {
@@ -286,10 +287,7 @@ bool AuditLog::write(const std::vector<AuditEntryPtr>& entries) {
     if (goes_on && text.empty()) entry.set_follows(head.chain);
     text += audit_line(std::move(entry), head);
   }
-  if (!file_->append(text)) return false;
-  const std::lock_guard lock(mutex_);
-  head_ = head;
-  return true;
+  return file_->append(text);
 }
 
 void AuditLog::tell_disk(bool takes) {

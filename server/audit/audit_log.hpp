@@ -96,8 +96,9 @@ class AuditLog final : public AuditPort {
   // This thread's, without the lock.
   void hand_on(const std::vector<AuditEntryPtr>& entries);
   void go_on_in_next_file();
-  // False: the disk took none of it, and the file is as before.
-  bool write(const std::vector<AuditEntryPtr>& entries);
+  // False: the disk took none of it, and the file is as before.  `head`: of the file, then with
+  // them.
+  bool write(const std::vector<AuditEntryPtr>& entries, AuditHead& head);
   void tell_disk(bool takes);
 
   const std::filesystem::path path_;

@@ -37,9 +37,10 @@ void make_state_folder(const std::string& folder) {
     fs::permissions(folder, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec,
                     error);
   }
-  if (error) throw std::runtime_error(fmt::format("--state: {}: {}", folder, error.message()));
-  if (!fs::is_directory(folder, error)) {
-    throw std::runtime_error(fmt::format("--state: {}: is no folder", folder));
+  if (error || !fs::is_directory(folder)) {
+    throw std::runtime_error(fmt::format("--state: {}: is no folder and cannot be made one: {}",
+                                         folder,
+                                         error ? error.message() : "something else has the name"));
   }
 }
 

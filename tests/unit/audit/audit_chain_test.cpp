@@ -160,6 +160,8 @@ TEST_F(AuditChainOfFiles, GoesOnFromFileToFile) {
   EXPECT_EQ(alone.follows, end_);
   EXPECT_EQ(check_audit(file_, {}, {}, end_).head, alone.head);
   EXPECT_TRUE(check_audit(file_, end_.chain, {}, end_).has_wanted);
+  EXPECT_TRUE(check_audit(file_, end_.chain).has_wanted) << "by its first line";
+  EXPECT_FALSE(check_audit(file_, heads_[3]).has_wanted);
 }
 
 TEST_F(AuditChainOfFiles, AnotherFileBeforeIsFoundOut) {
