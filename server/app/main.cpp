@@ -121,8 +121,9 @@ void greet(const Options& options, const NetServer& net, const std::string& what
 // Begins and ends with an entry.
 class Audit {
  public:
-  Audit(const std::string& file, const std::string& what) : log(file) {
-    const std::string from = file.empty() ? "" : "; from head " + log.head().chain;
+  Audit(const Options& options, const std::string& what)
+      : log(options.audit, options.audit_roll_bytes) {
+    const std::string from = options.audit.empty() ? "" : "; from head " + log.head().chain;
     log.add({.what = fmt::format("{} begins: {}{}", kServerName, what, from)});
   }
   ~Audit() { log.add({.what = fmt::format("{} ends", kServerName)}); }
@@ -172,7 +173,7 @@ int run_playback(const Options& options, LogTap& tap) {
   const auto coast = PlayedCoast::of(*playback, {options.charts, options.elevation});
   make_state_folder(options.state);
   Signals signals;
-  Audit audit(options.audit, what);
+  Audit audit(options, what);
   signals.on_hang_up([&] { audit.log.reopen(); });
   LoggingRecorder logging(*playback, options.recorder, tap, audit.log);
   playback->set_recording(&logging.recorder);
@@ -237,7 +238,7 @@ int run(const Options& options, LogTap& tap) {
   }
   make_state_folder(options.state);
   Signals signals;
-  Audit audit(options.audit, "scenario " + scenario.name());
+  Audit audit(options, "scenario " + scenario.name());
   signals.on_hang_up([&] { audit.log.reopen(); });
   RadarServer radars(scenario, std::move(chart), options.workers,
                      exercise_documents(yaml, {options.charts, options.elevation}));

@@ -29,7 +29,7 @@ class AuditFile {
   // Of its last entry, when it was opened.
   const AuditHead& head() const { return head_; }
   std::uint64_t bytes_cut() const { return bytes_cut_; }
-  bool is_empty() const { return size_ == 0; }
+  std::uint64_t size() const { return size_; }  // of its whole lines, bytes
   // Whether the path still names it: it was neither moved nor deleted.
   bool is_in_place() const;
 
@@ -45,7 +45,7 @@ class AuditFile {
   const std::filesystem::path path_;
   int descriptor_ = -1;
   AuditHead head_;
-  std::uint64_t size_ = 0;  // of its whole lines
+  std::uint64_t size_ = 0;
   std::uint64_t bytes_cut_ = 0;
   bool has_rest_ = false;  // behind them there is the begin of one that was not taken
 };

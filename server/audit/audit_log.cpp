@@ -10,6 +10,7 @@
 #include <cstring>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "protocol/picture/label_text.hpp"
@@ -56,7 +57,8 @@ bool is_asked_for(const recording::AuditEntry& entry, const AuditQuestion& quest
 
 }  // namespace
 
-AuditLog::AuditLog(const std::filesystem::path& file) : path_(file) {
+AuditLog::AuditLog(const std::filesystem::path& file, std::uint64_t roll_bytes)
+    : path_(file), roll_bytes_(roll_bytes) {
   if (!path_.empty()) {
     file_ = std::make_unique<AuditFile>(path_);
     head_ = file_->head();
@@ -247,6 +249,7 @@ void AuditLog::run() {
       takes = has_written;
       tell_disk(takes);
     }
+    if (has_written) move_away(head, now);
     lock.lock();
     if (has_written) {
       head_ = head;
@@ -260,6 +263,25 @@ void AuditLog::run() {
                 path_.string());
 }
 
+void AuditLog::move_away(const AuditHead& end, std::chrono::steady_clock::time_point now) {
+  if (!file_ || roll_bytes_ == 0 || file_->size() < roll_bytes_ || now < move_not_before_) return;
+  move_not_before_ = now + kMoveAgain;
+  if (file_->is_in_place()) {
+    // So many digits that names are in the order of entries.
+    std::filesystem::path away = path_;
+    away += fmt::format(".{:010}", end.n);
+    std::error_code error;
+    const bool is_taken = std::filesystem::exists(away, error);
+    if (!is_taken) std::filesystem::rename(path_, away, error);
+    if (is_taken || error) {
+      spdlog::error("audit: {} cannot be moved away to {}: {}", path_.string(), away.string(),
+                    is_taken ? "something has that name" : error.message());
+      return;
+    }
+  }
+  reopen();
+}
+
 void AuditLog::go_on_in_next_file() {
   if (!file_) return;
   if (file_->is_in_place()) {
@@ -269,6 +291,7 @@ void AuditLog::go_on_in_next_file() {
   }
   try {
     file_ = std::make_unique<AuditFile>(path_, AuditFile::Kind::next_only);
+    move_not_before_ = {};
     const AuditHead end = head();
     spdlog::info("audit: {} goes on from entry {}, head {}", path_.string(), end.n, end.chain);
     add({.what = fmt::format("a new file goes on from entry {}, head {}", end.n, end.chain)});
@@ -280,7 +303,7 @@ void AuditLog::go_on_in_next_file() {
 
 bool AuditLog::write(const std::vector<AuditEntryPtr>& entries, AuditHead& head) {
   if (!file_) return true;
-  const bool goes_on = file_->is_empty() && head.n > 0;
+  const bool goes_on = file_->size() == 0 && head.n > 0;
   std::string text;
   for (const AuditEntryPtr& from : entries) {
     audit::Entry entry = *from;

@@ -39,6 +39,7 @@ class AuditLog final : public AuditPort {
   static constexpr std::size_t kMostKnown = 8192;    // requests that are being carried out
   static constexpr std::size_t kMostPeers = 1024;    // addresses looked at one by one
   static constexpr std::chrono::milliseconds kAgain{1000};
+  static constexpr std::chrono::seconds kMoveAgain{60};  // after a file could not be moved away
 
   // At once, and then a second: of changes, requests and what the server does; of refusals and
   // sign-ins.  From one address, and in all.
@@ -50,8 +51,10 @@ class AuditLog final : public AuditPort {
 
   // Opens the file, or makes it; without one (an empty path) entries are in memory alone.  An entry
   // at its end that was not finished is cut off, and the first new entry says so.
+  // A file of `roll_bytes` or more is moved away, to its name and the number of its last entry, and
+  // the next goes on from it; 0: never.
   // Error: std::runtime_error naming the file, as of AuditFile.
-  explicit AuditLog(const std::filesystem::path& file);
+  explicit AuditLog(const std::filesystem::path& file, std::uint64_t roll_bytes = 0);
   // Writes what waits, if the disk takes it at once.
   ~AuditLog() override;
 
@@ -96,14 +99,17 @@ class AuditLog final : public AuditPort {
   // This thread's, without the lock.
   void hand_on(const std::vector<AuditEntryPtr>& entries);
   void go_on_in_next_file();
+  void move_away(const AuditHead& end, std::chrono::steady_clock::time_point now);
   // False: the disk took none of it, and the file is as before.  `head`: of the file, then with
   // them.
   bool write(const std::vector<AuditEntryPtr>& entries, AuditHead& head);
   void tell_disk(bool takes);
 
   const std::filesystem::path path_;
+  const std::uint64_t roll_bytes_;
   std::unique_ptr<AuditFile> file_;  // this thread's; nullptr: none
   bool is_told_ = false;             // that the disk takes nothing
+  std::chrono::steady_clock::time_point move_not_before_{};
 
   std::mutex taker_mutex_;
   Taker taker_;

@@ -128,6 +128,9 @@ void add_options(CLI::App& cli, CommandLine& line) {
   add.text("--audit", config, &ServerConfig::mutable_audit,
            "file that keeps who changed what, who signed in and what was refused; made if missing")
       ->type_name("FILE");
+  add.number<std::uint32_t>("--audit-roll-mib", config, &ServerConfig::set_audit_roll_mib,
+                            "another file of the audit after so many MiB (never)")
+      ->check(CLI::Range(1, 1 << 24));
   add.text("--state", config, &ServerConfig::mutable_state,
            "folder for audit, recordings, set-ups, tokens and users, where nothing else is said; "
            "made if missing")
@@ -240,6 +243,7 @@ Options options_of(const ServerConfig& config) {
   net.users = config.users();
   net.setups = config.setups();
   options.audit = config.audit();
+  options.audit_roll_bytes = std::uint64_t{config.audit_roll_mib()} << 20;
   options.state = config.state();
   net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());
   net.web_root = config.web_root();

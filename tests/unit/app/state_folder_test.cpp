@@ -39,6 +39,8 @@ TEST_F(StateFolder, HasAPlaceForAllThatIsKept) {
   EXPECT_EQ(empty.net.setups, folder_ / "setups");
   EXPECT_EQ(empty.net.tokens, "") << "without its file nobody needs a token";
   EXPECT_EQ(empty.net.users, "");
+  EXPECT_EQ(empty.audit_roll_bytes, 0u);
+  EXPECT_EQ(options_of({"--audit-roll-mib", "5"}).audit_roll_bytes, 5u << 20);
   std::ofstream(folder_ / "tokens.yaml") << "tokens: []\n";
   std::ofstream(folder_ / "users.yaml") << "users: []\n";
   const Options full = options_of({});

@@ -1,16 +1,5 @@
 // The audit file of a running server: across runs, after a cut, with a full disk, and too fast.
-#include "server/audit/audit_log.hpp"
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <stdlib.h>
-#include <sys/resource.h>
-
-#include <csignal>
-#include <fstream>
-#include <sstream>
-#include <vector>
+#include "tests/unit/audit/audit_log_kit.hpp"
 
 namespace skerry::server {
 namespace {
@@ -20,49 +9,6 @@ using Kind = AuditEntry::Kind;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-class AuditLogFile : public testing::Test {
- protected:
-  ~AuditLogFile() override { fs::remove_all(folder_); }
-
-  AuditEntry change(int i) const {
-    return {.kind = Kind::change,
-            .from = "console 10.0.0.5:4711",
-            .what = "radar 0 view 0: gain",
-            .before = std::to_string(i),
-            .after = std::to_string(i + 1)};
-  }
-  // The entries of a file that must be good.
-  std::vector<audit::Entry> entries() const {
-    std::vector<audit::Entry> all;
-    const AuditCheck check =
-        check_audit(file_, {}, [&](const audit::Entry& entry) { all.push_back(entry); });
-    EXPECT_EQ(check.wrong_line, 0u) << check.wrong;
-    EXPECT_EQ(check.unfinished_bytes, 0u);
-    return all;
-  }
-  std::string text() const {
-    std::stringstream all;
-    all << std::ifstream(file_, std::ios::binary).rdbuf();
-    return all.str();
-  }
-
-  static std::vector<std::string> whats(const AuditAnswer& answer) {
-    std::vector<std::string> all;
-    for (const AuditEntryPtr& entry : answer.entries) all.push_back(entry->what());
-    return all;
-  }
-  // Until the thread has numbered so many.
-  static void await(const AuditLog& log, std::uint32_t n) {
-    while (log.ask({}).newest < n) std::this_thread::yield();
-  }
-
-  fs::path folder_ = [] {
-    std::string pattern = testing::TempDir() + "skerry-audit-XXXXXX";
-    return fs::path(::mkdtemp(pattern.data()));
-  }();
-  fs::path file_ = folder_ / "audit.jsonl";
-};
 
 TEST_F(AuditLogFile, GoesOnFromRunToRun) {
   AuditHead head;
@@ -306,83 +252,6 @@ TEST_F(AuditLogFile, ATakerGetsEachOnceInOrderAlsoWhileTheDiskTakesNothing) {
   for (std::uint32_t n = 2; n <= 21; ++n) expected.push_back(n);
   EXPECT_EQ(taken, expected);
   EXPECT_EQ(entries().size(), 22u);
-}
-
-// Moved away, then told: another file at the old place goes on from it.
-TEST_F(AuditLogFile, GoesOnInANewFileThatNamesTheEndOfTheOld) {
-  const fs::path old = folder_ / "audit.jsonl.1";
-  {
-    AuditLog log(file_);
-    for (int i = 0; i < 5; ++i) log.add(change(i));
-    while (log.head().n < 5) std::this_thread::yield();
-    fs::rename(file_, old);
-    log.add(change(5));
-    while (log.head().n < 6) std::this_thread::yield();
-    log.reopen();
-    while (log.head().n < 7) std::this_thread::yield();
-    log.add(change(6));
-  }
-  { AuditLog(file_).add(change(7)); }
-  const AuditCheck first = check_audit(old);
-  EXPECT_EQ(first.entries, 6u) << "what came before it was told";
-  std::vector<std::string> whats;
-  const AuditCheck second = check_audit(
-      file_, {}, [&](const audit::Entry& entry) { whats.push_back(entry.what()); }, first.head);
-  EXPECT_EQ(second.wrong_line, 0u) << second.wrong;
-  EXPECT_EQ(second.follows, first.head);
-  EXPECT_EQ(second.head.n, 9u) << "the next run goes on";
-  ASSERT_EQ(whats.size(), 3u);
-  EXPECT_EQ(whats[0], "a new file goes on from entry 6, head " + first.head.chain);
-}
-
-TEST_F(AuditLogFile, AFileThatIsInPlaceOrInTheWayLosesNothing) {
-  const fs::path old = folder_ / "audit.jsonl.1";
-  {
-    AuditLog log(file_);
-    log.add(change(0));
-    log.reopen();
-    log.add(change(1));
-    while (log.head().n < 2) std::this_thread::yield();
-    fs::rename(file_, old);
-    std::ofstream(file_) << "in the way\n";
-    log.reopen();
-    while (log.head().n < 3) std::this_thread::yield();
-    log.add(change(2));
-  }
-  EXPECT_EQ(text(), "in the way\n");
-  file_ = old;
-  const auto all = entries();
-  ASSERT_EQ(all.size(), 4u);
-  EXPECT_THAT(all[2].what(), HasSubstr("no new file: --audit: "));
-  EXPECT_THAT(all[2].what(), HasSubstr("is not empty; move it away"));
-}
-
-// What waits because the disk is full goes to the next file, which may be on another.
-TEST_F(AuditLogFile, WhatWaitsIsInTheNextFile) {
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const fs::path old = folder_ / "audit.jsonl.1";
-  {
-    AuditLog log(file_);
-    log.add(change(0));
-    while (log.head().n < 1) std::this_thread::yield();
-    const rlimit none{fs::file_size(file_), before.rlim_max};
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
-    log.add(change(1));
-    await(log, 2);
-    fs::rename(file_, old);
-    log.reopen();
-    await(log, 3);
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    while (log.head().n < 3) std::this_thread::yield();
-  }
-  std::signal(SIGXFSZ, handler);
-  const AuditCheck first = check_audit(old);
-  EXPECT_EQ(first.entries, 1u);
-  const AuditCheck second = check_audit(file_, {}, {}, first.head);
-  EXPECT_EQ(second.wrong_line, 0u) << second.wrong;
-  EXPECT_EQ(second.head.n, 3u);
 }
 
 }  // namespace
