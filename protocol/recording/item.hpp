@@ -24,8 +24,9 @@ enum class Kind : std::uint8_t {
   exercise,  // the exercise as instructors are told it: truth
   targets,   // what a view's plotter has
   plots,     // and what it found in the video
+  audit,     // who did what
 };
-inline constexpr std::size_t kKinds = 12;
+inline constexpr std::size_t kKinds = 13;
 
 struct Topic {
   Kind kind = Kind::event;

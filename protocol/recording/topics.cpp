@@ -61,6 +61,8 @@ const std::array<KindRow, kKinds>& kind_rows() {
        empty<wire::TargetList>},
       {Kind::plots, "plots", "lists of plots", Scope::view, copied, false,
        empty<wire::TargetPlots>},
+      {Kind::audit, "audit", "entries of the audit", Scope::recording, copied, false,
+       empty<AuditEntry>},
   }};
   return kRows;
 }

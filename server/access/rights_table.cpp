@@ -53,6 +53,7 @@ constexpr auto kRights = std::to_array<Right>({
     {"DELETE /login", Scope::open, 0, "sign out"},
     {"GET /status", Scope::any, kAll, "read the server's status"},
     {"GET /metrics", Scope::any, kAll, "read the metrics"},
+    {"GET /audit", Scope::fleet, kExercise, "see who did what"},
     {"GET /setups", Scope::any, kAll, "see and use the set-ups that consoles have kept"},
     {"PUT /setups", Scope::any, kConsole, "keep a console's set-up"},
     {"DELETE /setups", Scope::any, kConsole, "delete a set-up that is kept"},

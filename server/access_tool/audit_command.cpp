@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <deque>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "echo/tool_console/console.hpp"
-#include "server/audit/audit_chain.hpp"
+#include "server/access_tool/audit_entries.hpp"
 #include "server/config/config_error.hpp"
+#include "server/core/audit_port.hpp"
 
 namespace skerry::server {
 namespace {
@@ -18,19 +21,76 @@ namespace console = skerry::echo;
 
 // Options of a command, kept as long as the command.
 struct AuditAsked {
-  std::string file, head, who, kind;
+  std::vector<std::string> files;
+  std::string head, who, kind;
   std::size_t last = 0;  // 0: all
 };
 
-std::string wrong_of(const AuditAsked& given, const AuditCheck& check) {
-  return fmt::format("{}:{}: {}", given.file, check.wrong_line, check.wrong);
+std::string wrong_of(const std::string& file, const AuditCheck& check) {
+  return fmt::format("{}:{}: {}", file, check.wrong_line, check.wrong);
+}
+
+std::string good_text(const std::string& file, const AuditCheck& check) {
+  std::string out = fmt::format("{}: {} entries", file, check.entries);
+  if (check.entries > 0) {
+    out += fmt::format(", {} to {}, as they were written\n", check.first_utc, check.last_utc);
+    if (check.follows.n > 0) {
+      out += fmt::format("goes on from entry {}, head {}\n", check.follows.n, check.follows.chain);
+    }
+    out += fmt::format("head {}\n", check.head.chain);
+  } else {
+    out += '\n';
+  }
+  if (check.unfinished_bytes > 0) {
+    out += fmt::format("behind them {} bytes of an entry that is not finished\n",
+                       check.unfinished_bytes);
+  }
+  return out;
+}
+
+int verify_files(const AuditAsked& given) {
+  AuditHead end, begin;
+  bool has_head = false;
+  for (std::size_t i = 0; i < given.files.size(); ++i) {
+    const std::string& file = given.files[i];
+    if (is_recording(file)) {
+      return console::report(file + " is a recording, which has entries without their chain",
+                             "Give the file of skerryd --audit; `skerry audit show` reads both.");
+    }
+    const AuditCheck check = check_audit(file, given.head, {}, end);
+    if (check.wrong_line > 0) {
+      const std::string hint =
+          i > 0 && check.wrong_line == 1
+              ? fmt::format(
+                    "It does not go on from {}, which ends with entry {}; give the files "
+                    "in their order, the oldest first, and all of them.",
+                    given.files[i - 1], end.n)
+              : fmt::format("{} entries before it are as they were written.", check.entries);
+      return console::report(wrong_of(file, check), hint);
+    }
+    has_head = has_head || check.has_wanted;
+    end = check.head;
+    if (i == 0) begin = check.follows;
+    console::write_out(good_text(file, check));
+  }
+  if (given.head.empty() || has_head) return console::kExitOk;
+  return console::report(fmt::format("{}: all entries hold together, but none has the head {}",
+                                     given.files.back(), given.head),
+                         begin.n > 0
+                             ? fmt::format("It may be in a file before {}, which goes on from "
+                                           "entry {}; or entries are missing at the end.",
+                                           given.files.front(), begin.n)
+                             : "Entries are missing at the end, or it was made anew.");
 }
 
 console::Command make_verify_command(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("verify", "Says whether the file is as it was written, and its head");
+      app.add_subcommand("verify", "Says whether files are as they were written, and their heads");
   auto given = std::make_shared<AuditAsked>();
-  command->add_option("FILE", given->file, "that skerryd --audit wrote")->required();
+  command
+      ->add_option("FILE", given->files,
+                   "that skerryd --audit wrote; several: one audit, the oldest file first")
+      ->required();
   command
       ->add_option("--head", given->head,
                    "a head that was noted: finds out a lost end, or a file made anew")
@@ -44,34 +104,7 @@ console::Command make_verify_command(CLI::App& app) {
         for (char& c : head) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         return head;
       });
-  return {command, [given] {
-            const AuditCheck check = check_audit(given->file, given->head);
-            if (check.wrong_line > 0) {
-              return console::report(
-                  wrong_of(*given, check),
-                  fmt::format("{} entries before it are as they were written.", check.head.n));
-            }
-            if (!given->head.empty() && !check.has_wanted) {
-              return console::report(
-                  fmt::format("{}: its {} entries hold together, but none has the head {}",
-                              given->file, check.head.n, given->head),
-                  "Entries are missing at its end, or it was made anew.");
-            }
-            std::string out = fmt::format("{}: {} entries", given->file, check.head.n);
-            if (check.head.n > 0) {
-              out += fmt::format(", {} to {}, as they were written\n", check.first_utc,
-                                 check.last_utc);
-              out += fmt::format("head {}\n", check.head.chain);
-            } else {
-              out += '\n';
-            }
-            if (check.unfinished_bytes > 0) {
-              out += fmt::format("behind them {} bytes of an entry that is not finished\n",
-                                 check.unfinished_bytes);
-            }
-            console::write_out(out);
-            return console::kExitOk;
-          }};
+  return {command, [given] { return verify_files(*given); }};
 }
 
 // Whoever can write the file can put anything into it.
@@ -91,32 +124,40 @@ std::string line_of(const audit::Entry& entry) {
   return line + "\n";
 }
 
+int show_entries(const AuditAsked& given) {
+  std::deque<std::string> lines;
+  const auto show = [&](const audit::Entry& entry) {
+    if (!given.kind.empty() && entry.kind() != given.kind) return;
+    if (entry.who().find(given.who) == std::string::npos) return;
+    lines.push_back(line_of(entry));
+    if (given.last == 0) {
+      console::write_out(lines.front());
+      lines.clear();
+    } else if (lines.size() > given.last) {
+      lines.pop_front();
+    }
+  };
+  std::vector<std::string> wrong;
+  for (const std::string& file : given.files) {
+    if (auto fault = read_entries(file, show)) wrong.push_back(*std::move(fault));
+  }
+  for (const std::string& line : lines) console::write_out(line);
+  for (const std::string& text : wrong) console::report(text, {});
+  return wrong.empty() ? console::kExitOk : console::kExitFailure;
+}
+
 console::Command make_show_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("show", "Prints the entries, a line each");
   auto given = std::make_shared<AuditAsked>();
-  command->add_option("FILE", given->file, "that skerryd --audit wrote")->required();
+  command
+      ->add_option("FILE", given->files,
+                   "that skerryd --audit wrote, or a recording; several: one after the other")
+      ->required();
   command->add_option("--last", given->last, "only so many, the newest (all)");
   command->add_option("--who", given->who, "only of whom this is part of the name");
   command->add_option("--kind", given->kind, "only of this kind")
-      ->check(CLI::IsMember({"change", "request", "sign_in", "refusal", "server"}));
-  return {command, [given] {
-            std::deque<std::string> lines;
-            const AuditCheck check = check_audit(given->file, {}, [&](const audit::Entry& entry) {
-              if (!given->kind.empty() && entry.kind() != given->kind) return;
-              if (entry.who().find(given->who) == std::string::npos) return;
-              lines.push_back(line_of(entry));
-              if (given->last == 0) {
-                console::write_out(lines.front());
-                lines.clear();
-              } else if (lines.size() > given->last) {
-                lines.pop_front();
-              }
-            });
-            for (const std::string& line : lines) console::write_out(line);
-            if (check.wrong_line == 0) return console::kExitOk;
-            return console::report(wrong_of(*given, check),
-                                   "What follows is not shown; `skerry audit verify` says more.");
-          }};
+      ->check(CLI::IsMember(std::vector<std::string>(kAuditKinds.begin(), kAuditKinds.end())));
+  return {command, [given] { return show_entries(*given); }};
 }
 
 }  // namespace

@@ -60,7 +60,9 @@ constexpr Tool kAudit = {
     "Examples:\n"
     "  skerry audit show audit.jsonl --last 20\n"
     "  skerry audit show audit.jsonl --who Anna --kind change\n"
+    "  skerry audit show watch.mcap                      # what is in a recording\n"
     "  skerry audit verify audit.jsonl\n"
+    "  skerry audit verify audit.jsonl.1 audit.jsonl     # over files, the oldest first\n"
     "  skerry audit verify audit.jsonl --head HEAD       # as `verify` or the log has told it\n",
     make_audit_commands};
 

@@ -26,8 +26,10 @@
 #include "server/app/load_estimate.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
+#include "server/app/options/state_folder.hpp"
 #include "server/app/played_coast.hpp"
 #include "server/app/radar_server.hpp"
+#include "server/app/signals.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
@@ -116,31 +118,36 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   }
 }
 
-// Until here Ctrl-C ends the program at once, however long a chart or a recording takes.  From here
-// on the main thread alone waits for it; every other thread inherits the block.
-sigset_t block_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signals;
+// Begins and ends with an entry.
+class Audit {
+ public:
+  Audit(const Options& options, const std::string& what)
+      : log(options.audit, options.audit_roll_bytes) {
+    const std::string from = options.audit.empty() ? "" : "; from head " + log.head().chain;
+    log.add({.what = fmt::format("{} begins: {}{}", kServerName, what, from)});
+  }
+  ~Audit() { log.add({.what = fmt::format("{} ends", kServerName)}); }
+
+  AuditLog log;
+};
+
+NetConfig with_audit(NetConfig net, Audit& audit) {
+  net.audit = &audit.log;
+  return net;
 }
 
-void await(const sigset_t& signals) {
-  int signal = 0;
-  sigwait(&signals, &signal);
-  spdlog::info("stopping on signal {}", signal);
-}
-
-// A recorder that also has the lines of the log, while it lives.
+// A recorder that also has the lines of the log and the entries of the audit, while it lives.
 class LoggingRecorder {
  public:
-  LoggingRecorder(RadarHost& host, const RecorderConfig& config, LogTap& tap)
-      : recorder(host, config), tap_(tap) {
+  LoggingRecorder(RadarHost& host, const RecorderConfig& config, LogTap& tap, AuditLog& audit)
+      : recorder(host, config), tap_(tap), audit_(audit) {
     tap_.set(&recorder);
+    audit_.give_to([this](const AuditEntryPtr& entry) { recorder.audit(entry); });
   }
-  ~LoggingRecorder() { tap_.set(nullptr); }
+  ~LoggingRecorder() {
+    audit_.give_to(nullptr);
+    tap_.set(nullptr);
+  }
   LoggingRecorder(const LoggingRecorder&) = delete;
   LoggingRecorder& operator=(const LoggingRecorder&) = delete;
 
@@ -148,34 +155,12 @@ class LoggingRecorder {
 
  private:
   LogTap& tap_;
+  AuditLog& audit_;
 };
 
 // Own ship as her sensors tell of her, and as recordings have told.
 TargetService::Sensed sensors_of(const RadarHost& host, const SensorErrors& errors) {
   return [&host, errors](std::uint32_t radar) { return sensed(host.own_ship(radar), errors); };
-}
-
-// Ends with an entry.
-class Audit {
- public:
-  Audit(const std::string& file, const std::string& what) : log_(file) {
-    log_.add(
-        {.what = fmt::format("{} begins: {}; from head {}", kServerName, what, log_.head().chain)});
-  }
-  ~Audit() { log_.add({.what = fmt::format("{} ends", kServerName)}); }
-  AuditPort* port() { return &log_; }
-
- private:
-  AuditLog log_;
-};
-
-NetConfig with_audit(NetConfig net, const std::unique_ptr<Audit>& audit) {
-  if (audit) net.audit = audit->port();
-  return net;
-}
-
-std::unique_ptr<Audit> open_audit(const Options& options, const std::string& what) {
-  return options.audit.empty() ? nullptr : std::make_unique<Audit>(options.audit, what);
 }
 
 int run_playback(const Options& options, LogTap& tap) {
@@ -186,9 +171,11 @@ int run_playback(const Options& options, LogTap& tap) {
     return 0;
   }
   const auto coast = PlayedCoast::of(*playback, {options.charts, options.elevation});
-  const sigset_t signals = block_signals();
-  const auto audit = open_audit(options, what);
-  LoggingRecorder logging(*playback, options.recorder, tap);
+  make_state_folder(options.state);
+  Signals signals;
+  Audit audit(options, what);
+  signals.on_hang_up([&] { audit.log.reopen(); });
+  LoggingRecorder logging(*playback, options.recorder, tap, audit.log);
   playback->set_recording(&logging.recorder);
   TargetService plotters(*playback, kNativeFormat, sensors_of(*playback, SensorErrors::none()));
   playback->set_targets(&plotters);
@@ -199,7 +186,7 @@ int run_playback(const Options& options, LogTap& tap) {
   plotters.start();
   logging.recorder.start();
   greet(options, net, "playback of " + what);
-  await(signals);
+  signals.await_end();
   playback->stop();
   plotters.stop();
   logging.recorder.stop();
@@ -249,22 +236,24 @@ int run(const Options& options, LogTap& tap) {
     try_load(scenario, std::move(chart), options.workers);
     return 0;
   }
-  const sigset_t signals = block_signals();
-  const auto audit = open_audit(options, "scenario " + scenario.name());
+  make_state_folder(options.state);
+  Signals signals;
+  Audit audit(options, "scenario " + scenario.name());
+  signals.on_hang_up([&] { audit.log.reopen(); });
   RadarServer radars(scenario, std::move(chart), options.workers,
                      exercise_documents(yaml, {options.charts, options.elevation}));
-  if (audit) radars.set_audit(audit->port());
+  radars.set_audit(&audit.log);
   std::unique_ptr<Live> live;
   if (!options.live.empty()) live = std::make_unique<Live>(radars, options.live);
   RadarHost& host = live ? static_cast<RadarHost&>(live->joined) : radars;
-  LoggingRecorder logging(host, options.recorder, tap);
+  LoggingRecorder logging(host, options.recorder, tap, audit.log);
   radars.set_recording(&logging.recorder);
   TargetService plotters(host, kNativeFormat, sensors_of(host, options.net.sensors));
   radars.set_targets(&plotters);
   if (live) {
     live->joined.set_recording(&logging.recorder);
     live->joined.set_targets(&plotters);
-    if (audit) live->host.set_audit(audit->port());
+    live->host.set_audit(&audit.log);
   }
   NetServer net(host, with_audit(options.net, audit), web_files());
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
@@ -274,7 +263,7 @@ int run(const Options& options, LogTap& tap) {
   if (live) live->inputs.start();
   logging.recorder.start();
   greet(options, net, std::to_string(host.radar_count()) + " radars on the air");
-  await(signals);
+  signals.await_end();
   if (live) live->inputs.stop();
   radars.stop();
   plotters.stop();

@@ -57,7 +57,9 @@ Result<Parts, std::string> parts_of(std::string_view line) {
   Parts parts;
   parts.body = line.substr(0, line.size() - tail);
   parts.chain = line.substr(line.size() - kEnd.size() - kDigits, kDigits);
-  if (!JsonStringToMessage(std::string(parts.body) + '}', &parts.entry).ok()) {
+  google::protobuf::util::JsonParseOptions options;
+  options.ignore_unknown_fields = true;  // of later versions; the chain is over them all the same
+  if (!JsonStringToMessage(std::string(parts.body) + '}', &parts.entry, options).ok()) {
     return Failure{std::string("no entry: it cannot be read")};
   }
   return parts;
@@ -75,6 +77,13 @@ Result<audit::Entry, std::string> read_audit_line(std::string_view line, AuditHe
   auto parts = parts_of(line);
   if (!parts) return Failure{parts.error()};
   audit::Entry& entry = parts->entry;
+  if (!entry.follows().empty()) {
+    if (entry.n() > 1 && head == AuditHead{}) head = {entry.n() - 1, entry.follows()};
+    if (entry.follows() != head.chain) {
+      return Failure{
+          fmt::format("entry {} goes on from another audit than it stands in", entry.n())};
+    }
+  }
   if (entry.n() != head.n + 1) {
     return Failure{fmt::format("entry {} follows entry {}", entry.n(), head.n)};
   }
@@ -86,7 +95,8 @@ Result<audit::Entry, std::string> read_audit_line(std::string_view line, AuditHe
 }
 
 AuditCheck check_audit(const std::filesystem::path& file, std::string_view wanted,
-                       const std::function<void(const audit::Entry&)>& each) {
+                       const std::function<void(const audit::Entry&)>& each,
+                       const AuditHead& before) {
   const auto cannot = [&](const char* why) {
     return std::runtime_error(fmt::format("{} cannot be read: {}", file.string(), why));
   };
@@ -97,6 +107,7 @@ AuditCheck check_audit(const std::filesystem::path& file, std::string_view wante
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw cannot(std::strerror(errno));
   AuditCheck check;
+  check.head = before;
   check.has_wanted = wanted == check.head.chain;
   std::string line;
   for (std::uint64_t number = 1;; ++number) {
@@ -115,8 +126,13 @@ AuditCheck check_audit(const std::filesystem::path& file, std::string_view wante
       check.wrong = entry.error();
       return check;
     }
-    if (check.head.n == 1) check.first_utc = entry->utc();
+    if (number == 1) {
+      check.first_utc = entry->utc();
+      if (!entry->follows().empty()) check.follows = {entry->n() - 1, entry->follows()};
+      check.has_wanted = check.has_wanted || wanted == entry->follows();
+    }
     check.last_utc = entry->utc();
+    ++check.entries;
     check.has_wanted = check.has_wanted || wanted == check.head.chain;
     if (each) each(*entry);
   }

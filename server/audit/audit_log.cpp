@@ -1,14 +1,11 @@
 #include "server/audit/audit_log.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <pthread.h>
 #include <spdlog/spdlog.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <iterator>
@@ -17,6 +14,7 @@
 #include <utility>
 
 #include "protocol/picture/label_text.hpp"
+#include "protocol/quantity/time.hpp"
 #include "server/config/config_error.hpp"
 
 namespace skerry::server {
@@ -24,35 +22,52 @@ namespace {
 
 using Kind = AuditEntry::Kind;
 
-const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::change:
-      return "change";
-    case Kind::request:
-      return "request";
-    case Kind::sign_in:
-      return "sign_in";
-    case Kind::refusal:
-      return "refusal";
-    case Kind::server:
-      break;
-  }
-  return "server";
-}
-
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  throw std::runtime_error(fmt::format("--audit: {}: {}", file.string(), why));
-}
-
 bool is_refusal(Kind kind) { return kind == Kind::refusal || kind == Kind::sign_in; }
 
 // "console 10.0.0.5" of "console 10.0.0.5:4711".
 std::string without_port(const std::string& from) { return from.substr(0, from.rfind(':')); }
 
+std::shared_ptr<recording::AuditEntry> message_of(const AuditEntry& from) {
+  auto entry = std::make_shared<recording::AuditEntry>();
+  entry->set_utc(utc_text(std::chrono::system_clock::now()));
+  entry->set_kind(std::string(kAuditKinds[static_cast<std::size_t>(from.kind)]));
+  entry->set_who(from.who);
+  entry->set_from(from.from);
+  entry->set_what(from.what);
+  entry->set_before(from.before);
+  entry->set_after(from.after);
+  if (from.times > 1) entry->set_times(from.times);
+  entry->set_result(from.result);
+  return entry;
+}
+
+// Small letters as large, of the Latin ones.
+bool has_part(const std::string& text, const std::string& part) {
+  const auto is_same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
+  return part.empty() ||
+         std::search(text.begin(), text.end(), part.begin(), part.end(), is_same) != text.end();
+}
+
+bool is_asked_for(const recording::AuditEntry& entry, const AuditQuestion& question) {
+  return (question.kind.empty() || entry.kind() == question.kind) &&
+         (has_part(entry.who(), question.who) || has_part(entry.from(), question.who));
+}
+
 }  // namespace
 
-AuditLog::AuditLog(std::filesystem::path file) : file_(std::move(file)) {
-  open();
+AuditLog::AuditLog(const std::filesystem::path& file, std::uint64_t roll_bytes)
+    : path_(file), roll_bytes_(roll_bytes) {
+  if (!path_.empty()) {
+    file_ = std::make_unique<AuditFile>(path_);
+    head_ = file_->head();
+    last_n_ = head_.n;
+    if (file_->bytes_cut() > 0) {
+      add({.what = fmt::format("{} bytes of an entry that was not finished were cut off",
+                               file_->bytes_cut())});
+    }
+  }
   thread_ = std::thread([this] {
     pthread_setname_np(pthread_self(), "audit");
     run();
@@ -66,58 +81,8 @@ AuditLog::~AuditLog() {
   }
   change_.notify_one();
   thread_.join();
-  spdlog::info("audit: {} ends with entry {}, head {}", file_.string(), head_.n, head_.chain);
-  ::close(descriptor_);
-}
-
-std::string AuditLog::read_tail(std::uint64_t size, std::uint64_t bytes) const {
-  std::string tail(static_cast<std::size_t>(bytes), '\0');
-  const ssize_t got =
-      ::pread(descriptor_, tail.data(), tail.size(), static_cast<off_t>(size - bytes));
-  if (got != static_cast<ssize_t>(bytes)) {
-    refuse(file_, fmt::format("cannot be read: {}", std::strerror(errno)));
-  }
-  return tail;
-}
-
-void AuditLog::open() {
-  constexpr mode_t kMode = 0640;
-  constexpr const char* kNone =
-      "its end is no entry of an audit file; give another file, and keep this one (`skerry audit "
-      "verify` says more)";
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, kMode);
-  if (descriptor_ < 0) refuse(file_, fmt::format("cannot be opened: {}", std::strerror(errno)));
-  try {
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-      refuse(file_, "another server writes to it; give each its own file");
-    }
-    struct stat about {};
-    if (::fstat(descriptor_, &about) != 0 || !S_ISREG(about.st_mode)) refuse(file_, "is no file");
-    const auto size = static_cast<std::uint64_t>(about.st_size);
-    const std::string tail = read_tail(size, std::min<std::uint64_t>(size, 2 * kMostAuditLine));
-    const std::size_t end = tail.rfind('\n') + 1;  // 0: there is no line
-    size_ = size - (tail.size() - end);
-    const std::uint64_t rest = size - size_;
-    if (rest > kMostAuditLine) refuse(file_, kNone);
-    if (end > 0) {
-      const std::size_t begin = end > 1 ? tail.rfind('\n', end - 2) + 1 : 0;
-      const auto head = read_audit_head(std::string_view(tail).substr(begin, end - 1 - begin));
-      if (!head) refuse(file_, kNone);
-      head_ = *head;
-    } else if (size > 0) {
-      // The first entry was being written.
-      constexpr std::string_view kBegin = "{\"n\":1,";
-      if (!kBegin.starts_with(tail.substr(0, kBegin.size()))) refuse(file_, kNone);
-      size_ = 0;
-    }
-    if (rest == 0) return;
-    if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) {
-      refuse(file_, fmt::format("cannot be cut: {}", std::strerror(errno)));
-    }
-    add({.what = fmt::format("{} bytes of an entry that was not finished were cut off", rest)});
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
+  if (file_) {
+    spdlog::info("audit: {} ends with entry {}, head {}", path_.string(), head_.n, head_.chain);
   }
 }
 
@@ -146,10 +111,10 @@ bool AuditLog::is_in_budget(const AuditEntry& entry) {
   return true;
 }
 
-bool AuditLog::wait_for_disk(AuditEntry entry) {
+bool AuditLog::wait_for_disk(const AuditEntry& entry) {
   const std::size_t room = is_refusal(entry.kind) ? kMostWaiting / 2 : kMostWaiting;
   if (waiting_.size() >= room) return false;
-  waiting_.push_back({std::move(entry), std::chrono::system_clock::now()});
+  waiting_.push_back(message_of(entry));
   return true;
 }
 
@@ -189,7 +154,7 @@ void AuditLog::add(AuditEntry entry) {
         entry.who = known->second;
       }
     }
-    if (!wait_for_disk(std::move(entry))) ++missing_;
+    if (!wait_for_disk(entry)) ++missing_;
   }
   change_.notify_one();
 }
@@ -210,79 +175,150 @@ std::string AuditLog::who_at(const std::string& from) const {
   return known == known_.end() ? std::string() : known->second;
 }
 
+AuditAnswer AuditLog::ask(const AuditQuestion& question) const {
+  AuditAnswer answer;
+  const std::lock_guard lock(mutex_);
+  answer.newest = last_n_;
+  answer.has_file = !path_.empty();
+  answer.unwritten = answer.has_file ? waiting_.size() : 0;
+  for (auto it = recent_.rbegin(); it != recent_.rend(); ++it) {
+    if (answer.entries.size() >= question.most || (*it)->n() <= question.after) break;
+    if (is_asked_for(**it, question)) answer.entries.push_back(*it);
+  }
+  return answer;
+}
+
 AuditHead AuditLog::head() const {
   const std::lock_guard lock(mutex_);
   return head_;
 }
 
+void AuditLog::give_to(Taker taker) {
+  const std::lock_guard lock(taker_mutex_);
+  taker_ = std::move(taker);
+}
+
+void AuditLog::reopen() {
+  {
+    const std::lock_guard lock(mutex_);
+    reopens_ = true;
+  }
+  change_.notify_one();
+}
+
+std::vector<AuditEntryPtr> AuditLog::number_new() {
+  std::vector<AuditEntryPtr> numbered;
+  for (; numbered_ < waiting_.size(); ++numbered_) {
+    waiting_[numbered_]->set_n(++last_n_);
+    numbered.push_back(waiting_[numbered_]);
+    recent_.push_back(waiting_[numbered_]);
+  }
+  while (recent_.size() > kMostRecent) recent_.pop_front();
+  return numbered;
+}
+
+void AuditLog::hand_on(const std::vector<AuditEntryPtr>& entries) {
+  const std::lock_guard lock(taker_mutex_);
+  if (!taker_) return;
+  for (const AuditEntryPtr& entry : entries) taker_(entry);
+}
+
 void AuditLog::run() {
   std::unique_lock lock(mutex_);
   bool takes = true;
+  auto tried = std::chrono::steady_clock::now();
   while (takes || !ends_) {
-    change_.wait_for(lock, kAgain, [&] { return ends_ || (takes && !waiting_.empty()); });
+    change_.wait_for(lock, kAgain, [&] {
+      return ends_ || reopens_ || numbered_ < waiting_.size() || (takes && !waiting_.empty());
+    });
     tell_left_out();
-    if (waiting_.empty()) {
-      if (ends_) return;
-      continue;
+    const auto fresh = number_new();
+    const bool reopens = std::exchange(reopens_, false);
+    const auto now = std::chrono::steady_clock::now();
+    std::vector<AuditEntryPtr> batch;
+    if (takes || ends_ || reopens || now - tried >= kAgain) {
+      batch.assign(waiting_.begin(), waiting_.end());
     }
-    const std::deque<Waiting> taken = waiting_;
     lock.unlock();
-    takes = write(taken);
-    tell_disk(takes);
+    hand_on(fresh);
+    if (reopens) go_on_in_next_file();
+    AuditHead head = head_;  // this thread's alone to change
+    const bool has_written = !batch.empty() && write(batch, head);
+    if (!batch.empty()) {
+      tried = now;
+      takes = has_written;
+      tell_disk(takes);
+    }
+    if (has_written) move_away(head, now);
     lock.lock();
-    if (!takes) continue;
-    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken.size()));
+    if (has_written) {
+      head_ = head;
+      const auto count = static_cast<std::ptrdiff_t>(batch.size());
+      waiting_.erase(waiting_.begin(), waiting_.begin() + count);
+      numbered_ -= batch.size();
+    }
+    if (ends_ && waiting_.empty()) return;
   }
   spdlog::error("audit: {} entries could not be written to {}", waiting_.size() + missing_,
-                file_.string());
+                path_.string());
 }
 
-bool AuditLog::write(const std::deque<Waiting>& entries) {
-  AuditHead head = head_;  // this thread's alone to change
+void AuditLog::move_away(const AuditHead& end, std::chrono::steady_clock::time_point now) {
+  if (!file_ || roll_bytes_ == 0 || file_->size() < roll_bytes_ || now < move_not_before_) return;
+  move_not_before_ = now + kMoveAgain;
+  if (file_->is_in_place()) {
+    // So many digits that names are in the order of entries.
+    std::filesystem::path away = path_;
+    away += fmt::format(".{:010}", end.n);
+    std::error_code error;
+    const bool is_taken = std::filesystem::exists(away, error);
+    if (!is_taken) std::filesystem::rename(path_, away, error);
+    if (is_taken || error) {
+      spdlog::error("audit: {} cannot be moved away to {}: {}", path_.string(), away.string(),
+                    is_taken ? "something has that name" : error.message());
+      return;
+    }
+  }
+  reopen();
+}
+
+void AuditLog::go_on_in_next_file() {
+  if (!file_) return;
+  if (file_->is_in_place()) {
+    spdlog::info("audit: {} is where it was and goes on; to begin another, move it away first",
+                 path_.string());
+    return;
+  }
+  try {
+    file_ = std::make_unique<AuditFile>(path_, AuditFile::Kind::next_only);
+    move_not_before_ = {};
+    const AuditHead end = head();
+    spdlog::info("audit: {} goes on from entry {}, head {}", path_.string(), end.n, end.chain);
+    add({.what = fmt::format("a new file goes on from entry {}, head {}", end.n, end.chain)});
+  } catch (const std::runtime_error& wrong) {
+    spdlog::error("audit: it goes on in the file that was moved away: {}", wrong.what());
+    add({.what = fmt::format("no new file: {}", wrong.what())});
+  }
+}
+
+bool AuditLog::write(const std::vector<AuditEntryPtr>& entries, AuditHead& head) {
+  if (!file_) return true;
+  const bool goes_on = file_->size() == 0 && head.n > 0;
   std::string text;
-  for (const auto& [from, utc] : entries) {
-    audit::Entry entry;
-    entry.set_utc(utc_text(utc));
-    entry.set_kind(name_of(from.kind));
-    entry.set_who(from.who);
-    entry.set_from(from.from);
-    entry.set_what(from.what);
-    entry.set_before(from.before);
-    entry.set_after(from.after);
-    if (from.times > 1) entry.set_times(from.times);
-    entry.set_result(from.result);
+  for (const AuditEntryPtr& from : entries) {
+    audit::Entry entry = *from;
+    if (goes_on && text.empty()) entry.set_follows(head.chain);
     text += audit_line(std::move(entry), head);
   }
-  const auto cut = [this] {
-    const int why = errno;
-    has_rest_ = ::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0;
-    errno = why;
-    return !has_rest_;
-  };
-  if (has_rest_ && !cut()) return false;
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t wrote = ::write(descriptor_, text.data() + done, text.size() - done);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote <= 0) break;
-    done += static_cast<std::size_t>(wrote);
-  }
-  if (done < text.size() || ::fdatasync(descriptor_) != 0) {
-    cut();
-    return false;
-  }
-  size_ += text.size();
-  const std::lock_guard lock(mutex_);
-  head_ = head;
-  return true;
+  return file_->append(text);
 }
 
 void AuditLog::tell_disk(bool takes) {
   if (!takes && !std::exchange(is_told_, true)) {
-    spdlog::error("audit: {} takes nothing ({}); up to {} entries wait", file_.string(),
+    spdlog::error("audit: {} takes nothing ({}); up to {} entries wait", path_.string(),
                   std::strerror(errno), kMostWaiting);
   } else if (takes && std::exchange(is_told_, false)) {
-    spdlog::warn("audit: {} takes entries again", file_.string());
+    spdlog::warn("audit: {} takes entries again", path_.string());
   }
 }
 

@@ -1,9 +1,16 @@
 // AuditPort: where it is kept who changed what, who signed in and what was refused.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "protocol/recording/recording.pb.h"
 
 namespace skerry::server {
 
@@ -24,6 +31,28 @@ struct AuditEntry {
   std::string result = {};  // "ok", or why not
 };
 
+// As files, pages and commands name AuditEntry::Kind, in its order.
+inline constexpr std::array<std::string_view, 5> kAuditKinds = {"change", "request", "sign_in",
+                                                                "refusal", "server"};
+
+// An entry with its number and time, as it is shown, recorded and written.
+using AuditEntryPtr = std::shared_ptr<const recording::AuditEntry>;
+
+// Which of the newest entries somebody wants to see.
+struct AuditQuestion {
+  std::size_t most = 200;
+  std::uint32_t after = 0;  // only those with a greater number
+  std::string who = {};     // only where this is part of name or address, small letters as large
+  std::string kind = {};    // only of this kind; empty: of each
+};
+
+struct AuditAnswer {
+  std::vector<AuditEntryPtr> entries;  // the newest first
+  std::uint32_t newest = 0;            // number of the newest entry, shown or not; 0: there is none
+  bool has_file = false;
+  std::size_t unwritten = 0;  // entries that the disk has not taken
+};
+
 // Thread: any.
 class AuditPort {
  public:
@@ -35,6 +64,8 @@ class AuditPort {
   virtual void know(const std::string& from, const std::string& who) = 0;
   virtual void forget(const std::string& from) = 0;
   virtual std::string who_at(const std::string& from) const = 0;
+  // Out of those that are in memory.
+  virtual AuditAnswer ask(const AuditQuestion& /*question*/) const { return {}; }
 };
 
 // While one request is carried out: who makes it.

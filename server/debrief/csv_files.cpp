@@ -4,6 +4,7 @@
 
 #include <iterator>
 
+#include "server/debrief/deeds.hpp"
 #include "server/debrief/words.hpp"
 #include "server/page/csv_table.hpp"
 
@@ -159,7 +160,8 @@ std::vector<std::pair<std::string, std::string>> csv_files(const Debrief& debrie
           {"reactions.csv", reactions_csv(debrief)},
           {"checks.csv", checks_csv(debrief)},
           {"known_targets.csv", known_targets_csv(debrief)},
-          {"known_alerts.csv", known_alerts_csv(debrief)}};
+          {"known_alerts.csv", known_alerts_csv(debrief)},
+          {"deeds.csv", deeds_csv(debrief)}};
 }
 
 }  // namespace skerry::server

@@ -9,6 +9,7 @@
 
 #include "protocol/quantity/geo_point.hpp"
 #include "protocol/quantity/time.hpp"
+#include "protocol/recording/recording.pb.h"
 #include "server/world/world_state.hpp"
 
 namespace skerry::server {
@@ -125,6 +126,12 @@ struct KnownView {
   std::size_t left_out = 0;          // targets and alerts beyond what is kept
 };
 
+// An entry of the audit that was recorded: who did what.
+struct Deed {
+  Moment when;
+  recording::AuditEntry entry;
+};
+
 struct DebriefLimits {
   double every_s = 1.0;    // between the points of tracks
   double near_nm = 3.0;    // ships that came no nearer are left out
@@ -149,7 +156,9 @@ struct Debrief {
   std::vector<Reaction> reactions;
   std::vector<JudgedCheck> checks;
   std::vector<KnownView> known;
-  bool has_one_clock = true;  // the exercise's clock is that on the air
+  std::vector<Deed> deeds;
+  std::size_t deeds_left_out = 0;  // beyond what is kept
+  bool has_one_clock = true;       // the exercise's clock is that on the air
 };
 
 }  // namespace skerry::server

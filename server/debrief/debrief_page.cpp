@@ -10,6 +10,7 @@
 #include <set>
 
 #include "server/debrief/chart_figure.hpp"
+#include "server/debrief/deeds.hpp"
 #include "server/debrief/known_section.hpp"
 #include "server/debrief/words.hpp"
 #include "server/page/html_text.hpp"
@@ -57,6 +58,9 @@ class Page {
     }
     part("ships", "Helm, engine, heading and speed", [&] { ships(); });
     part("timeline", "Time line", [&] { timeline(); });
+    if (!debrief_.deeds.empty()) {
+      part("deeds", "Who did what", [&] { out_ += deeds_section(debrief_); });
+    }
     out_ += fmt::format("<script>{}</script>\n</body></html>\n", kPageScript);
     return std::move(out_);
   }

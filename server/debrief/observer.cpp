@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "protocol/quantity/angle.hpp"
+#include "server/debrief/deeds.hpp"
 #include "server/debrief/known_targets.hpp"
 #include "server/debrief/orders_told.hpp"
 #include "server/debrief/passings.hpp"
@@ -286,8 +287,9 @@ std::optional<Debrief> make_debrief(const recording::RecordingReader& reader,
   std::stable_sort(
       debrief.happened.begin(), debrief.happened.end(),
       [](const HappenedLine& a, const HappenedLine& b) { return a.when.at_s < b.when.at_s; });
-  debrief.known = known_views(reader, exercise.zero, end_s, plan.scenario,
-                              [&](double at_s) { return exercise_at(debrief, at_s); });
+  const auto exercise_then = [&](double at_s) { return exercise_at(debrief, at_s); };
+  debrief.known = known_views(reader, exercise.zero, end_s, plan.scenario, exercise_then);
+  read_deeds(reader, exercise.zero, end_s, exercise_then, debrief);
   debrief.reactions = reactions_to(debrief.happened, debrief.passings, debrief.own_ships);
   return debrief;
 }

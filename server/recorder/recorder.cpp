@@ -197,6 +197,17 @@ void Recorder::control_changed(std::string text) {
   note({.kind = Order::Kind::control, .text = std::move(text), .origin = {}});
 }
 
+void Recorder::audit(AuditEntryPtr entry) {
+  const std::lock_guard lock(mutex_);
+  if (!wanted_) return;
+  if (orders_.size() >= kMaxWaiting) {
+    ++left_out_;
+  } else {
+    orders_.push_back(
+        {.kind = Order::Kind::audit, .text = {}, .origin = {}, .entry = std::move(entry)});
+  }
+}
+
 void Recorder::wake() {
   {
     const std::lock_guard lock(wake_mutex_);
@@ -229,8 +240,9 @@ void Recorder::run() {
     more_waits = session_ && session_->step(now);
     for (Order& order : orders) carry_out(std::move(order), now);
     if (session_ && left_out > 0) {
-      session_->log(spdlog::level::warn, fmt::format("{} lines of the log are left out", left_out),
-                    now);
+      session_->log(
+          spdlog::level::warn,
+          fmt::format("{} lines of the log or entries of the audit are left out", left_out), now);
     }
     if (session_ && stopping) {
       carry_out({.kind = Order::Kind::stop, .text = {}, .origin = "the server's end"}, now);
@@ -273,6 +285,9 @@ void Recorder::carry_out(Order order, std::chrono::steady_clock::time_point now)
       break;
     case Order::Kind::control:
       if (session_) session_->control_changed(order.text, now);
+      break;
+    case Order::Kind::audit:
+      if (session_) session_->audit(*order.entry, now);
       break;
   }
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "server/core/audit_port.hpp"
 #include "server/core/radar_host.hpp"
 #include "server/core/recording_port.hpp"
 #include "server/recorder/disk_writer.hpp"
@@ -25,7 +26,7 @@ namespace skerry::server {
 class Recorder final : public RecordingPort {
  public:
   static constexpr std::uint32_t kMaxMarks = 10'000;  // of a recording
-  static constexpr std::size_t kMaxWaiting = 1000;    // orders, and lines of the log
+  static constexpr std::size_t kMaxWaiting = 1000;    // orders, lines of the log, entries
 
   // The host must outlive it.
   Recorder(RadarHost& host, RecorderConfig config);
@@ -45,14 +46,17 @@ class Recorder final : public RecordingPort {
   // they are recorded if anything is.  Does not log itself.
   void log(int level, std::string text);
   void control_changed(std::string text);
+  // An entry of the audit; also the one that says who had the recording started.
+  void audit(AuditEntryPtr entry);
 
  private:
   struct Order {
-    enum class Kind : std::uint8_t { start, stop, mark, log, control } kind;
+    enum class Kind : std::uint8_t { start, stop, mark, log, control, audit } kind;
     std::string text;    // of a mark its name, or the line
     std::string origin;  // who asked
     int level = 0;
     RecordingSession::Plan plan = {};
+    AuditEntryPtr entry = nullptr;
   };
 
   wire::Reply begin(const wire::Record& record, const std::string& origin);
@@ -74,7 +78,7 @@ class Recorder final : public RecordingPort {
 
   mutable std::mutex mutex_;
   std::deque<Order> orders_;
-  std::uint64_t left_out_ = 0;  // lines of the log
+  std::uint64_t left_out_ = 0;  // lines of the log, entries of the audit
   bool wanted_ = false;         // started, and neither stopped nor failed
   std::uint32_t marks_ = 0;
   bool stopping_ = false;

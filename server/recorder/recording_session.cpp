@@ -20,6 +20,8 @@ using recording::Topic;
 
 constexpr int kSectorsAtOnce = 64;  // of a ring, before others have their turn
 constexpr int kLastRounds = 16;
+// While the disk is full; what is beyond is missing by its numbers, and marks have the other half.
+constexpr std::size_t kMostEntriesKept = SeriesWriter::kMaxKept / 2;
 constexpr std::chrono::seconds kShipsEvery{1};
 constexpr std::chrono::seconds kRateTime{3};
 // A playback may stand still; what is noted meanwhile is of about that time.
@@ -327,6 +329,12 @@ void RecordingSession::log(int level, const std::string& text, Steady now) {
 void RecordingSession::control_changed(const std::string& text, Steady now) {
   now_ = now;
   add_event(Event::CONTROL, text);
+}
+
+void RecordingSession::audit(const recording::AuditEntry& entry, Steady now) {
+  now_ = now;
+  entry.SerializeToString(&bytes_);
+  writer_.keep({{Kind::audit}, item_time(), bytes_of(bytes_)}, kMostEntriesKept);
 }
 
 void RecordingSession::stop(const std::string& origin, Steady now) {

@@ -44,6 +44,7 @@ class RecordingSession {
   void mark(const std::string& name, Steady now);
   void log(int level, const std::string& text, Steady now);
   void control_changed(const std::string& text, Steady now);
+  void audit(const recording::AuditEntry& entry, Steady now);
   void stop(const std::string& origin, Steady now);
 
   // All but `folder` and `free_bytes`.

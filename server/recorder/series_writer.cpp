@@ -96,9 +96,9 @@ void SeriesWriter::add(const Item& item) {
   if (chunk_bytes_ >= kChunkBytes) flush();
 }
 
-void SeriesWriter::keep(const Item& item) {
+void SeriesWriter::keep(const Item& item, std::size_t most) {
   prepare_chunk();
-  if (kept_.size() < kMaxKept) {
+  if (kept_.size() < most) {
     kept_.push_back({item.topic, item.time, Bytes(item.bytes.begin(), item.bytes.end())});
   }
   add(item);

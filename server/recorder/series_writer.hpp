@@ -49,8 +49,8 @@ class SeriesWriter {
   void begin(const std::string& name, Steady now);
   void add_spoke(const recording::Topic& topic, UtcTime time, std::span<const std::uint8_t> bytes);
   void add(const recording::Item& item);
-  // One that is given again if its chunk is lost.
-  void keep(const recording::Item& item);
+  // One that is given again if its chunk is lost, unless `most` wait for that.
+  void keep(const recording::Item& item, std::size_t most = kMaxKept);
   // Only while a file begins.
   void attach(const recording::Attachment& attachment);
   // Ends chunk and file where it is time.  `now_utc`: of what is added then.

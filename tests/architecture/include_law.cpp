@@ -156,14 +156,15 @@ const std::vector<Room>& table() {
        {"protocol/digest/", "protocol/nmea/log_time.hpp", "protocol/picture/label_text.hpp",
         "protocol/quantity/", "protocol/wire/", "server/config/"}},
       {"server/access_tool",
-       {"protocol/picture/label_text.hpp", "protocol/quantity/", "echo/tool_console/",
-        "server/access/", "server/audit/", "server/config/config_error.hpp"}},
+       {"protocol/picture/label_text.hpp", "protocol/quantity/", "protocol/recording/",
+        "echo/tool_console/", "server/access/", "server/audit/", "server/config/config_error.hpp",
+        "server/core/audit_port.hpp"}},
       // What consoles keep on the server.
       {"server/setups", {"protocol/digest/", "protocol/wire/printable_text.hpp", "server/config/"}},
       // Who changed what.
       {"server/audit",
        {"protocol/digest/", "protocol/picture/label_text.hpp", "protocol/quantity/",
-        "server/config/", "server/core/audit_port.hpp"}},
+        "protocol/recording/recording.pb.h", "server/config/", "server/core/audit_port.hpp"}},
       // The network: what all speakers share, and a room for each that speaks.
       {"server/net/common",
        {"protocol/", "server/access/", "server/core/", "server/displays/radar_emulation.hpp",

@@ -28,6 +28,7 @@ class ServerProcess {
   // The same of its threads, by their names without what follows a hyphen: "radar", "net", "coast".
   std::map<std::string, double> cpu_seconds_by_thread() const;
   bool stopped() const { return stopped_; }
+  void signal(int number) { process_.signal(number); }
   // Asks it to stop, as Ctrl-C does.  An exit code other than 0 is a crash or a sanitizer's report,
   // which stands in Ending::err.
   Ending stop();

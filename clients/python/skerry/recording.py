@@ -12,7 +12,8 @@ Item = collections.namedtuple("Item", "time_ns topic message")
 
 _KINDS = {"hello": "skerry.wire.Hello", "settings": "skerry.wire.Settings", "own_ship": "skerry.wire.OwnShip",
           "world": "skerry.wire.World", "traffic": "skerry.recording.Traffic", "events": "skerry.recording.Event",
-          "log": "skerry.recording.Log", "inputs": "skerry.recording.Input", "exercise": "skerry.wire.ExerciseState",
+          "log": "skerry.recording.Log", "audit": "skerry.recording.AuditEntry",
+          "inputs": "skerry.recording.Input", "exercise": "skerry.wire.ExerciseState",
           "targets": "skerry.wire.TargetList", "plots": "skerry.wire.TargetPlots",
           "spokes": "skerry.wire.Spoke"}
 

@@ -25,14 +25,14 @@ bool ConHolders::change(std::size_t own_ship, const wire::ConOrder& con,
   return holder != before;
 }
 
-bool ConHolders::leave(const std::string& origin) {
-  bool any = false;
-  for (std::string& holder : holders_) {
-    if (holder != origin) continue;
-    holder.clear();
-    any = true;
+std::vector<std::size_t> ConHolders::leave(const std::string& origin) {
+  std::vector<std::size_t> freed;
+  for (std::size_t own_ship = 0; own_ship < holders_.size(); ++own_ship) {
+    if (holders_[own_ship] != origin) continue;
+    holders_[own_ship].clear();
+    freed.push_back(own_ship);
   }
-  return any;
+  return freed;
 }
 
 }  // namespace skerry::server

@@ -22,8 +22,8 @@ class ConHolders {
                                      bool instructor) const;
   // True if that has changed who has the con.
   bool change(std::size_t own_ship, const wire::ConOrder& con, const std::string& origin);
-  // The connection of `origin` has ended; true if it had a con.
-  bool leave(const std::string& origin);
+  // The connection of `origin` has ended; the own ships whose con it had, which are free now.
+  std::vector<std::size_t> leave(const std::string& origin);
 
   // Empty: nobody.
   const std::string& holder(std::size_t own_ship) const { return holders_[own_ship]; }

@@ -135,7 +135,11 @@ std::optional<wire::Reply> ControlDesk::refusal_by_con(const wire::Set& set,
 
 void ControlDesk::leave(const std::string& origin) {
   const std::lock_guard lock(mutex_);
-  cons_.leave(origin);
+  const auto now = ChangeLog::Clock::now();
+  for (const std::size_t ship : cons_.leave(origin)) {
+    log_.add(origin, timeline_.latest()->own_ships[ship].name,
+             {"con", origin, "nobody: its console has left"}, now);
+  }
 }
 
 std::string ControlDesk::con_of(std::uint32_t radar) const {

@@ -12,6 +12,7 @@
 #include "server/app/options/output_text.hpp"
 #include "server/app/options/outputs.hpp"
 #include "server/app/options/recorder_options.hpp"
+#include "server/app/options/state_folder.hpp"
 #include "server/app/version.hpp"
 #include "server/config/yaml_message.hpp"
 
@@ -134,6 +135,13 @@ void add_options(CLI::App& cli, CommandLine& line) {
   add.text("--audit", config, &ServerConfig::mutable_audit,
            "file that keeps who changed what, who signed in and what was refused; made if missing")
       ->type_name("FILE");
+  add.number<std::uint32_t>("--audit-roll-mib", config, &ServerConfig::set_audit_roll_mib,
+                            "another file of the audit after so many MiB (never)")
+      ->check(CLI::Range(1, 1 << 24));
+  add.text("--state", config, &ServerConfig::mutable_state,
+           "folder for audit, recordings, set-ups, tokens and users, where nothing else is said; "
+           "made if missing")
+      ->type_name("FOLDER");
   add.text("--web-root", config, &ServerConfig::mutable_web_root,
            "serve the console from this folder, for those who work on it");
   add.number<std::uint32_t>("--workers", config, &ServerConfig::set_workers,
@@ -243,6 +251,8 @@ Options options_of(const ServerConfig& config) {
   net.tls = config.tls();
   net.setups = config.setups();
   options.audit = config.audit();
+  options.audit_roll_bytes = std::uint64_t{config.audit_roll_mib()} << 20;
+  options.state = config.state();
   net.allowed_hosts.assign(config.allowed_hosts().begin(), config.allowed_hosts().end());
   net.web_root = config.web_root();
   if (config.has_max_connections()) net.max_connections = config.max_connections();
@@ -282,6 +292,7 @@ std::optional<Options> read_options(int argc, const char* const* argv) {
   }
   complete(line);
   put_over(line, config);
+  place_in_state_folder(config);
   add_short_forms(config.udp(), Output::native, !line.no_udp, config);
   add_short_forms(config.cat240(), Output::cat240, !line.no_cat240, config);
   add_short_forms(config.sweeps(), Output::sweeps, false, config);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,9 @@ struct Options {
   std::size_t workers = 0;                   // helping threads per radar
   std::size_t board_ring_bytes = 16u << 20;  // of each board's ring in shared memory
   std::string log_level = "info";
-  std::string audit;         // file of who did what; empty: none
+  std::string audit;                   // file of who did what; empty: none
+  std::uint64_t audit_roll_bytes = 0;  // size at which it is moved away; 0: never
+  std::string state;                   // folder of what the server keeps; empty: none
   bool print_ports = false;  // one line "tcp PORT http PORT" on standard output once listening
   bool check_only = false;   // read everything, start nothing
   std::string verify;        // a recording whose video is made again; empty: none

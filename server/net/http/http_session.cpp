@@ -13,6 +13,7 @@
 
 #include "server/net/common/net_clock.hpp"
 #include "server/net/common/tcp_peer.hpp"
+#include "server/net/http/audit_page.hpp"
 #include "server/net/http/carried_token.hpp"
 #include "server/net/http/controls_page.hpp"
 #include "server/net/http/http_request.hpp"
@@ -80,6 +81,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   WebAnswer answer_controls(const Request& request) const;
   WebAnswer answer_status(const Request& request) const;
   WebAnswer answer_metrics(const Request& request) const;
+  WebAnswer answer_audit(const Request& request) const;
   WebAnswer answer_signalk(const Request& request, std::string path);
   void upgrade(Request request, std::function<void()> accepted);
   void upgrade_native(Request request);
@@ -94,7 +96,7 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
     std::string_view path;
     WebAnswer (HttpSession::*answer)(const Request& request) const;
   };
-  static const std::array<Route, 4> kRoutes;
+  static const std::array<Route, 5> kRoutes;
 
   NetContext& context_;
   const WebFiles& files_;
@@ -114,11 +116,12 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   std::size_t discarded_bytes_ = 0;
 };
 
-const std::array<HttpSession::Route, 4> HttpSession::kRoutes = {
+const std::array<HttpSession::Route, 5> HttpSession::kRoutes = {
     {{"/ws", &HttpSession::answer_ws},
      {"/controls.json", &HttpSession::answer_controls},
      {"/status", &HttpSession::answer_status},
-     {"/metrics", &HttpSession::answer_metrics}}};
+     {"/metrics", &HttpSession::answer_metrics},
+     {"/audit", &HttpSession::answer_audit}}};
 
 // Times of reading are check()'s: those of the stream would close it, and nothing could be said.
 void HttpSession::wait(std::chrono::milliseconds time) {
@@ -277,6 +280,10 @@ WebAnswer HttpSession::answer_metrics(const Request& request) const {
   return {.mime = std::string(metrics_mime(format)),
           .body = metrics_page(context_.status(), context_.clients.totals(), format),
           .vary = "Accept"};
+}
+
+WebAnswer HttpSession::answer_audit(const Request& request) const {
+  return audit_page(context_.config.audit, {request.target().data(), request.target().size()});
 }
 
 WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {

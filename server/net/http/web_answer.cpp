@@ -52,6 +52,24 @@ bool clean(std::string_view path) {
   return true;
 }
 
+std::optional<std::string> percent_decoded(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    unsigned value = 0;
+    const char* begin = text.data() + i + 1;
+    if (text.size() - i < 3) return std::nullopt;
+    const auto [end, error] = std::from_chars(begin, begin + 2, value, 16);
+    if (error != std::errc() || end != begin + 2) return std::nullopt;
+    decoded += static_cast<char>(value);
+    i += 2;
+  }
+  return decoded;
+}
+
 // What an answer is stays as it is said, and addresses of pages are told to nobody.
 // Source: Referrer Policy (W3C).
 constexpr std::array<std::pair<const char*, const char*>, 2> kForBrowsers = {
@@ -127,22 +145,24 @@ std::string http_refusal(const std::string& reason) {
 }
 
 std::string clean_path(std::string_view target) {
-  target = target.substr(0, target.find_first_of("?#"));
-  std::string path;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    if (target[i] != '%') {
-      path += target[i];
-      continue;
-    }
-    unsigned value = 0;
-    const char* begin = target.data() + i + 1;
-    if (target.size() - i < 3) return {};
-    const auto [end, error] = std::from_chars(begin, begin + 2, value, 16);
-    if (error != std::errc() || end != begin + 2) return {};
-    path += static_cast<char>(value);
-    i += 2;
+  const auto path = percent_decoded(target.substr(0, target.find_first_of("?#")));
+  return path && clean(*path) ? *path : std::string();
+}
+
+std::optional<std::map<std::string, std::string>> query_of(std::string_view target) {
+  std::map<std::string, std::string> members;
+  target = target.substr(0, target.find('#'));
+  const std::size_t begin = std::min(target.find('?'), target.size());
+  for (std::string_view rest = target.substr(std::min(begin + 1, target.size())); !rest.empty();) {
+    const std::string_view member = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(std::min(member.size() + 1, rest.size()));
+    const std::size_t equals = std::min(member.find('='), member.size());
+    std::string value(member.substr(std::min(equals + 1, member.size())));
+    std::replace(value.begin(), value.end(), '+', ' ');
+    const auto name = percent_decoded(member.substr(0, equals)), decoded = percent_decoded(value);
+    if (!name || !decoded || !members.emplace(*name, *decoded).second) return std::nullopt;
   }
-  return clean(path) ? path : std::string();
+  return members;
 }
 
 WebFiles::WebFiles(std::span<const WebFile> built_in, const std::string& root)

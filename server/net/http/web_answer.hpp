@@ -4,6 +4,8 @@
 #include <google/protobuf/message.h>
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +49,10 @@ std::string http_refusal(const std::string& reason);
 // The path of a request target: without query, percent-decoded.  Empty if it is no clean absolute
 // path: bad escapes, control characters, backslashes, empty or dot segments.
 std::string clean_path(std::string_view target);
+
+// The members of a request target's query, percent-decoded, + as a space.  Nothing if it has bad
+// escapes, or a member twice.
+std::optional<std::map<std::string, std::string>> query_of(std::string_view target);
 
 // The web console, from memory or from a directory.
 class WebFiles {

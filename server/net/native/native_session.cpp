@@ -63,7 +63,10 @@ void NativeSession::close() {
   closed_ = true;
   unsubscribe();
   boards_.leave();
-  context_.host.leave(origin());
+  {
+    const AuditedRequest audited(context_.config.audit, origin(), who_);
+    context_.host.leave(origin());
+  }
   if (has_made_token_) context_.gate.sign_out(token_);
   deadline_.cancel();
   transport_->close();

@@ -127,6 +127,23 @@ test('an own ship is put elsewhere, and undo takes her back', async () => {
   assert.deepEqual(page.problems, []);
 });
 
+test('the log says who did what, as it is done', async () => {
+  const page = await open(),
+    other = await open();
+  await other.keyboard.press('5');
+  await page.locator('#to-exercise').click();
+  await page.locator('#mark-text').fill('Kept in the log');
+  await page.locator('#mark-form button').click();
+  const newest = other.locator('#log-list li', { hasText: 'Kept in the log' });
+  await newest.waitFor();
+  assert.match(await newest.textContent(), /^\d\d:\d\d:\d\dChangeon the server's own host, admin.*from console 127\.0\.0\.1:/);
+  await other.locator('#log-kind').selectOption('server');
+  await other.waitForFunction(() => document.querySelectorAll('#log-list li').length === 1);
+  assert.match(await other.locator('#log-list').textContent(), /begins: scenario Lesson/);
+  assert.match(await other.locator('#log-problem').textContent(), /memory alone/);
+  assert.deepEqual([...page.problems, ...other.problems], []);
+});
+
 test("the con shows the instructor's text", async () => {
   const page = await open(),
     con = await open('conning?radar=1');

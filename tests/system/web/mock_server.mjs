@@ -34,7 +34,7 @@ export class MockServer {
     Object.assign(this, {
       spokes: 4096, cells: 1024, bits: 8, rpm: 24, headingDeg: 0, port: 0, ships: ['Fulmar', 'Gannet'],
       silent: [], refuse: null, mayLook: () => true, host: '127.0.0.1', doppler: null, driven: false, untold: false, recorder: null, playback: null, controls: CONTROLS,
-      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null, scene: cellsAt, users: null, classCode: null, losesCookies: false,
+      exercise: null, ownShipMore: {}, helloMore: {}, place: null, targets: null, answerTargets: () => ({}), stoodStillS: 0, chart: chartAt, at: OWN, setups: null, audit: null, scene: cellsAt, users: null, classCode: null, losesCookies: false,
     }, options);
     // exercise: a MockExercise; ownShipMore, helloMore: further fields of OwnShip and Hello; place(seconds): where own ship is so
     // long after the first spoke, { latitudeDeg, longitudeDeg }; null: she lies still.
@@ -43,6 +43,7 @@ export class MockServer {
     // chart(request): ChartObjects, or null: none is told; at: own ship's place.
     // recorder, playback: the states that are shown; null: there is none.
     // doppler(bearingDeg): class of all cells there; null: no spoke has any.
+    // audit: { entries, hasFile, unwritten, refuse }, entries as /audit has them, the oldest first; refuse: status and text of all answers.
     // users: by name { password, role }, who may sign in; what mayLook() and Reply then know of them is up to the test.
     // classCode: by which one is a trainee of the second ship; losesCookies: whoever wants a cookie has neither it nor a token.
     // scene(bearingDeg, { cells, cellSizeM, gain }): cells of one spoke, 0..255.
@@ -88,6 +89,7 @@ export class MockServer {
         return;
       }
       if (name === 'login') { answerLogin(this, request, response); return; }
+      if (name === 'audit' && this.audit) { this.#answerAudit(request, response); return; }
       if (/^setups(\/|$)/.test(name)) { this.#answerSetups(request, response, decodeURIComponent(name.slice(7))); return; }
       if (!files.has(name)) { response.writeHead(404).end(); return; }
       response.writeHead(200, {
@@ -112,6 +114,19 @@ export class MockServer {
     this.targeting = setInterval(() => this.showTargets(), 500);
     this.exercising = setInterval(() => this.showExercise(0.25), 250);
     return `http://${this.host}:${this.port}/`;
+  }
+
+  // As server/net/http/audit_page.cpp.
+  #answerAudit(request, response) {
+    const query = new URL(request.url, 'http://x').searchParams;
+    const { entries, hasFile = true, unwritten = 0, refuse } = this.audit;
+    (this.audit.asked ??= []).push({ ...Object.fromEntries(query), bearer: request.headers.authorization });
+    if (refuse) { response.writeHead(refuse.status).end(`${refuse.status}: ${refuse.text}\n`); return; }
+    const part = query.get('who').toLowerCase();
+    const told = entries.filter((entry) => entry.n > Number(query.get('after')) && (!query.get('kind') || entry.kind === query.get('kind'))
+      && [entry.who, entry.from].some((text) => (text ?? '').toLowerCase().includes(part))).slice(-Number(query.get('last'))).reverse();
+    response.writeHead(200, { 'Content-Type': 'application/json' })
+      .end(JSON.stringify({ entries: told, newest: entries.at(-1)?.n ?? 0, has_file: hasFile, unwritten }));
   }
 
   // As server/net/http/setup_routes.cpp. setups: a Map of name and document, or null where none are kept.

@@ -116,10 +116,10 @@ TEST(Rights, EveryMessageAndFieldHasARow) {
 
 TEST(Rights, EveryRowIsOfSomethingThatIsThere) {
   const std::set<std::string_view> of_the_web = {
-      "GET /",          "GET /controls.json", "GET /ws",      "GET /status",
-      "GET /metrics",   "signalk.discover",   "signalk.read", "signalk.stream",
-      "signalk.change", "GET /setups",        "PUT /setups",  "DELETE /setups",
-      "GET /login",     "POST /login",        "DELETE /login"};
+      "GET /",          "GET /controls.json", "GET /ws",       "GET /status",
+      "GET /metrics",   "signalk.discover",   "signalk.read",  "signalk.stream",
+      "signalk.change", "GET /setups",        "PUT /setups",   "DELETE /setups",
+      "GET /login",     "POST /login",        "DELETE /login", "GET /audit"};
   std::set<std::string_view> names;
   for (const Right& right : rights()) {
     EXPECT_TRUE(names.insert(right.name).second) << right.name << " stands there twice";

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/unit/net/kept_audit.hpp"
+
 namespace skerry::server {
 namespace {
 
@@ -64,16 +66,6 @@ TEST_F(Log, OtherControlsAndOriginsDoNotWaitForEachOther) {
                                   "b: radar 0 view 0: gain 2 -> 3"));
 }
 
-class KeptAudit : public AuditPort {
- public:
-  void add(AuditEntry entry) override { entries.push_back(std::move(entry)); }
-  void know(const std::string&, const std::string& name) override { who = name; }
-  void forget(const std::string&) override { who.clear(); }
-  std::string who_at(const std::string&) const override { return who; }
-  std::string who;
-  std::vector<AuditEntry> entries;
-};
-
 // The audit has what the log has no room for, too.
 TEST_F(Log, TheAuditHasEveryChangeWithWhatWasBefore) {
   KeptAudit audit;
@@ -84,10 +76,10 @@ TEST_F(Log, TheAuditHasEveryChangeWithWhatWasBefore) {
   }
   log_.flush_all();
   std::uint64_t told = 0;
-  for (const AuditEntry& entry : audit.entries) told += entry.times;
+  for (const AuditEntry& entry : audit.entries()) told += entry.times;
   EXPECT_EQ(told, 3000u);
   EXPECT_LT(lines_.size(), 1000u) << "the log has less";
-  const AuditEntry& first = audit.entries.front();
+  const AuditEntry first = audit.entries().front();
   EXPECT_EQ(first.kind, AuditEntry::Kind::change);
   EXPECT_EQ(first.from, "sender 0");
   EXPECT_EQ(first.what, "radar 0 view 0: gain");
@@ -109,7 +101,7 @@ TEST_F(Log, WhoChangedItIsWhoWasThereThen) {
   by("Anna", 4);
   log_.flush_all();
   std::vector<std::string> told;
-  for (const AuditEntry& e : audit.entries) {
+  for (const AuditEntry& e : audit.entries()) {
     told.push_back(e.who + " " + e.before + " " + e.after + " " + std::to_string(e.times));
   }
   EXPECT_THAT(told, ElementsAre("Anna 0 1 1", "Ben 2 3 1", "Anna 1 4 2"));

@@ -47,9 +47,9 @@ TEST(ConHolders, IsHandedOverTakenByTheInstructorAndFreeAfterTheEnd) {
   const wire::ConOrder instructors = take();
   EXPECT_FALSE(cons.refusal(0, "Frida", &instructors, "console C", true));
   EXPECT_TRUE(cons.change(0, instructors, "console C"));
-  EXPECT_FALSE(cons.leave("console B"));
+  EXPECT_TRUE(cons.leave("console B").empty());
   EXPECT_EQ(cons.holder(0), "console C");
-  EXPECT_TRUE(cons.leave("console C"));
+  EXPECT_EQ(cons.leave("console C"), std::vector<std::size_t>{0});
   EXPECT_EQ(cons.holder(0), "");
 }
 

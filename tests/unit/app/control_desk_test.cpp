@@ -11,6 +11,7 @@
 
 #include "server/app/options/radar_config.hpp"
 #include "server/world/scenario.hpp"
+#include "tests/unit/net/kept_audit.hpp"
 #include "tests/unit/radar/open_sea.hpp"
 
 namespace skerry::server {
@@ -398,8 +399,21 @@ TEST_F(ConDesk, OneConsoleHasTheConOfAShipOnAllHerRadars) {
   EXPECT_EQ(apply_as("console b", con_of(0, release)).code(), wire::Reply::OK);
   EXPECT_EQ(desk_->con_of(0), "");
   EXPECT_EQ(apply_as("console a", con_of(0, taken())).code(), wire::Reply::OK);
-  desk_->leave("console a");
+  KeptAudit audit;
+  desk_->set_audit(&audit);
+  desk_->leave("console b");
+  EXPECT_EQ(desk_->con_of(0), "console a");
+  {
+    const AuditedRequest leaving(&audit, "console a", "Anna, trainee");
+    desk_->leave("console a");
+  }
   EXPECT_EQ(desk_->con_of(0), "") << "its connection has ended";
+  ASSERT_EQ(audit.entries().size(), 1u);
+  const AuditEntry freed = audit.entries().front();
+  EXPECT_EQ(freed.who + "|" + freed.what + "|" + freed.before + "|" + freed.after,
+            "Anna, trainee|" + timeline_.latest()->own_ships[0].name +
+                ": con|console a|nobody: its console has left");
+  desk_->set_audit(nullptr);
 }
 
 TEST_F(ConDesk, ALockOfCourseOrSpeedHoldsForWheelAndEngine) {

@@ -59,6 +59,16 @@ TEST_F(AuditChain, IsWhatItsDescriptionSays) {
             "\"f2bcf8bfea863b5b88b80f1ee6f411f61eb362e2e93bdb9bcbbd6dda2931d393\"}\n");
 }
 
+// A line of a later version, by another program.
+TEST_F(AuditChain, AMemberThatItDoesNotKnowIsPassedOver) {
+  lines_ = {
+      "{\"n\":1,\"kind\":\"server\",\"mood\":\"good\",\"chain\":"
+      "\"45e275a9492e1fc558c8e1358cc93a7315de594c56745f0c3891aab969228932\"}\n"};
+  const AuditCheck found = check();
+  EXPECT_EQ(found.wrong_line, 0u) << found.wrong;
+  EXPECT_EQ(found.entries, 1u);
+}
+
 TEST_F(AuditChain, AWholeFileIsGood) {
   std::vector<std::string> before;
   check();
@@ -121,6 +131,59 @@ TEST_F(AuditChain, AnEntryThatWasBeingWrittenIsTold) {
   EXPECT_EQ(found.wrong_line, 0u);
   EXPECT_EQ(found.head.n, 19u);
   EXPECT_EQ(found.unfinished_bytes, 30u);
+}
+
+// As after a rotation: the first line of the second file names the end of the first.
+class AuditChainOfFiles : public AuditChain {
+ protected:
+  AuditChainOfFiles() {
+    const AuditCheck first = check();
+    end_ = first.head;
+    AuditHead head = end_;
+    lines_.clear();
+    for (int i = 1; i <= 5; ++i) {
+      audit::Entry entry;
+      if (i == 1) entry.set_follows(head.chain);
+      entry.set_what("in the second file " + std::to_string(i));
+      lines_.push_back(audit_line(entry, head));
+    }
+    check();
+  }
+  AuditHead end_;
+};
+
+TEST_F(AuditChainOfFiles, GoesOnFromFileToFile) {
+  const AuditCheck alone = check_audit(file_);
+  EXPECT_EQ(alone.wrong_line, 0u) << alone.wrong;
+  EXPECT_EQ(alone.entries, 5u);
+  EXPECT_EQ(alone.head.n, 25u);
+  EXPECT_EQ(alone.follows, end_);
+  EXPECT_EQ(check_audit(file_, {}, {}, end_).head, alone.head);
+  EXPECT_TRUE(check_audit(file_, end_.chain, {}, end_).has_wanted);
+  EXPECT_TRUE(check_audit(file_, end_.chain).has_wanted) << "by its first line";
+  EXPECT_FALSE(check_audit(file_, heads_[3]).has_wanted);
+}
+
+TEST_F(AuditChainOfFiles, AnotherFileBeforeIsFoundOut) {
+  AuditHead other = end_;
+  other.chain[0] = other.chain[0] == 'a' ? 'b' : 'a';
+  const AuditCheck changed = check_audit(file_, {}, {}, other);
+  EXPECT_EQ(changed.wrong_line, 1u);
+  EXPECT_THAT(changed.wrong, HasSubstr("goes on from another audit"));
+  other = end_;
+  other.n -= 1;
+  EXPECT_EQ(check_audit(file_, {}, {}, other).wrong_line, 1u) << "one is missing between";
+  lines_.erase(lines_.begin());
+  EXPECT_EQ(check().wrong_line, 1u) << "its first line is missing";
+}
+
+TEST_F(AuditChainOfFiles, EveryChangedByteOfItsFirstLineIsFoundOut) {
+  const std::string good = lines_[0];
+  for (std::size_t byte = 0; byte + 1 < good.size(); ++byte) {
+    lines_[0] = good;
+    lines_[0][byte] ^= 1;
+    ASSERT_EQ(check().wrong_line, 1u) << "byte " << byte;
+  }
 }
 
 TEST_F(AuditChain, GarbageIsNoEntryAndNoCrash) {

@@ -1,16 +1,5 @@
 // The audit file of a running server: across runs, after a cut, with a full disk, and too fast.
-#include "server/audit/audit_log.hpp"
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <stdlib.h>
-#include <sys/resource.h>
-
-#include <csignal>
-#include <fstream>
-#include <sstream>
-#include <vector>
+#include "tests/unit/audit/audit_log_kit.hpp"
 
 namespace skerry::server {
 namespace {
@@ -19,39 +8,7 @@ namespace fs = std::filesystem;
 using Kind = AuditEntry::Kind;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-class AuditLogFile : public testing::Test {
- protected:
-  ~AuditLogFile() override { fs::remove_all(folder_); }
-
-  AuditEntry change(int i) const {
-    return {.kind = Kind::change,
-            .from = "console 10.0.0.5:4711",
-            .what = "radar 0 view 0: gain",
-            .before = std::to_string(i),
-            .after = std::to_string(i + 1)};
-  }
-  // The entries of a file that must be good.
-  std::vector<audit::Entry> entries() const {
-    std::vector<audit::Entry> all;
-    const AuditCheck check =
-        check_audit(file_, {}, [&](const audit::Entry& entry) { all.push_back(entry); });
-    EXPECT_EQ(check.wrong_line, 0u) << check.wrong;
-    EXPECT_EQ(check.unfinished_bytes, 0u);
-    return all;
-  }
-  std::string text() const {
-    std::stringstream all;
-    all << std::ifstream(file_, std::ios::binary).rdbuf();
-    return all.str();
-  }
-
-  fs::path folder_ = [] {
-    std::string pattern = testing::TempDir() + "skerry-audit-XXXXXX";
-    return fs::path(::mkdtemp(pattern.data()));
-  }();
-  fs::path file_ = folder_ / "audit.jsonl";
-};
+using testing::IsEmpty;
 
 TEST_F(AuditLogFile, GoesOnFromRunToRun) {
   AuditHead head;
@@ -232,6 +189,69 @@ TEST_F(AuditLogFile, AFullDiskLosesNothingThatWaits) {
   }
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(entries().size(), 3u);
+}
+
+// The newest are in memory, with a file and without.
+TEST_F(AuditLogFile, TheNewestCanBeAskedForByNumberPlaceAndKind) {
+  for (const fs::path& file : {file_, fs::path()}) {
+    AuditLog log(file);
+    log.add({.what = "begin"});
+    log.add({.kind = Kind::change, .from = "console 10.0.0.5:1", .who = "Anna", .what = "a"});
+    log.add({.kind = Kind::change, .from = "HTTP 10.0.0.6:1", .what = "b"});
+    log.add({.kind = Kind::refusal, .from = "console 10.0.0.5:1", .what = "c"});
+    await(log, 4);
+    EXPECT_THAT(whats(log.ask({})), ElementsAre("c", "b", "a", "begin"));
+    EXPECT_THAT(whats(log.ask({.most = 2})), ElementsAre("c", "b"));
+    EXPECT_THAT(whats(log.ask({.after = 3})), ElementsAre("c"));
+    EXPECT_THAT(whats(log.ask({.after = 4})), IsEmpty());
+    EXPECT_THAT(whats(log.ask({.who = "aNN"})), ElementsAre("a"));
+    EXPECT_THAT(whats(log.ask({.who = "10.0.0.5"})), ElementsAre("c", "a"));
+    EXPECT_THAT(whats(log.ask({.who = "10.0.0.5", .kind = "change"})), ElementsAre("a"));
+    EXPECT_EQ(log.ask({}).has_file, !file.empty());
+    EXPECT_EQ(log.ask({.most = 0}).newest, 4u);
+  }
+}
+
+TEST_F(AuditLogFile, InMemoryAreSoManyAndNoMore) {
+  AuditLog log({});
+  constexpr std::uint32_t kMany = 2 * AuditLog::kMostRecent;
+  for (std::uint32_t i = 0; i < kMany; ++i) {
+    log.add({.what = std::to_string(i)});
+    if (i % 1000 == 999) await(log, i);
+  }
+  await(log, kMany);
+  const AuditAnswer all = log.ask({.most = kMany});
+  ASSERT_EQ(all.entries.size(), AuditLog::kMostRecent);
+  EXPECT_EQ(all.entries.front()->n(), kMany);
+  EXPECT_EQ(all.entries.back()->n(), kMany - AuditLog::kMostRecent + 1);
+}
+
+TEST_F(AuditLogFile, ATakerGetsEachOnceInOrderAlsoWhileTheDiskTakesNothing) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  std::vector<std::uint32_t> taken;
+  {
+    AuditLog log(file_);
+    log.add({.what = "not taken"});
+    await(log, 1);
+    log.give_to([&](const AuditEntryPtr& entry) { taken.push_back(entry->n()); });
+    const rlimit none{0, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+    for (int i = 0; i < 20; ++i) log.add(change(i));
+    await(log, 21);
+    EXPECT_GE(log.ask({}).unwritten, 20u);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    while (log.head().n < 21) std::this_thread::yield();
+    EXPECT_EQ(log.ask({}).unwritten, 0u);
+    log.give_to(nullptr);
+    log.add(change(21));
+  }
+  std::signal(SIGXFSZ, handler);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t n = 2; n <= 21; ++n) expected.push_back(n);
+  EXPECT_EQ(taken, expected);
+  EXPECT_EQ(entries().size(), 22u);
 }
 
 }  // namespace

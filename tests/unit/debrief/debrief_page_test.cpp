@@ -69,6 +69,13 @@ Debrief some_debrief(const std::string& name) {
   alert.priority = alert.title = alert.text = name;
   alert.acknowledged = Moment{20.0, 16.0};
   view.alerts.resize(400, alert);
+  recording::AuditEntry entry;
+  entry.set_kind("change");
+  entry.set_who(name);
+  entry.set_what(name);
+  entry.set_after(name);
+  entry.set_result(name);
+  debrief.deeds.resize(20, {{30.0, 24.0}, entry});
   debrief.checks.push_back({{60.0, 60.0}, name, true, false, {{false, name}}});
   return debrief;
 }

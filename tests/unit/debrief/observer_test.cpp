@@ -63,7 +63,7 @@ class ObserverTest : public testing::Test {
   }
 
   RecordedInputs recorded_{
-      .yaml = kYaml, .length_s = 240.0, .inputs = {}, .settings = {}, .known = {}};
+      .yaml = kYaml, .length_s = 240.0, .inputs = {}, .settings = {}, .known = {}, .audit = {}};
   const fs::path folder_ =
       fs::temp_directory_path() / ("skerry-debrief-" + std::to_string(getpid()));
 };
@@ -189,6 +189,38 @@ TEST_F(ObserverTest, TellsWhatTheSetKnew) {
                 std::string::npos)
           << text;
     }
+  }
+}
+
+TEST_F(ObserverTest, TellsWhoDidWhatWhereTheRecordingHasIt) {
+  EXPECT_TRUE(debrief_of(bytes_of(recorded_)).deeds.empty());
+  recording::AuditEntry entry;
+  entry.set_n(41);
+  entry.set_utc("2026-11-29T12:00:00.000Z");
+  entry.set_kind("change");
+  entry.set_who("Anna, trainee of Alfa");
+  entry.set_from("console 192.0.2.5:4711");
+  entry.set_what("radar 0 view 0: gain");
+  entry.set_before("50");
+  entry.set_after("71");
+  entry.set_times(3);
+  recorded_.audit = {{12.0, entry}, {200.0, entry}};
+  DebriefOptions options;
+  options.until_s = 100.0;
+  const Debrief debrief = debrief_of(bytes_of(recorded_), options);
+  ASSERT_EQ(debrief.deeds.size(), 1u) << "the other came later";
+  EXPECT_NEAR(debrief.deeds[0].when.at_s, 12.0, 1e-6);
+  const std::string page = debrief_page(debrief, {});
+  EXPECT_NE(page.find("<td>Anna, trainee of Alfa</td><td>radar 0 view 0: gain: 50 -&gt; 71 (3 "
+                      "changes)</td>"),
+            std::string::npos);
+  EXPECT_EQ(page.find("192.0.2.5"), std::string::npos) << "no addresses";
+  for (const auto& [name, text] : csv_files(debrief)) {
+    if (name != "deeds.csv") continue;
+    EXPECT_NE(text.find("12.000,12.000,41,2026-11-29T12:00:00.000Z,change,\"Anna, trainee of "
+                        "Alfa\",console 192.0.2.5:4711,radar 0 view 0: gain,50,71,3,\r\n"),
+              std::string::npos)
+        << text;
   }
 }
 
@@ -327,7 +359,7 @@ TEST_F(ObserverTest, BearsRecordingsThatAreCutOrDamaged) {
     try {
       const Debrief debrief = debrief_of(bytes, options);
       EXPECT_GT(debrief_page(debrief, {}).size(), 1000u);
-      EXPECT_EQ(csv_files(debrief).size(), 10u);
+      EXPECT_EQ(csv_files(debrief).size(), 11u);
       ++told;
     } catch (const std::exception& error) {
       EXPECT_GT(std::string(error.what()).size(), 10u);

@@ -64,6 +64,9 @@ std::string bytes_of(const RecordedInputs& recorded) {
     add({recording::Kind::targets, each.radar, each.view}, each.at_s,
         each.list.SerializeAsString());
   }
+  for (const RecordedInputs::Written& each : recorded.audit) {
+    add({recording::Kind::audit}, each.at_s, each.entry.SerializeAsString());
+  }
   input.mutable_reached()->set_first(1600);
   add({recording::Kind::input}, recorded.length_s, input.SerializeAsString());
   writer.finish();

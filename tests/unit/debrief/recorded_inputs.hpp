@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocol/recording/inputs.pb.h"
+#include "protocol/recording/recording.pb.h"
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/targets.pb.h"
 
@@ -27,6 +28,11 @@ struct RecordedInputs {
     wire::TargetList list;
   };
   std::vector<Known> known;
+  struct Written {
+    double at_s = 0.0;
+    recording::AuditEntry entry;
+  };
+  std::vector<Written> audit;
 
   // From that tick on.
   void order(std::uint64_t tick, const wire::ExerciseOrder& order);

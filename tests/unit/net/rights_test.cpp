@@ -181,9 +181,11 @@ TEST_F(ServerWithTokens, WhoDidWhatIsKeptWithoutAnyToken) {
           testing::StartsWith(kind(Kind::refusal) + "||"),
           kind(Kind::request) + "|trainee, trainee|PUT /setups/a|ok",
           testing::StartsWith(kind(Kind::refusal) + "|observer, observer|")));
+  EXPECT_TRUE(wait_until([&] { return audit_.all_known().size() == 4; }));
   EXPECT_THAT(audit_.all_known(),
-              testing::ElementsAre("instructor, instructor", "trainee, trainee"))
-      << "while her change was carried out; nobody else's was";
+              testing::UnorderedElementsAre("instructor, instructor", "trainee, trainee",
+                                            "admin, admin", "observer, observer"))
+      << "while her change was carried out (the first two), and while her console left";
   EXPECT_EQ(audit_.known_now(), 0u);
   revoke(access::OBSERVER);
   EXPECT_TRUE(wait_until([&] {
@@ -251,6 +253,23 @@ TEST_F(ServerWithTokens, SetUpsAreSeenByAllAndKeptByWhoHasAConsole) {
     EXPECT_THAT(http("DELETE", path, token), StartsWith(keeps ? "HTTP/1.1 200" : "HTTP/1.1 403"))
         << name_of(role);
   }
+}
+
+TEST_F(ServerWithTokens, WhoDidWhatIsSeenByWhoLeadsTheExerciseOfAllShips) {
+  EXPECT_THAT(http("GET", "/audit", "skerry_guess"), StartsWith("HTTP/1.1 401"));
+  for (const Role role : kEveryRole) {
+    const bool leads = role == access::INSTRUCTOR || role == access::ADMIN;
+    for (const char* path : {"/audit", "/audit?last=1&who=a"}) {
+      EXPECT_THAT(http("GET", path, tokens_[role]),
+                  StartsWith(leads ? "HTTP/1.1 200" : "HTTP/1.1 403"))
+          << name_of(role);
+    }
+  }
+  const std::string aboard = add("mate", access::INSTRUCTOR, "ship of radar 0");
+  ASSERT_TRUE(
+      wait_until([&] { return http("GET", "/status", aboard).starts_with("HTTP/1.1 200"); }));
+  EXPECT_THAT(http("GET", "/audit", aboard), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(http("PUT", "/audit", tokens_[access::ADMIN]), StartsWith("HTTP/1.1 405"));
 }
 
 TEST_F(ServerWithTokens, SignalKReadsAndChangesByRole) {

@@ -185,6 +185,34 @@ TEST_F(Recording, HasMarksLinesOfTheLogAndControls) {
   EXPECT_EQ(line.level(), 3u);
 }
 
+AuditEntryPtr entry_of(std::uint32_t n) {
+  auto entry = std::make_shared<recording::AuditEntry>();
+  entry->set_n(n);
+  entry->set_who("Anna, trainee");
+  entry->set_what("radar 0 view 0: gain");
+  return entry;
+}
+
+// From the order to start on, which may be told before the recorder has begun.
+TEST_F(Recording, HasTheEntriesOfTheAuditSinceItWasStarted) {
+  recorder().audit(entry_of(6));
+  set_clock_ahead();
+  ASSERT_EQ(ask(wire::Record::START, "a").code(), wire::Reply::OK);
+  recorder().audit(entry_of(7));
+  ASSERT_TRUE(reaches(recorder(), State::RECORDING));
+  recorder().audit(entry_of(8));
+  end();
+  recorder().audit(entry_of(9));
+  const auto entries = recorded(folder_.path("a.mcap")).of(Kind::audit);
+  ASSERT_EQ(entries.size(), 2u);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    recording::AuditEntry entry;
+    ASSERT_TRUE(entry.ParseFromString(entries[i]));
+    EXPECT_EQ(entry.n(), 7 + i);
+    EXPECT_EQ(entry.who(), "Anna, trainee");
+  }
+}
+
 TEST_F(Recording, RefusesWhatCannotBe) {
   EXPECT_EQ(ask(wire::Record::STOP).code(), wire::Reply::REFUSED);
   EXPECT_EQ(ask(wire::Record::MARK).code(), wire::Reply::REFUSED);

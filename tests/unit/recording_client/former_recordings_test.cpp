@@ -84,9 +84,9 @@ INSTANTIATE_TEST_SUITE_P(Of, FormerRecording, testing::ValuesIn(names()),
 // A kind whose file went missing would not be tested.
 TEST(FormerRecordings, AreOneOfEachKind) {
   const std::vector<std::string> kinds = {
-      "all_views",  "compact_lz4", "compact_none", "compact_zstd", "cut",  "imported_cat240",
-      "inputs",     "inputs_nmea", "joined",       "lz4",          "none", "playback",
-      "unfinished", "zstd"};
+      "all_views",       "audit",      "compact_lz4", "compact_none", "compact_zstd", "cut",
+      "imported_cat240", "inputs",     "inputs_nmea", "joined",       "lz4",          "none",
+      "playback",        "unfinished", "zstd"};
   EXPECT_EQ(names(), kinds);
 }
 

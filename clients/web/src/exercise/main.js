@@ -8,6 +8,7 @@ import { REPLY_CODES, useControls } from '../messages.js';
 import { Notices } from '../notices.js';
 import { showLink } from '../readouts.js';
 import { $, write } from '../widgets.js';
+import { AuditPanel } from './audit_panel.js';
 import { Chart } from './chart.js';
 import { ChartInput } from './chart_input.js';
 import { ClassPanel } from './class_panel.js';
@@ -101,6 +102,7 @@ const weather = new WeatherPanel(exercise, orders);
 const faults = new FaultsPanel(table.faults ?? [], exercise, orders);
 const clock = new ExercisePanel(exercise, orders, notify);
 const classes = new ClassPanel(exercise, orderClass, notify);
+const log = new AuditPanel();
 const toolbar = new Toolbar({ chart, tools, exercise, changed });
 new ChartInput(chart, exercise, tools, orders, (place) => {
   write(
@@ -152,6 +154,7 @@ const TAKERS = {
     if (replay.on) tools.cancel();
     for (const part of document.querySelectorAll('#tab-weather .fields, #fault-table')) part.inert = replay.on;
     trainee.greet(hello.radars);
+    log.forget();
     subscribe();
     classes.greet(hello.hasClasses);
   },
@@ -252,6 +255,7 @@ $('trainee-toggle').addEventListener('click', () => trainee.toggle());
 $('help-open').addEventListener('click', () => $('help').showModal());
 const access = new Access($('access'), (isAnew) => {
   connection.tellToken(isAnew);
+  log.forget();
   if (!hello || connection.state !== 'live') return;
   subscribe();
   classes.greet(hello.hasClasses);
@@ -288,6 +292,7 @@ bindKeys({
   2: () => toolbar.showTab('weather'),
   3: () => toolbar.showTab('faults'),
   4: () => toolbar.showTab('exercise'),
+  5: () => toolbar.showTab('log'),
   Escape: () => {
     if (tools.name === 'look') exercise.select(null, false);
     else tools.cancel();
