@@ -16,6 +16,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <variant>
 
 #include "protocol/wire/host_and_port.hpp"
@@ -23,11 +24,14 @@
 #include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
 #include "server/app/joined_host.hpp"
+#include "server/app/journal_lines.hpp"
 #include "server/app/load_estimate.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
 #include "server/app/played_coast.hpp"
 #include "server/app/radar_server.hpp"
+#include "server/app/service_manager.hpp"
+#include "server/app/supervision.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
@@ -123,13 +127,19 @@ sigset_t block_signals() {
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
 
-void await(const sigset_t& signals) {
-  int signal = 0;
-  sigwait(&signals, &signal);
+// The users' and tokens' files need nobody to say so: they are read within a second.
+void tell_of_reload() { spdlog::info("SIGHUP: changed files of users and tokens are in force"); }
+
+void await(const sigset_t& signals, const std::string& what, Supervision::Paces paces = {}) {
+  const ServiceManager manager = ServiceManager::of_environment();
+  Supervision supervision(manager, std::move(paces));
+  supervision.on_reload(tell_of_reload);
+  const int signal = supervision.await(signals, what);
   spdlog::info("stopping on signal {}", signal);
 }
 
@@ -199,7 +209,7 @@ int run_playback(const Options& options, LogTap& tap) {
   plotters.start();
   logging.recorder.start();
   greet(options, net, "playback of " + what);
-  await(signals);
+  await(signals, "playback of " + what);
   playback->stop();
   plotters.stop();
   logging.recorder.stop();
@@ -273,8 +283,9 @@ int run(const Options& options, LogTap& tap) {
   plotters.start();
   if (live) live->inputs.start();
   logging.recorder.start();
-  greet(options, net, std::to_string(host.radar_count()) + " radars on the air");
-  await(signals);
+  const std::string on_air = std::to_string(host.radar_count()) + " radars on the air";
+  greet(options, net, on_air);
+  await(signals, on_air, [&radars] { return radars.pace(); });
   if (live) live->inputs.stop();
   radars.stop();
   plotters.stop();
@@ -302,6 +313,8 @@ int main(int argc, char** argv) {
   const auto tap = std::make_shared<LogTap>();
   spdlog::set_default_logger(spdlog::stderr_color_mt("skerryd"));
   spdlog::default_logger()->sinks().push_back(tap);
+  const bool in_journal = stderr_is_journal();
+  if (in_journal) spdlog::set_formatter(journal_formatter());
   try {
     const auto options = read_options(argc, argv);
     if (!options) return 0;
@@ -310,7 +323,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::istringstream lines(error.what());  // a ConfigError has one for each error of a file
     for (std::string line; std::getline(lines, line);) {
-      std::fprintf(stderr, "skerryd: %s\n", line.c_str());
+      std::fprintf(stderr, "%sskerryd: %s\n", in_journal ? kJournalError : "", line.c_str());
     }
     return 2;
   }
