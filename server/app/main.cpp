@@ -16,6 +16,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <variant>
 
 #include "protocol/wire/host_and_port.hpp"
@@ -23,13 +24,16 @@
 #include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
 #include "server/app/joined_host.hpp"
+#include "server/app/journal_lines.hpp"
 #include "server/app/load_estimate.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
 #include "server/app/options/state_folder.hpp"
 #include "server/app/played_coast.hpp"
 #include "server/app/radar_server.hpp"
+#include "server/app/service_manager.hpp"
 #include "server/app/signals.hpp"
+#include "server/app/supervision.hpp"
 #include "server/app/verification.hpp"
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
@@ -118,6 +122,14 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   }
 }
 
+void await(const Signals& signals, const std::string& what, Supervision::Paces paces = {}) {
+  const ServiceManager manager = ServiceManager::of_environment();
+  Supervision supervision(manager, std::move(paces));
+  supervision.on_reload([&signals] { signals.hang_up(); });
+  const int signal = supervision.await(signals.set(), what);
+  spdlog::info("stopping on signal {}", signal);
+}
+
 // Begins and ends with an entry.
 class Audit {
  public:
@@ -180,13 +192,14 @@ int run_playback(const Options& options, LogTap& tap) {
   TargetService plotters(*playback, kNativeFormat, sensors_of(*playback, SensorErrors::none()));
   playback->set_targets(&plotters);
   NetServer net(*playback, with_audit(options.net, audit), web_files());
+  signals.on_hang_up([&] { net.read_certificate(); });
   if (coast) coast->start();
   net.start();
   playback->start();
   plotters.start();
   logging.recorder.start();
   greet(options, net, "playback of " + what);
-  signals.await_end();
+  await(signals, "playback of " + what);
   playback->stop();
   plotters.stop();
   logging.recorder.stop();
@@ -256,14 +269,16 @@ int run(const Options& options, LogTap& tap) {
     live->host.set_audit(&audit.log);
   }
   NetServer net(host, with_audit(options.net, audit), web_files());
+  signals.on_hang_up([&] { net.read_certificate(); });
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
   net.start();
   radars.start();
   plotters.start();
   if (live) live->inputs.start();
   logging.recorder.start();
-  greet(options, net, std::to_string(host.radar_count()) + " radars on the air");
-  signals.await_end();
+  const std::string on_air = std::to_string(host.radar_count()) + " radars on the air";
+  greet(options, net, on_air);
+  await(signals, on_air, [&radars] { return radars.pace(); });
   if (live) live->inputs.stop();
   radars.stop();
   plotters.stop();
@@ -291,6 +306,8 @@ int main(int argc, char** argv) {
   const auto tap = std::make_shared<LogTap>();
   spdlog::set_default_logger(spdlog::stderr_color_mt("skerryd"));
   spdlog::default_logger()->sinks().push_back(tap);
+  const bool in_journal = stderr_is_journal();
+  if (in_journal) spdlog::set_formatter(journal_formatter());
   try {
     const auto options = read_options(argc, argv);
     if (!options) return 0;
@@ -299,7 +316,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::istringstream lines(error.what());  // a ConfigError has one for each error of a file
     for (std::string line; std::getline(lines, line);) {
-      std::fprintf(stderr, "skerryd: %s\n", line.c_str());
+      std::fprintf(stderr, "%sskerryd: %s\n", in_journal ? kJournalError : "", line.c_str());
     }
     return 2;
   }

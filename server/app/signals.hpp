@@ -3,30 +3,29 @@
 
 #include <csignal>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace skerry::server {
 
-// While it lives, SIGINT and SIGTERM end await_end(), and SIGHUP has files taken up anew.  Until
-// then the first two end the program at once, however long a chart or a recording takes. Thread:
-// the one that waits; make it before any other thread, as those inherit what it blocks.
+// From its construction on the main thread alone waits for SIGINT, SIGTERM and SIGHUP
+// (Supervision). Until then the first two end the program at once, however long a chart or a
+// recording takes. Make it before any other thread, as those inherit what it blocks.  Thread: the
+// main one.
 class Signals {
  public:
   Signals();
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
 
+  const sigset_t& set() const { return set_; }
   // What is done at each SIGHUP, in the order of the calls; it should return soon.
   void on_hang_up(std::function<void()> what) { on_hang_up_.push_back(std::move(what)); }
-  // Until the server shall end.  That is also a SIGHUP that comes because the terminal on which it
-  // was started has gone.
-  void await_end();
+  // Files are taken up anew.
+  void hang_up() const;
 
  private:
-  bool has_lost_terminal() const;
-
   sigset_t set_;
-  const bool had_terminal_;
   std::vector<std::function<void()>> on_hang_up_;
 };
 

@@ -223,6 +223,10 @@ class NetServer::Impl {
     }
   }
 
+  void read_certificate() {
+    asio::post(context_.io, [this] { context_.look_at_tls(TlsKeys::When::now); });
+  }
+
   void log_addresses() const {
     const NetConfig& config = context_.config;
     spdlog::info("native TCP on {} port {}, HTTP and WebSocket on port {}", config.bind, tcp_port(),
@@ -338,6 +342,7 @@ void NetServer::start() {
   impl_->log_addresses();
 }
 void NetServer::stop() { impl_->stop(); }
+void NetServer::read_certificate() { impl_->read_certificate(); }
 wire::Status NetServer::status() const { return impl_->status(); }
 std::uint16_t NetServer::tcp_port() const { return impl_->tcp_port(); }
 std::uint16_t NetServer::http_port() const { return impl_->http_port(); }

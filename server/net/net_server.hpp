@@ -29,6 +29,10 @@ class NetServer {
   // Thread: start() and stop() from one thread.
   void stop();
 
+  // Reads the certificate and its key again, if there are any; a damaged one is told, and the one
+  // from before holds.  Thread: any.
+  void read_certificate();
+
   // The answer to GetStatus.  Thread: any.
   wire::Status status() const;
 

@@ -54,6 +54,8 @@ class ConnectionSlot {
   bool is_trusted() const { return place_ == Place::own_host || place_ == Place::trusted; }
   // The connection has shown a good token.
   void trust();
+  // The connection is under TLS.
+  void secure() { peer_.is_secure = true; }
 
   std::weak_ptr<Connection> owner;
 

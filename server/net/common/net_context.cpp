@@ -154,19 +154,6 @@ Result<std::uint32_t, std::string> NetContext::open_view(std::uint32_t radar, st
   return *view;
 }
 
-void NetContext::complain(std::string_view kind, std::string_view text) {
-  const LogPace::Tell tell = log_pace_.tell(kind, std::chrono::steady_clock::now());
-  errors.add(kind, text);  // which logs the first
-  if (tell.now && !tell.is_first) {
-    spdlog::warn("{}: {} ({} more since the last such line)", kind, text, tell.untold);
-  }
-}
-
-void NetContext::refuse(const std::string& from, const std::string& who, const std::string& text) {
-  errors.add("refused", from + ": " + text);
-  audit({.kind = AuditEntry::Kind::refusal, .from = from, .who = who, .what = text});
-}
-
 wire::Reply NetContext::apply(wire::Set set, const std::string& origin) {
   set.clear_token();
   wire::Reply reply = host.apply(set, origin);
@@ -213,45 +200,6 @@ void NetContext::end_views(std::chrono::steady_clock::time_point now) {
     }
     view = opened_.erase(view);
   }
-}
-
-const std::string& NetContext::ship_of(std::uint32_t radar) const {
-  static const std::string none;
-  return radar < ships_.size() ? ships_[radar] : none;
-}
-
-bool NetContext::has_ship(std::string_view name) const {
-  return !name.empty() && std::find(ships_.begin(), ships_.end(), name) != ships_.end();
-}
-
-std::string NetContext::ships_in_words() const {
-  const std::set<std::string> names(ships_.begin(), ships_.end());
-  return fmt::format("there {}",
-                     names.empty() ? "is none" : fmt::format("are {}", fmt::join(names, ", ")));
-}
-
-void NetContext::look_at_tokens() {
-  const std::uint64_t before = gate.generation();
-  if (const auto wrong = gate.refresh(utc_now())) {
-    spdlog::warn("tokens and users: {}", *wrong);
-    audit({.what = "tokens and users: " + *wrong});
-  }
-  if (gate.generation() != before)
-    audit({.what = "tokens and users: a file was read anew, or a token ended"});
-}
-
-void NetContext::look_at_tls(TlsKeys::When when) {
-  if (!tls) return;
-  const TlsContextPtr before = tls->context();
-  std::string what;
-  if (const auto wrong = tls->refresh(when)) {
-    what = *wrong + "; the certificate from before holds";
-    spdlog::warn("TLS: {}", what);
-  } else if (tls->context() != before) {
-    what = "the certificate was read anew";
-    spdlog::info("TLS: {}", what);
-  }
-  if (!what.empty()) audit({.what = "TLS: " + what});
 }
 
 std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {

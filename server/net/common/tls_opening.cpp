@@ -62,7 +62,10 @@ class TlsOpening final : public Connection, public std::enable_shared_from_this<
     keys_ = context_.tls->context();
     stream_.begin_tls(*keys_);
     stream_.async_handshake([self = shared_from_this()](error_code failed) {
-      if (!failed) return self->hand_on(self->to_.secure);
+      if (!failed) {
+        self->slot_->secure();
+        return self->hand_on(self->to_.secure);
+      }
       self->context_.errors.add(self->to_.protocol + " TLS handshake",
                                 self->slot_->peer().text + ": " +
                                     (self->is_late_ ? "not done in time" : failed.message()));
