@@ -13,8 +13,13 @@ namespace {
 
 // A server with users or tokens says who may; who one is is said here.
 std::string advice_for_refusal(const std::string& text, const std::string& otherwise) {
-  for (const char* word : {"token", "sign in"}) {
-    if (text.find(word) == std::string::npos) continue;
+  const auto says = [&](const char* part) { return text.find(part) != std::string::npos; };
+  if (says("too many")) return {};  // the server says what to do
+  if (says("name and password")) {
+    return "skerry user list, beside the server's file of users, has the names; skerry user passwd "
+           "gives another password.";
+  }
+  if (says("token") || says("sign in")) {
     return "Say who you are: --user NAME asks for a password, SKERRY_TOKEN has a token.";
   }
   return otherwise;

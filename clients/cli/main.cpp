@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
       "  skerry exercise report exercise.mcap -o report.html\n"
       "  skerry board scope\n"
       "  skerry token new bridge-1 --role trainee --ship Frida --for 8h\n"
+      "  skerry class new Frida --user Anna\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
   const std::vector<Command> commands = {

@@ -51,6 +51,11 @@ std::optional<std::uint32_t> address_of_text(std::string_view text) {
 
 Findings examine_server(const Case& of, const HostFacts& host) {
   Findings out;
+  if (of.is_refused) {
+    out.push_back({Grade::hint, "server", of.problem,
+                   "say who you are, by --user or SKERRY_TOKEN: then its outputs are looked at"});
+    return out;
+  }
   if (!of.status) {
     out.push_back({Grade::hint, "server", of.problem,
                    "start skerryd, or say where it is with --host and --port"});

@@ -25,6 +25,7 @@ struct Case {
   bool on_this_host = true;            // the server, or where it would be
   std::optional<wire::Status> status;  // nothing: it did not answer
   std::string problem;                 // why
+  bool is_refused = false;             // it answered that it does not tell this client
   std::vector<WantedOutput> outputs;
   std::optional<std::uint32_t> display;  // where the display is
 };

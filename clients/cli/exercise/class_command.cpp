@@ -32,9 +32,9 @@ std::string spaced(const std::string& code) {
 std::string time_left(std::uint64_t ends_utc_ns) {
   using namespace std::chrono;
   const auto ends = nanoseconds(static_cast<std::int64_t>(ends_utc_ns));
-  const auto left = duration_cast<minutes>(ends - system_clock::now().time_since_epoch());
-  return fmt::format("{}:{:02}", std::max<std::int64_t>(left.count(), 0) / 60,
-                     std::max<std::int64_t>(left.count(), 0) % 60);
+  const auto now = system_clock::now().time_since_epoch();
+  const std::int64_t left = std::max<std::int64_t>(ceil<minutes>(ends - now).count(), 0);
+  return fmt::format("{}:{:02}", left / 60, left % 60);
 }
 
 std::string list_text(const wire::ClassList& list) {

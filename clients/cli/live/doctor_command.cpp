@@ -127,15 +127,19 @@ int run_doctor(const DoctorOptions& options) {
                  std::any_of(host.addresses.begin(), host.addresses.end(),
                              [&](const auto& own) { return own.address == *place; })));
   of.server = host_and_port(options.place.host, options.place.port);
+  const auto keep_problem = [&](const ClientError& error) {
+    of.problem = error.text;
+    of.is_refused = error.kind == ClientErrorKind::rejected;
+  };
   if (auto client = options.place.connect()) {
     if (const auto status = client->get_status(options.place.timeout())) {
       of.status = *status;
       if (of.outputs.empty()) of.outputs = outputs_of(*status);
     } else {
-      of.problem = status.error().text;
+      keep_problem(status.error());
     }
   } else {
-    of.problem = client.error().text;
+    keep_problem(client.error());
   }
   Findings findings = doctor::examine_server(of, host);
   add(findings, doctor::examine_outputs(of, host));

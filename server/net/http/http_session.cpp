@@ -20,6 +20,7 @@
 #include "server/net/http/login_routes.hpp"
 #include "server/net/http/metrics_page.hpp"
 #include "server/net/http/setup_routes.hpp"
+#include "server/net/http/signalk_route.hpp"
 #include "server/net/http/ws_transport.hpp"
 #include "server/net/native/native_session.hpp"
 #include "server/net/signalk/signalk_delta_session.hpp"
@@ -82,7 +83,6 @@ class HttpSession final : public Connection, public std::enable_shared_from_this
   WebAnswer answer_status(const Request& request) const;
   WebAnswer answer_metrics(const Request& request) const;
   WebAnswer answer_audit(const Request& request) const;
-  WebAnswer answer_signalk(const Request& request, std::string path);
   void upgrade(Request request, std::function<void()> accepted);
   void upgrade_native(Request request);
   // False if no WebSocket is there.
@@ -205,7 +205,13 @@ void HttpSession::on_read(error_code error) {
   }
   if (site_ != nullptr && is_signalk_path(path)) {
     if (upgrades && upgrade_signalk(request, path)) return;
-    return send(answer_signalk(request, std::move(path)), with_body, request.keep_alive());
+    error_code error;
+    const auto local = stream_.socket().local_endpoint(error);
+    const SignalkAsked asked{.peer = slot_->peer(),
+                             .token = std::string(token_of(request)),
+                             .address = error ? "" : local.address().to_string()};
+    return send(answer_signalk(context_, *site_, request, std::move(path), asked), with_body,
+                request.keep_alive());
   }
   if (is_setup_path(path)) {
     return answer_setups(
@@ -284,39 +290,6 @@ WebAnswer HttpSession::answer_metrics(const Request& request) const {
 
 WebAnswer HttpSession::answer_audit(const Request& request) const {
   return audit_page(context_.config.audit, {request.target().data(), request.target().size()});
-}
-
-WebAnswer HttpSession::answer_signalk(const Request& request, std::string path) {
-  const NetConfig& config = context_.config;
-  const TcpPeer& peer = slot_->peer();
-  const Who who = context_.gate.who(peer.on_own_host, token_of(request), utc_now());
-  const auto method = request.method_string();
-  const auto right = signalk_right({method.data(), method.size()}, path);
-  error_code error;
-  const auto local = stream_.socket().local_endpoint(error);
-  SignalkRequest asked{
-      .method = {method.data(), method.size()},
-      .path = std::move(path),
-      .body = request.body(),
-      .authority = std::string(*header_of(request, http::field::host)),
-      .address = error ? config.bind : local.address().to_string(),
-      .origin = "Signal K display " + peer.text,
-      .refusal = why_not(who, right, context_.ship_of(site_->radars().front().number)),
-      .has_token = !token_of(request).empty() && who.role && who.more.empty(),
-      .is_known = who.role.has_value()};
-  const bool reads = only_reads(request);
-  if (!reads && !context_.changes.take(peer, std::chrono::steady_clock::now())) {
-    const std::string refusal = context_.changes.refusal(peer);
-    context_.complain("too many changes", peer.text + ": " + refusal);
-    return web_error(429, "429: " + refusal);
-  }
-  if (asked.refusal && !reads) context_.refuse(asked.origin, text_of(who), *asked.refusal);
-  const AuditedRequest audited(config.audit, asked.origin, text_of(who));
-  WebAnswer answer = signalk_answer(*site_, config.signalk, context_.gate, asked);
-  if (answer.status >= 400 && !reads) {
-    context_.errors.add("signalk change refused", peer.text + ": " + answer.body);
-  }
-  return answer;
 }
 
 bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {

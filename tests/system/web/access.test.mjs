@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { createServer } from 'node:http';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
@@ -20,7 +20,7 @@ own_ships:
 `;
 const PASSWORD = 'correct horse';
 
-let folder, browser, server, url, contexts = [];
+let folder, browser, server, url, log = '', contexts = [];
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'skerry-access-'));
   writeFileSync(join(folder, 'lesson.yaml'), SCENARIO);
@@ -32,7 +32,8 @@ before(async () => {
     child.stdin.end(`${PASSWORD}\n`);
   });
   browser = await launch();
-  server = await startSkerryd(['--scenario', join(folder, 'lesson.yaml'), '--users', users]);
+  server = await startSkerryd(['--scenario', join(folder, 'lesson.yaml'), '--users', users, '--audit', join(folder, 'audit.jsonl')]);
+  for (const stream of [server.child.stdout, server.child.stderr]) stream.on('data', (data) => { log += data; });
   url = `http://127.0.0.1:${server.http}/`;
 });
 afterEach(async () => {
@@ -55,7 +56,7 @@ const login = (page, body) =>
     const answer = await fetch('login', { method: 'POST', body: JSON.stringify(sent) });
     return { status: answer.status, told: answer.ok ? await answer.json() : null };
   }, body);
-const codeOf = async (ship) => (await skerry(['class', 'new', ship, '--port', String(server.tcp)])).match(/^[\d ]+$/m)[0].trim();
+const codeOf = async (ship, digits = 6) => (await skerry(['class', 'new', ship, '--digits', String(digits), '--port', String(server.tcp)])).match(/^[\d ]+$/m)[0].trim();
 
 test('who signs in is known by a cookie that no script reads, in all tabs, until she signs out', async () => {
   const page = await open();
@@ -159,5 +160,25 @@ test('a page of another origin changes nothing with the cookie, and opens no Web
   } finally {
     evil.closeAllConnections();
     evil.close();
+  }
+});
+
+test('neither the log nor the audit has a password, a token or a code', async () => {
+  const code = await codeOf('Tern', 8);  // found in no digest by chance
+  const page = await open();
+  const { told: { token } } = await login(page, { name: 'Anna', password: PASSWORD });
+  await login(page, { name: 'Kim', code });
+  await login(page, { name: PASSWORD, password: 'another guess' });
+  assert.match(token, /^skerry_/);
+  await page.evaluate(async (bearer) => {
+    for (const headers of [{ Authorization: `Bearer ${bearer}` }, { Authorization: `Bearer ${bearer}x` }]) await fetch('status', { headers });
+    await fetch('login', { method: 'DELETE', headers: { Authorization: `Bearer ${bearer}` } });
+  }, token);
+  assert.match(await skerry(['audit', 'verify', join(folder, 'audit.jsonl')]), /./);
+  const audit = readFileSync(join(folder, 'audit.jsonl'), 'utf8');
+  for (const who of ['Anna, instructor', 'Kim (class), trainee of Tern', 'a class code for Tern']) assert.ok(audit.includes(who), who);
+  for (const secret of [PASSWORD, token.slice(0, 20), code, code.replace(' ', '')]) {
+    assert.equal(audit.includes(secret), false);
+    assert.equal(log.includes(secret), false);
   }
 });

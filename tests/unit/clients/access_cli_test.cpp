@@ -59,14 +59,35 @@ TEST(CliSignIn, ARefusalSaysWhyAndWhatToDo) {
   FakeServer server([](FakePeer& peer) {
     greet(peer);
     if (const auto who = peer.receive()) {
-      peer.answer(who->request(), wire::Reply::REFUSED, "sign in: no user has this name");
+      peer.answer(who->request(), wire::Reply::REFUSED,
+                  "sign in: no user has this name and password");
     }
     peer.wait_until_client_leaves();
   });
   const AccessOutcome outcome = run_with(server, {"status", "--user", "Eve"}, "a guess\n");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("no user has this name"));
-  EXPECT_THAT(outcome.err, HasSubstr("--user"));
+  EXPECT_THAT(outcome.err, HasSubstr("skerry user list"));
+}
+
+TEST(CliSignIn, WhoMayNotIsToldHowToSayWhoSheIs) {
+  const auto refuses = [](const char* why) {
+    return [why](FakePeer& peer) {
+      greet(peer);
+      if (const auto asked = peer.receive()) {
+        peer.answer(asked->request(), wire::Reply::REFUSED, why);
+      }
+      peer.wait_until_client_leaves();
+    };
+  };
+  FakeServer closed(refuses("from another host one has to sign in, or to give a token"));
+  EXPECT_THAT(run_with(closed, {"status"}).err, HasSubstr("--user NAME asks for a password"));
+  FakeServer busy(refuses("sign in: too many sign in just now; try again in a second"));
+  EXPECT_THAT(run_with(busy, {"status"}).err, Not(HasSubstr("--user")));
+  FakeServer doctored(refuses("from another host one has to sign in, or to give a token"));
+  const AccessOutcome doctor = run_with(doctored, {"doctor"});
+  EXPECT_THAT(doctor.out, HasSubstr("say who you are"));
+  EXPECT_THAT(doctor.out, Not(HasSubstr("no skerryd that answers")));
 }
 
 TEST(CliSignIn, AnOlderServerIsNotAskedAndNoPasswordIsNone) {
@@ -124,7 +145,7 @@ TEST(CliClass, MakesACodeAndPrintsIt) {
       server, {"class", "new", "Frida", "--for", "1.5h", "--digits", "7", "--token", "secret"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "012 345\n");
-  EXPECT_THAT(outcome.err, HasSubstr("a trainee of Frida for 2:59"));
+  EXPECT_THAT(outcome.err, HasSubstr("a trainee of Frida for 3:00"));
 }
 
 TEST(CliClass, ListsCodesAndWhoSignedIn) {
@@ -135,7 +156,7 @@ TEST(CliClass, ListsCodesAndWhoSignedIn) {
   });
   const AccessOutcome outcome = run_with(server, {"class", "list"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* part : {"Frida", "012 345", "2:59", "3/20", "Kim, Lea?[2J"}) {
+  for (const char* part : {"Frida", "012 345", "3:00", "3/20", "Kim, Lea?[2J"}) {
     EXPECT_THAT(outcome.out, HasSubstr(part));
   }
   FakeServer none([](FakePeer& peer) { answer_class(peer, {}, [](const auto&) {}); });

@@ -103,6 +103,20 @@ TEST_F(Attacks, ATokenThatIsNotGoodOpensNothing) {
   std::printf("%d requests with %zu kinds of bad tokens refused\n", refused, tokens.size());
 }
 
+TEST_F(Attacks, ATokenInAnAddressIsNotTaken) {
+  start();
+  const std::string token = sign_in("Anna", kPassword)["token"];
+  int refused = 0;
+  for (const char* name : {"token", "access_token", "Authorization", "__Host-skerry"}) {
+    const std::string query = std::string("?") + name + "=" + token;
+    EXPECT_THAT(http("GET", "/status" + query).head, StartsWith("HTTP/1.1 401")) << query;
+    EXPECT_THAT(http("GET", "/signalk/v1/api/vessels/self" + query).head,
+                StartsWith("HTTP/1.1 401"));
+    refused += 2;
+  }
+  std::printf("%d requests with a good token in their address refused\n", refused);
+}
+
 TEST_F(Attacks, AnotherShipsTokenOpensNothingOfThisShip) {
   start();
   const std::string other = add_token("other", {}, kOtherShip);

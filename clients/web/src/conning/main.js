@@ -83,6 +83,7 @@ const TAKERS = {
     const before = link.radar;
     link.takeHello(hello);
     if (link.radar !== before) notices.show(`No radar ${before} here: the first own ship is shown`);
+    link.goAboard();
     subscribe();
   },
   settings: (settings) => link.takeSettings(settings),
@@ -175,7 +176,7 @@ $('radar').addEventListener('change', () => {
   $('radar').blur();
   subscribe();
 });
-const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew));
+const access = new Access($('access'), (isAnew) => connection.tellToken(isAnew), (ship) => link.goAboard(ship));
 
 function askWho() {
   if (!$('help').open) $('help').showModal();

@@ -14,7 +14,7 @@ const ORDERS = {
 export class ShipLink {
   // send(values): a Set to the radar, the request number or null.  changed(): something is to be shown anew.
   constructor(send, changed) {
-    Object.assign(this, { send, changed, radar: 0, hello: null, instructor: false, isLive: false });
+    Object.assign(this, { send, changed, radar: 0, hello: null, instructor: false, isLive: false, herShip: '' });
     this.pending = new PendingRequests();
     this.orders = {};
     for (const name of Object.keys(ORDERS)) {
@@ -35,6 +35,15 @@ export class ShipLink {
   takeHello(hello) {
     this.hello = hello;
     if (!hello.radars.some((r) => r.radar === this.radar) && hello.radars.length > 0) this.radar = hello.radars[0].radar;
+  }
+
+  // Whoever is of one ship alone has a radar of hers: gives whether that is another one than till now. '': of none.
+  goAboard(ship = this.herShip) {
+    this.herShip = ship;
+    const radars = this.hello?.radars ?? [], hers = radars.find(({ ownShip }) => ownShip === ship);
+    if (ship === '' || !hers || radars.find((each) => each.radar === this.radar)?.ownShip === ship) return false;
+    this.radar = hers.radar;
+    return true;
   }
 
   takeOwnShip(ownShip, nowS) {

@@ -329,6 +329,19 @@ test('a trainee signs in by the code of her class, and is aboard her ship', asyn
   await page.waitForFunction(() => window.skerry.state().radar === 1 && window.skerry.settings() !== null);
 });
 
+test('on the con page, too, a trainee is aboard her ship', async () => {
+  server = new MockServer({ ...SMALL, classCode: '123456', mayLook: (token) => token === 'of Kim' });
+  const url = await server.start();
+  page = await (await browser.newContext()).newPage();
+  await page.goto(`${url}conning`);
+  await page.locator('#sign-in-name').fill('Kim');
+  await page.locator('#sign-in-code').fill('123456');
+  await page.locator('#sign-in').click();
+  await page.locator('#signed-in', { hasText: 'Kim (class)' }).waitFor();
+  await page.waitForFunction(() => window.skerry.state().radar === 1 && window.skerry.state().ship?.radar === 1);
+  assert.equal(server.received.findLast(({ kind }) => kind === 'subscribe').subscribe.radar, 1);
+});
+
 test('who has a password needs no class code, and the other way round', async () => {
   server = new MockServer({ ...SMALL, ...ANNA, classCode: '123456' });
   page = await openConsole(browser, await server.start());
