@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,39 +49,66 @@ std::string good_text(const std::string& file, const AuditCheck& check) {
   return out;
 }
 
-int verify_files(const AuditAsked& given) {
+// Of the files, oldest first; `each` is given their entries.  Exit code.
+int verify_chain(const std::vector<std::string>& files, const std::string& wanted,
+                 const std::function<void(const audit::Entry&)>& each) {
   AuditHead end, begin;
   bool has_head = false;
-  for (std::size_t i = 0; i < given.files.size(); ++i) {
-    const std::string& file = given.files[i];
-    if (is_recording(file)) {
-      return console::report(file + " is a recording, which has entries without their chain",
-                             "Give the file of skerryd --audit; `skerry audit show` reads both.");
-    }
-    const AuditCheck check = check_audit(file, given.head, {}, end);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const AuditCheck check = check_audit(files[i], wanted, each, end);
     if (check.wrong_line > 0) {
       const std::string hint =
           i > 0 && check.wrong_line == 1
               ? fmt::format(
                     "It does not go on from {}, which ends with entry {}; give the files "
                     "in their order, the oldest first, and all of them.",
-                    given.files[i - 1], end.n)
+                    files[i - 1], end.n)
               : fmt::format("{} entries before it are as they were written.", check.entries);
-      return console::report(wrong_of(file, check), hint);
+      return console::report(wrong_of(files[i], check), hint);
     }
     has_head = has_head || check.has_wanted;
     end = check.head;
     if (i == 0) begin = check.follows;
-    console::write_out(good_text(file, check));
+    console::write_out(good_text(files[i], check));
   }
-  if (given.head.empty() || has_head) return console::kExitOk;
-  return console::report(fmt::format("{}: all entries hold together, but none has the head {}",
-                                     given.files.back(), given.head),
-                         begin.n > 0
-                             ? fmt::format("It may be in a file before {}, which goes on from "
-                                           "entry {}; or entries are missing at the end.",
-                                           given.files.front(), begin.n)
-                             : "Entries are missing at the end, or it was made anew.");
+  if (wanted.empty() || has_head) return console::kExitOk;
+  return console::report(
+      fmt::format("{}: all entries hold together, but none has the head {}", files.back(), wanted),
+      begin.n > 0 ? fmt::format("It may be in a file before {}, which goes on from entry {}; or "
+                                "entries are missing at the end.",
+                                files.front(), begin.n)
+                  : "Entries are missing at the end, or it was made anew.");
+}
+
+int verify_files(const AuditAsked& given) {
+  std::vector<std::string> files;
+  std::vector<RecordedEntries> recordings;
+  for (const std::string& file : given.files) {
+    if (is_recording(file)) {
+      recordings.emplace_back(file);
+    } else {
+      files.push_back(file);
+    }
+  }
+  if (files.empty()) {
+    return console::report(
+        recordings.front().file() + " is a recording, which has entries without their chain",
+        "Give the files of skerryd --audit too; `skerry audit show` reads it alone.");
+  }
+  const int chain = verify_chain(files, given.head, [&](const audit::Entry& entry) {
+    for (RecordedEntries& recorded : recordings) recorded.compare(entry);
+  });
+  if (chain != console::kExitOk) return chain;
+  for (const RecordedEntries& recorded : recordings) {
+    if (const auto fault = recorded.fault()) {
+      return console::report(*fault,
+                             "The audit was made anew, or is another server's, or files of it are "
+                             "not given.");
+    }
+    console::write_out(
+        fmt::format("{}: {} entries, as the files have them\n", recorded.file(), recorded.count()));
+  }
+  return console::kExitOk;
 }
 
 console::Command make_verify_command(CLI::App& app) {
@@ -89,7 +117,8 @@ console::Command make_verify_command(CLI::App& app) {
   auto given = std::make_shared<AuditAsked>();
   command
       ->add_option("FILE", given->files,
-                   "that skerryd --audit wrote; several: one audit, the oldest file first")
+                   "that skerryd --audit wrote; several: one audit, the oldest file first; beside "
+                   "them recordings, whose entries must be the same")
       ->required();
   command
       ->add_option("--head", given->head,

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "protocol/recording/reader.hpp"
 
@@ -58,6 +59,31 @@ std::optional<std::string> read_entries(const std::string& file,
   if (check.wrong_line == 0) return std::nullopt;
   return fmt::format("{}:{}: {}\nWhat follows is not shown; `skerry audit verify` says more.", file,
                      check.wrong_line, check.wrong);
+}
+
+RecordedEntries::RecordedEntries(std::string file) : file_(std::move(file)) {
+  read_recorded(file_, [&](const audit::Entry& entry) {
+    ++count_;
+    missing_[entry.n()] = entry.SerializeAsString();
+  });
+}
+
+void RecordedEntries::compare(const audit::Entry& entry) {
+  const auto mine = missing_.find(entry.n());
+  if (mine == missing_.end()) return;
+  audit::Entry theirs = entry;
+  theirs.clear_follows();
+  if (theirs.SerializeAsString() != mine->second && first_other_ == 0) first_other_ = entry.n();
+  missing_.erase(mine);
+}
+
+std::optional<std::string> RecordedEntries::fault() const {
+  if (first_other_ > 0) {
+    return fmt::format("{}: its entry {} is another than in the files", file_, first_other_);
+  }
+  if (missing_.empty()) return std::nullopt;
+  return fmt::format("{}: {} of its {} entries are not in the files, the first is entry {}", file_,
+                     missing_.size(), count_, missing_.begin()->first);
 }
 
 }  // namespace skerry::server

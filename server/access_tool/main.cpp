@@ -63,6 +63,7 @@ constexpr Tool kAudit = {
     "  skerry audit show watch.mcap                      # what is in a recording\n"
     "  skerry audit verify audit.jsonl\n"
     "  skerry audit verify audit.jsonl.1 audit.jsonl     # over files, the oldest first\n"
+    "  skerry audit verify audit.jsonl watch.mcap        # and a recording tells the same\n"
     "  skerry audit verify audit.jsonl --head HEAD       # as `verify` or the log has told it\n",
     make_audit_commands};
 

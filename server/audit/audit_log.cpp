@@ -41,6 +41,33 @@ std::shared_ptr<recording::AuditEntry> message_of(const AuditEntry& from) {
   return entry;
 }
 
+// A file that was moved away has the number of its last entry behind its name, with so many digits
+// that names are in the order of entries.
+constexpr std::size_t kDigitsOfMoved = 10;
+
+// The end of the newest of them: a server that ended between the move and the first entry of the
+// next file, which is missing or empty, goes on from it.
+AuditHead end_of_moved(const std::filesystem::path& file) {
+  const std::string begin = file.filename().string() + ".";
+  std::filesystem::path newest;
+  std::error_code error;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_moved = name.starts_with(begin) && name.size() == begin.size() + kDigitsOfMoved &&
+                          name.find_first_not_of("0123456789", begin.size()) == std::string::npos;
+    if (is_moved && (newest.empty() || entry.path() > newest)) newest = entry.path();
+  }
+  if (newest.empty()) return {};
+  try {
+    return AuditFile(newest).head();
+  } catch (const std::runtime_error& wrong) {
+    spdlog::warn("audit: {} begins anew, as it cannot go on from another: {}", file.string(),
+                 wrong.what());
+    return {};
+  }
+}
+
 // Small letters as large, of the Latin ones.
 bool has_part(const std::string& text, const std::string& part) {
   const auto is_same = [](unsigned char a, unsigned char b) {
@@ -61,8 +88,9 @@ AuditLog::AuditLog(const std::filesystem::path& file, std::uint64_t roll_bytes)
     : path_(file), roll_bytes_(roll_bytes) {
   if (!path_.empty()) {
     file_ = std::make_unique<AuditFile>(path_);
-    head_ = file_->head();
+    head_ = file_->size() > 0 ? file_->head() : end_of_moved(path_);
     last_n_ = head_.n;
+    if (file_->size() == 0 && head_.n > 0) tell_new_file();
     if (file_->bytes_cut() > 0) {
       add({.what = fmt::format("{} bytes of an entry that was not finished were cut off",
                                file_->bytes_cut())});
@@ -225,18 +253,19 @@ void AuditLog::hand_on(const std::vector<AuditEntryPtr>& entries) {
 
 void AuditLog::run() {
   std::unique_lock lock(mutex_);
-  bool takes = true;
+  bool takes = true, ends = false;
   auto tried = std::chrono::steady_clock::now();
-  while (takes || !ends_) {
+  while (takes || !ends) {
     change_.wait_for(lock, kAgain, [&] {
       return ends_ || reopens_ || numbered_ < waiting_.size() || (takes && !waiting_.empty());
     });
+    ends = ends_;  // what is left out is told once more after that was said
     tell_left_out();
     const auto fresh = number_new();
     const bool reopens = std::exchange(reopens_, false);
     const auto now = std::chrono::steady_clock::now();
     std::vector<AuditEntryPtr> batch;
-    if (takes || ends_ || reopens || now - tried >= kAgain) {
+    if (takes || ends || reopens || now - tried >= kAgain) {
       batch.assign(waiting_.begin(), waiting_.end());
     }
     lock.unlock();
@@ -249,7 +278,7 @@ void AuditLog::run() {
       takes = has_written;
       tell_disk(takes);
     }
-    if (has_written) move_away(head, now);
+    if (has_written && !ends) move_away(head, now);
     lock.lock();
     if (has_written) {
       head_ = head;
@@ -257,7 +286,7 @@ void AuditLog::run() {
       waiting_.erase(waiting_.begin(), waiting_.begin() + count);
       numbered_ -= batch.size();
     }
-    if (ends_ && waiting_.empty()) return;
+    if (ends && waiting_.empty()) return;
   }
   spdlog::error("audit: {} entries could not be written to {}", waiting_.size() + missing_,
                 path_.string());
@@ -267,9 +296,8 @@ void AuditLog::move_away(const AuditHead& end, std::chrono::steady_clock::time_p
   if (!file_ || roll_bytes_ == 0 || file_->size() < roll_bytes_ || now < move_not_before_) return;
   move_not_before_ = now + kMoveAgain;
   if (file_->is_in_place()) {
-    // So many digits that names are in the order of entries.
     std::filesystem::path away = path_;
-    away += fmt::format(".{:010}", end.n);
+    away += fmt::format(".{:0{}}", end.n, kDigitsOfMoved);
     std::error_code error;
     const bool is_taken = std::filesystem::exists(away, error);
     if (!is_taken) std::filesystem::rename(path_, away, error);
@@ -292,13 +320,17 @@ void AuditLog::go_on_in_next_file() {
   try {
     file_ = std::make_unique<AuditFile>(path_, AuditFile::Kind::next_only);
     move_not_before_ = {};
-    const AuditHead end = head();
-    spdlog::info("audit: {} goes on from entry {}, head {}", path_.string(), end.n, end.chain);
-    add({.what = fmt::format("a new file goes on from entry {}, head {}", end.n, end.chain)});
+    tell_new_file();
   } catch (const std::runtime_error& wrong) {
     spdlog::error("audit: it goes on in the file that was moved away: {}", wrong.what());
     add({.what = fmt::format("no new file: {}", wrong.what())});
   }
+}
+
+void AuditLog::tell_new_file() {
+  const AuditHead end = head();
+  spdlog::info("audit: {} goes on from entry {}, head {}", path_.string(), end.n, end.chain);
+  add({.what = fmt::format("a new file goes on from entry {}, head {}", end.n, end.chain)});
 }
 
 bool AuditLog::write(const std::vector<AuditEntryPtr>& entries, AuditHead& head) {

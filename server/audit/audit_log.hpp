@@ -52,7 +52,7 @@ class AuditLog final : public AuditPort {
   // Opens the file, or makes it; without one (an empty path) entries are in memory alone.  An entry
   // at its end that was not finished is cut off, and the first new entry says so.
   // A file of `roll_bytes` or more is moved away, to its name and the number of its last entry, and
-  // the next goes on from it; 0: never.
+  // the next goes on from it, also if it is made by another run; 0: never.
   // Error: std::runtime_error naming the file, as of AuditFile.
   explicit AuditLog(const std::filesystem::path& file, std::uint64_t roll_bytes = 0);
   // Writes what waits, if the disk takes it at once.
@@ -99,6 +99,7 @@ class AuditLog final : public AuditPort {
   // This thread's, without the lock.
   void hand_on(const std::vector<AuditEntryPtr>& entries);
   void go_on_in_next_file();
+  void tell_new_file();
   void move_away(const AuditHead& end, std::chrono::steady_clock::time_point now);
   // False: the disk took none of it, and the file is as before.  `head`: of the file, then with
   // them.

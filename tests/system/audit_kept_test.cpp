@@ -5,11 +5,12 @@
 #include <signal.h>
 
 #include <filesystem>
-#include <functional>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "server/audit/audit_chain.hpp"
 #include "tests/system/running_server.hpp"
 #include "tests/system/small_disk.hpp"
 #include "tests/system/small_scenario.hpp"
@@ -49,6 +50,17 @@ class KeptAudit : public testing::Test {
     all.insert(all.end(), {"--port", std::to_string(server.tcp_port())});
     const Ending done = tool(all);
     EXPECT_EQ(done.code, 0) << done.err;
+  }
+
+  // The audit with another value before the change to 71, and a chain that is right.
+  static void make_anew(const std::string& file, const std::string& other,
+                        const std::string& before) {
+    std::ofstream out(other, std::ios::binary);
+    server::AuditHead head;
+    server::check_audit(file, {}, [&](recording::AuditEntry entry) {
+      if (entry.before() == before && entry.after() == "71") entry.set_before("70");
+      out << server::audit_line(entry, head);
+    });
   }
 
   TempFolder folder_;
@@ -110,6 +122,19 @@ TEST_F(KeptAudit, IsInTheRecordingAndItsReport) {
   const Ending verified = tool({"audit", "verify", recording});
   EXPECT_EQ(verified.code, 1);
   EXPECT_THAT(verified.err, HasSubstr("is a recording"));
+  const std::string file = state_ + "/audit.jsonl", other = folder_.path("other.jsonl");
+  const Ending beside = tool({"audit", "verify", file, recording});
+  EXPECT_EQ(beside.code, 0) << beside.err;
+  EXPECT_THAT(beside.out, HasSubstr(recording + ": 3 entries, as the files have them"));
+  make_anew(file, other, "60");
+  EXPECT_EQ(tool({"audit", "verify", other}).code, 0) << "it holds together";
+  const Ending found_out = tool({"audit", "verify", other, recording});
+  EXPECT_EQ(found_out.code, 1);
+  EXPECT_THAT(found_out.err, HasSubstr("is another than in the files"));
+  EXPECT_THAT(tool({"audit", "verify",
+                    SKERRY_SOURCE_DIR "/tests/golden/state/0.1/state/audit.jsonl", recording})
+                  .err,
+              HasSubstr("3 of its 3 entries are not in the files"));
   EXPECT_THAT(tool({"recording", "info", recording}).out, HasSubstr("entries of the audit"));
   const std::string tables = folder_.path("tables"), report = folder_.path("report.html");
   const Ending made =

@@ -121,6 +121,30 @@ TEST_F(AuditRotation, ALargeFileIsMovedAwayAndTheNextGoesOn) {
   EXPECT_EQ(changes, 60u);
 }
 
+// As of a server that was killed between the move and the first entry of the next file.
+TEST_F(AuditRotation, ANewRunGoesOnFromWhatWasMovedAwayLast) {
+  const auto moved = [&](const char* number) { return fs::path(file_.string() + "." + number); };
+  { AuditLog(file_).add(change(0)); }
+  fs::rename(file_, moved("0000000001"));
+  { AuditLog(file_).add(change(1)); }
+  fs::rename(file_, moved("0000000003"));
+  std::ofstream(file_.string() + ".bak") << "notes\n";
+  std::ofstream(file_.string()).close();
+  { AuditLog(file_).add(change(2)); }
+  AuditHead head;
+  for (const fs::path& file : {moved("0000000001"), moved("0000000003"), file_}) {
+    const AuditCheck check = check_audit(file, {}, {}, head);
+    ASSERT_EQ(check.wrong_line, 0u) << file << ": " << check.wrong;
+    head = check.head;
+  }
+  EXPECT_EQ(head.n, 5u);
+  // One that is no audit file holds nobody up.
+  fs::rename(file_, moved("0000000005"));
+  std::ofstream(moved("9999999999")) << "notes\n";
+  { AuditLog(file_).add(change(3)); }
+  EXPECT_EQ(check_audit(file_).head.n, 1u);
+}
+
 TEST_F(AuditRotation, ALargeFileThatCannotBeMovedGoesOn) {
   std::ofstream(file_.string() + ".0000000010") << "mine";
   {
