@@ -275,7 +275,10 @@ class NetServer::Impl {
     };
     if (!context_.tls) return begin(PeerStream(std::move(socket)), std::move(slot));
     open_connection(context_, std::move(socket), std::move(slot),
-                    {.protocol = "HTTP", .secure = begin, .plain = begin, .silent = begin});
+                    {.protocol = "HTTP",
+                     .secure = begin,
+                     .plain = begin,
+                     .patience = context_.config.limits.silent_time});
   }
 
   void run() {
@@ -318,7 +321,8 @@ class NetServer::Impl {
       .secure = [this](auto stream,
                        auto slot) { begin_native(std::move(stream), std::move(slot)); },
       .plain = [this](auto stream, auto slot) { refuse_native(std::move(stream), slot); },
-      .silent = [this](auto stream, auto slot) { refuse_native(std::move(stream), slot); }};
+      .silent = [this](auto stream, auto slot) { refuse_native(std::move(stream), slot); },
+      .patience = context_.config.limits.opening_time};
   Listener tcp_;
   Listener http_;
   Timer tick_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -24,7 +25,9 @@ class TlsOpening final : public Connection, public std::enable_shared_from_this<
     set_stream_options(stream_.socket());
     error_code ignored;
     stream_.socket().non_blocking(true, ignored);
-    allow_time();
+    allow(slot_->place() == Place::on_trial
+              ? std::min(to_.patience, context_.config.limits.trial_time)
+              : to_.patience);
     stream_.socket().async_wait(
         asio::socket_base::wait_read,
         [self = shared_from_this()](error_code error) { self->look(error); });
@@ -38,9 +41,7 @@ class TlsOpening final : public Connection, public std::enable_shared_from_this<
   }
 
  private:
-  void allow_time() {
-    until_ = std::chrono::steady_clock::now() + context_.config.limits.opening_time;
-  }
+  void allow(std::chrono::milliseconds time) { until_ = std::chrono::steady_clock::now() + time; }
 
   void look(error_code error) {
     if (is_late_ && error == asio::error::operation_aborted) {
@@ -58,7 +59,7 @@ class TlsOpening final : public Connection, public std::enable_shared_from_this<
           to_.protocol + " too many TLS handshakes",
           fmt::format("{}: {}", slot_->peer().text, context_.handshakes.refusal(slot_->peer())));
     }
-    allow_time();
+    allow(context_.config.limits.opening_time);
     keys_ = context_.tls->context();
     stream_.begin_tls(*keys_);
     stream_.async_handshake([self = shared_from_this()](error_code failed) {

@@ -1,6 +1,7 @@
 // TlsOpening: a new connection, until it is known whether it is plain or under TLS.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -15,7 +16,8 @@ struct OpeningTo {
   std::string protocol;  // for the log: "HTTP"
   Take secure;           // its handshake is done
   Take plain;            // it began with something else than TLS
-  Take silent;           // it has said nothing for PeerLimits::opening_time; empty: it is closed
+  Take silent = {};      // it has said nothing for so long; empty: it is closed
+  std::chrono::milliseconds patience{};
 };
 
 // Looks at the first byte, which stays where it is: 22 begins a TLS handshake (RFC 8446 5.1), and
