@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "echo/tool_console/console.hpp"
+#include "protocol/recording/audit_text.hpp"
 #include "server/access_tool/audit_entries.hpp"
 #include "server/config/config_error.hpp"
 #include "server/core/audit_port.hpp"
@@ -144,12 +145,7 @@ std::string line_of(const audit::Entry& entry) {
       fmt::format("{:>6} {} {:<8}", entry.n(), shown(entry.utc()), shown(entry.kind()));
   if (!entry.who().empty()) line += " " + shown(entry.who());
   if (!entry.from().empty()) line += fmt::format(" ({})", shown(entry.from()));
-  if (!entry.what().empty()) line += " " + shown(entry.what());
-  if (!entry.after().empty()) {
-    line += fmt::format(": {} -> {}", shown(entry.before()), shown(entry.after()));
-  }
-  if (entry.times() > 1) line += fmt::format(" ({} changes)", entry.times());
-  if (!entry.result().empty()) line += ": " + shown(entry.result());
+  line += " " + shown(recording::audit_text(entry));
   return line + "\n";
 }
 

@@ -135,7 +135,7 @@ class Audit {
  public:
   Audit(const Options& options, const std::string& what)
       : log(options.audit, options.audit_roll_bytes) {
-    const std::string from = options.audit.empty() ? "" : "; from head " + log.head().chain;
+    const std::string from = log.head().n == 0 ? "" : "; from head " + log.head().chain;
     log.add({.what = fmt::format("{} begins: {}{}", kServerName, what, from)});
   }
   ~Audit() { log.add({.what = fmt::format("{} ends", kServerName)}); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/recording/audit_text.hpp"
 #include "server/debrief/words.hpp"
 #include "server/page/csv_table.hpp"
 #include "server/page/html_text.hpp"
@@ -37,14 +38,6 @@ void read_deeds(const recording::RecordingReader& reader, UtcTime epoch, double 
   }
 }
 
-std::string deed_text(const recording::AuditEntry& entry) {
-  std::string text = entry.what();
-  if (!entry.after().empty()) text += fmt::format(": {} -> {}", entry.before(), entry.after());
-  if (entry.times() > 1) text += fmt::format(" ({} changes)", entry.times());
-  if (!entry.result().empty()) text += ": " + entry.result();
-  return text;
-}
-
 std::string deeds_section(const Debrief& debrief) {
   std::string html =
       "<p class=\"soft\">As the server's audit has it: changes, orders, sign-ins and refusals, at "
@@ -59,7 +52,7 @@ std::string deeds_section(const Debrief& debrief) {
     add_moment(debrief, deed.when, table);
     table.add(deed.entry.kind());
     table.add(!deed.entry.who().empty() ? deed.entry.who() : by_server ? "the server" : "nobody");
-    table.add(deed_text(deed.entry));
+    table.add(recording::audit_text(deed.entry));
   }
   html += table.html();
   if (debrief.deeds.size() > shown) {

@@ -15,9 +15,6 @@ constexpr std::size_t kMostDeeds = 100'000;
 void read_deeds(const recording::RecordingReader& reader, UtcTime epoch, double end_s,
                 const std::function<double(double)>& exercise_at, Debrief& debrief);
 
-// "radar 0 view 0: gain: 50 -> 71 (3 changes): ok"
-std::string deed_text(const recording::AuditEntry& entry);
-
 // The part of the page, HTML; everything from outside is escaped.  It has names, not addresses.
 std::string deeds_section(const Debrief& debrief);
 std::string deeds_csv(const Debrief& debrief);

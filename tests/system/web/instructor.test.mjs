@@ -140,7 +140,7 @@ test('the log says who did what, as it is done', async () => {
   await other.locator('#log-kind').selectOption('server');
   await other.waitForFunction(() => document.querySelectorAll('#log-list li').length === 1);
   assert.match(await other.locator('#log-list').textContent(), /begins: scenario Lesson/);
-  assert.match(await other.locator('#log-problem').textContent(), /memory alone/);
+  assert.match(await other.locator('#log-count').textContent(), /memory alone/);
   assert.deepEqual([...page.problems, ...other.problems], []);
 });
 

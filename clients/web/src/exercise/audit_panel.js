@@ -22,8 +22,9 @@ export function timeOf(utc, now = new Date()) {
   return at.toDateString() === now.toDateString() ? time : `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())} ${time}`;
 }
 export const whoOf = ({ who, from }) => who || (from ? 'not signed in' : 'the server');
-export function whatOf({ what = '', before = '', after, times = 1, result }) {
-  const change = after === undefined ? '' : `: ${before} → ${after}`;
+// As protocol/recording/audit_text.cpp.
+export function whatOf({ what = '', before = '', after = '', times = 1, result }) {
+  const change = before ? `: ${before} → ${after || 'nothing'}` : after && `: ${after}`;
   return `${what}${change}${times > 1 ? ` (${times} changes)` : ''}${result ? ` · ${result}` : ''}`;
 }
 
@@ -92,11 +93,9 @@ export class AuditPanel {
     else list.prepend(...items);
     while (list.children.length > MOST) list.lastElementChild.remove();
     const shown = list.children.length;
-    write('log-count', shown === MOST ? `the newest ${MOST}` : shown === 1 ? '1 entry' : `${shown} entries`);
-    write(
-      'log-problem',
-      !hasFile ? 'Kept in memory alone: the server has no --audit' : unwritten > 0 ? `The disk takes nothing: ${unwritten} wait` : '',
-    );
+    const count = shown === MOST ? `the newest ${MOST}` : shown === 1 ? '1 entry' : `${shown} entries`;
+    write('log-count', hasFile ? count : `${count}, in memory alone (no --audit)`);
+    write('log-problem', unwritten > 0 ? `The disk takes nothing: ${unwritten} wait` : '');
   }
 
   #item(entry) {

@@ -125,12 +125,12 @@ test('what is kept in memory alone, or waits for a disk, is said; and text from 
   await page.keyboard.press('5');
   assert.match((await rows(1))[0], /<img src=x> .*<b id=evil>x<\/b>/);
   assert.equal(await page.locator('#evil').count(), 0);
+  assert.equal(await page.locator('#log-count').textContent(), '1 entry, in memory alone (no --audit)');
   const says = (words) => page.waitForFunction((w) => document.getElementById('log-problem').textContent.includes(w), words);
-  await says('in memory alone');
   Object.assign(audit, { hasFile: true, unwritten: 12 });
   await says('The disk takes nothing: 12 wait');
-  audit.unwritten = 0;
-  await says('');
+  audit.entries.push(change(2, { what: 'exercise', before: undefined, after: 'mark: "x"' }), change(3, { what: 'lock', before: 'gain', after: undefined }));
+  assert.deepEqual((await rows(3)).slice(0, 2).map((row) => row.split(' | ')[2].split(' from ')[0]), ['lock: gain → nothing', 'exercise: mark: "x"']);
   server.audit = null;
   await says('This server keeps no audit');
   assert.deepEqual(page.problems.filter((problem) => !/404/.test(problem)), []);
