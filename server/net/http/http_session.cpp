@@ -205,11 +205,11 @@ void HttpSession::on_read(error_code error) {
   }
   if (site_ != nullptr && is_signalk_path(path)) {
     if (upgrades && upgrade_signalk(request, path)) return;
-    error_code error;
-    const auto local = stream_.socket().local_endpoint(error);
+    error_code unknown;
+    const auto local = stream_.socket().local_endpoint(unknown);
     const SignalkAsked asked{.peer = slot_->peer(),
                              .token = std::string(token_of(request)),
-                             .address = error ? "" : local.address().to_string()};
+                             .address = unknown ? "" : local.address().to_string()};
     return send(answer_signalk(context_, *site_, request, std::move(path), asked), with_body,
                 request.keep_alive());
   }
