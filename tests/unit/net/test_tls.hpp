@@ -10,9 +10,9 @@
 namespace skerry::server {
 
 struct TestTlsOptions {
-  std::string authority;    // file; empty: any certificate will do
-  int least = 0, most = 0;  // TLS1_2_VERSION and the like; 0: what OpenSSL has
-  std::string ciphers;      // of TLS 1.2; empty: those of OpenSSL
+  std::string authority = {};  // file; empty: any certificate will do
+  int least = 0, most = 0;     // TLS1_2_VERSION and the like; 0: what OpenSSL has
+  std::string ciphers = {};    // of TLS 1.2; empty: those of OpenSSL
 };
 
 // A connection to 127.0.0.1.  A read that gets nothing for 30 s ends as if it was closed.

@@ -81,7 +81,7 @@ TEST_F(ServerWithTls, SendsTheSameSpokesToNativeClients) {
   ASSERT_TRUE(client->subscribe(0, 0, kPatience).ok());
   constexpr std::uint64_t kSpokes = 4096;
   for (std::uint64_t sent = 0; sent < kSpokes;) {
-    host_.publish_sector(0);
+    host_.publish();
     sent += FakeHost::kSectorSpokes;
     // No more than the ring holds before it is read.
     for (std::uint32_t i = 0; i < FakeHost::kSectorSpokes;) {
