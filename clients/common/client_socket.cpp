@@ -4,7 +4,6 @@
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 
-#include <boost/asio/ssl.hpp>
 #include <cstdlib>
 #include <string_view>
 #include <utility>

@@ -158,7 +158,9 @@ const std::vector<Room>& table() {
       {"server/access_tool",
        {"protocol/picture/label_text.hpp", "protocol/quantity/", "protocol/recording/",
         "echo/tool_console/", "server/access/", "server/audit/", "server/config/config_error.hpp",
-        "server/core/audit_port.hpp"}},
+        "server/core/audit_port.hpp", "server/tls/"}},
+      // Certificates.
+      {"server/tls", {"server/config/whole_file.hpp"}},
       // What consoles keep on the server.
       {"server/setups", {"protocol/digest/", "protocol/wire/printable_text.hpp", "server/config/"}},
       // Who changed what.
@@ -168,7 +170,7 @@ const std::vector<Room>& table() {
       // The network: what all speakers share, and a room for each that speaks.
       {"server/net/common",
        {"protocol/", "server/access/", "server/core/", "server/displays/radar_emulation.hpp",
-        "server/navigation/", "server/setups/"}},
+        "server/navigation/", "server/setups/", "server/tls/"}},
       {"server/net/native", {"protocol/", "server/access/", "server/core/", "server/net/common/"}},
       {"server/net/outputs",
        {"protocol/", "server/core/", "server/displays/radar_emulation.hpp", "server/net/common/"}},
@@ -286,7 +288,11 @@ const std::vector<Owned>& owned_headers() {
        "pass the options in as values"},
       {"png.h", {"protocol/picture/"}, "use protocol/picture/picture_file.hpp"},
       {"sndfile.h", {"clients/signals/"}, "use clients/signals"},
-      {"openssl/", {"protocol/digest/"}, "use protocol/digest/digest.hpp"},
+      {"openssl/",
+       {"protocol/digest/", "server/tls/", "server/net/common/tls_keys.cpp",
+        "clients/common/client_socket.cpp"},
+       "use protocol/digest/digest.hpp, server/tls/certificate.hpp or "
+       "clients/common/client_socket.hpp"},
       {"zlib.h",
        {"protocol/asterix/", "protocol/pcap/"},
        "use protocol/asterix/cat240.hpp or protocol/pcap/capture_reader.hpp"},

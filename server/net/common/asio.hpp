@@ -4,6 +4,8 @@
 // Boost 1.74's awaitable.hpp needs it first with g++ 12.
 #include <utility>
 
+#include <boost/asio/associated_allocator.hpp>
+#include <boost/asio/associated_executor.hpp>
 #include <boost/asio/basic_datagram_socket.hpp>
 #include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/basic_stream_socket.hpp>

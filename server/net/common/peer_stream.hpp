@@ -3,58 +3,80 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "server/net/common/asio.hpp"
 
 namespace skerry::server {
 
+// A handler that keeps something alive until it has been called, and otherwise is as it was.
+template <typename Kept, typename Handler>
+struct Keeping {
+  Kept kept;
+  Handler handler;
+
+  using allocator_type = asio::associated_allocator_t<Handler>;
+  allocator_type get_allocator() const noexcept { return asio::get_associated_allocator(handler); }
+  using executor_type = asio::associated_executor_t<Handler, NetExecutor>;
+  executor_type get_executor() const noexcept {
+    return asio::get_associated_executor(handler, kept->tcp.get_executor());
+  }
+  template <typename... Results>
+  void operator()(Results&&... results) {
+    handler(std::forward<Results>(results)...);
+  }
+};
+
 // What an HTTP or WebSocket session needs of beast::basic_stream, whose rules it has: at most one
-// read and one write are in flight, and a time limit ends both and closes.
-// Thread: net-0.
+// read and one write are in flight, and a time limit ends both and closes.  Unlike a socket it may
+// be destroyed while an operation is in flight, which TLS has in several steps. Thread: net-0.
 class PeerStream {
  public:
   using executor_type = NetExecutor;
-  using Tls = asio::ssl::stream<TcpStream&>;
 
-  explicit PeerStream(TcpSocket socket) : tcp_(std::make_unique<TcpStream>(std::move(socket))) {}
+  explicit PeerStream(TcpSocket socket) : stream_(std::make_shared<Stream>(std::move(socket))) {}
+  PeerStream(PeerStream&&) noexcept = default;
+  PeerStream& operator=(PeerStream&&) noexcept = default;
 
   // From now on what is read and written goes through TLS; async_handshake() first.
-  void begin_tls(asio::ssl::context& keys) { tls_ = std::make_unique<Tls>(*tcp_, keys); }
+  void begin_tls(asio::ssl::context& keys) { stream_->tls.emplace(stream_->tcp, keys); }
   template <typename Handler>
   void async_handshake(Handler&& handler) {
-    tls_->async_handshake(asio::ssl::stream_base::server, std::forward<Handler>(handler));
+    stream_->tls->async_handshake(asio::ssl::stream_base::server,
+                                  keeping(std::forward<Handler>(handler)));
   }
-  bool is_secure() const { return tls_ != nullptr; }
+  bool is_secure() const { return stream_->tls.has_value(); }
 
-  executor_type get_executor() { return tcp_->get_executor(); }
-  TcpSocket& socket() { return tcp_->socket(); }
-  const TcpSocket& socket() const { return tcp_->socket(); }
-  void expires_after(std::chrono::nanoseconds time) { tcp_->expires_after(time); }
-  void expires_never() { tcp_->expires_never(); }
-  void cancel() { tcp_->cancel(); }
-  void close() { tcp_->close(); }
+  executor_type get_executor() { return stream_->tcp.get_executor(); }
+  TcpSocket& socket() { return stream_->tcp.socket(); }
+  const TcpSocket& socket() const { return stream_->tcp.socket(); }
+  void expires_after(std::chrono::nanoseconds time) { stream_->tcp.expires_after(time); }
+  void expires_never() { stream_->tcp.expires_never(); }
+  void cancel() { stream_->tcp.cancel(); }
+  void close() { stream_->tcp.close(); }
   // Tells the peer that nothing more will come.  Requires no write in flight.
   void finish() {
-    if (tls_) return tls_->async_shutdown([](error_code) {});
+    if (stream_->tls) return stream_->tls->async_shutdown(keeping([](error_code) {}));
     error_code ignored;
     socket().shutdown(asio::socket_base::shutdown_send, ignored);
   }
 
   template <typename Buffers, typename Handler>
   void async_read_some(const Buffers& buffers, Handler&& handler) {
-    if (tls_) {
-      tls_->async_read_some(buffers, std::forward<Handler>(handler));
+    if (stream_->tls) {
+      stream_->tls->async_read_some(buffers, keeping(std::forward<Handler>(handler)));
     } else {
-      tcp_->async_read_some(buffers, std::forward<Handler>(handler));
+      stream_->tcp.async_read_some(buffers, std::forward<Handler>(handler));
     }
   }
   template <typename Buffers, typename Handler>
   void async_write_some(const Buffers& buffers, Handler&& handler) {
-    if (tls_) {
-      tls_->async_write_some(buffers, std::forward<Handler>(handler));
+    if (stream_->tls) {
+      stream_->tls->async_write_some(buffers, keeping(std::forward<Handler>(handler)));
     } else {
-      tcp_->async_write_some(buffers, std::forward<Handler>(handler));
+      stream_->tcp.async_write_some(buffers, std::forward<Handler>(handler));
     }
   }
 
@@ -70,8 +92,17 @@ class PeerStream {
   }
 
  private:
-  std::unique_ptr<TcpStream> tcp_;  // where tls_ finds it, wherever this moves
-  std::unique_ptr<Tls> tls_;
+  struct Stream {
+    explicit Stream(TcpSocket socket) : tcp(std::move(socket)) {}
+    TcpStream tcp;
+    std::optional<asio::ssl::stream<TcpStream&>> tls;
+  };
+  template <typename Handler>
+  Keeping<std::shared_ptr<Stream>, std::decay_t<Handler>> keeping(Handler&& handler) const {
+    return {stream_, std::forward<Handler>(handler)};
+  }
+
+  std::shared_ptr<Stream> stream_;
 };
 
 using WsStream = websocket::stream<PeerStream>;

@@ -357,8 +357,8 @@ void HttpSession::send(const WebAnswer& answer, bool with_body, bool keep_alive)
 void HttpSession::on_sent(error_code error, bool keep_alive) {
   if (error) return;
   if (keep_alive) return wait(context_.config.http_timeout);
-  stream_.finish();
   stream_.expires_after(kClosingTime);
+  stream_.finish();
   discard();
 }
 

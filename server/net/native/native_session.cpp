@@ -64,7 +64,9 @@ void NativeSession::close() {
   unsubscribe();
   boards_.leave();
   {
-    const AuditedRequest audited(context_.config.audit, origin(), who_);
+    // Whose token has ended meanwhile is still the one who had the con.
+    const Who who = context_.gate.who(slot_->peer().on_own_host, token_, utc_now());
+    const AuditedRequest audited(context_.config.audit, origin(), who.role ? text_of(who) : who_);
     context_.host.leave(origin());
   }
   if (has_made_token_) context_.gate.sign_out(token_);

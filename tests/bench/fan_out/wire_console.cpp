@@ -68,7 +68,10 @@ WireConsole::WireConsole(Way way, std::uint16_t port)
     if (::SSL_connect(ssl_.get()) != 1) throw std::runtime_error("a console's handshake failed");
   }
   if (way == Way::bare) return;
-  if (way == Way::native) return write(subscription());
+  if (way == Way::native) {
+    write(subscription());
+    return;
+  }
   write(kUpgrade);
   std::string answer;
   std::array<char, 4096> piece;
