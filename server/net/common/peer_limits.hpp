@@ -56,8 +56,8 @@ struct PeerLimits {
   // Of the server's own host, where whole classes and load tests run: a fifth of a core at worst.
   double own_changes_per_second = 20'000.0;
   double own_changes_burst = 40'000.0;
-  // Sign-ins by password or class code, right or wrong, of a peer, also of the own host.  A class of 40
-  // behind one address signs in at once; after that one guesses 20 times a minute.
+  // Sign-ins by password or class code, right or wrong, of a peer, also of the own host.  A class
+  // of 40 behind one address signs in at once; after that one guesses 20 times a minute.
   double sign_ins_per_second = 1.0 / 3.0;
   double sign_ins_burst = 40.0;
   // TLS handshakes begun by a peer on another host, and on the server's own.  Each takes the
