@@ -38,7 +38,11 @@ class PeerStream {
 
   explicit PeerStream(TcpSocket socket) : stream_(std::make_shared<Stream>(std::move(socket))) {}
   PeerStream(PeerStream&&) noexcept = default;
-  PeerStream& operator=(PeerStream&&) noexcept = default;
+  PeerStream& operator=(PeerStream&&) = delete;
+  // Ends what is in flight: after the end of a stream Asio would wait for more of it.
+  ~PeerStream() {
+    if (stream_) stream_->tcp.close();
+  }
 
   // From now on what is read and written goes through TLS; async_handshake() first.
   void begin_tls(asio::ssl::context& keys) { stream_->tls.emplace(stream_->tcp, keys); }

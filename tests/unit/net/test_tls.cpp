@@ -45,6 +45,7 @@ TestTls::~TestTls() {
 
 std::string TestTls::fingerprint() const {
   X509* const certificate = ::SSL_get1_peer_certificate(ssl_);
+  if (certificate == nullptr) return "no certificate";
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
   ::X509_digest(certificate, ::EVP_sha256(), digest.data(), &size);

@@ -140,7 +140,7 @@ TEST_F(ServerWithTls, ServesHttpAndSendsOnWhoComesInTheClear) {
   EXPECT_THAT(https(get("/status")), StartsWith("HTTP/1.1 200"));
   const std::string sent_on = http_get(server_->http_port(), "/status?x=1");
   EXPECT_THAT(sent_on, StartsWith("HTTP/1.1 308"));
-  EXPECT_THAT(sent_on, HasSubstr("Location: https://localhost/status?x=1"));
+  EXPECT_THAT(sent_on, HasSubstr(":" + std::to_string(server_->http_port()) + "/status?x=1"));
   const std::string posted = http_exchange(server_->http_port(),
                                            "POST /login HTTP/1.1\r\nHost: localhost\r\nConnection: "
                                            "close\r\nContent-Length: 2\r\n\r\n{}");
@@ -156,9 +156,13 @@ TEST_F(ServerWithTls, CarriesWebSockets) {
       "GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
       "Origin: https://127.0.0.1\r\nSec-WebSocket-Version: 13\r\n"
       "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
-  const std::string answer = tls.receive(200);
+  std::string answer;
+  while (answer.find("fake") == std::string::npos) {  // the server's name in Hello
+    const std::string more = tls.receive(1);
+    ASSERT_FALSE(more.empty()) << answer;
+    answer += more;
+  }
   EXPECT_THAT(answer, StartsWith("HTTP/1.1 101"));
-  EXPECT_THAT(answer + tls.receive(20), HasSubstr("fake"));  // the server's name in Hello
 }
 
 TEST_F(ServerWithTls, OffersVersionsAndCiphersOfTodayAlone) {
@@ -231,6 +235,7 @@ TEST_F(ServerWithTls, LimitsHandshakesOfAPeer) {
 }
 
 TEST_F(ServerWithTls, TakesARenewedCertificateAndKeepsWhatIsConnected) {
+  config_.limits.handshakes_burst = 1e6;  // it is looked at until it has changed
   start();
   auto client = SpokeClient::connect("tls://127.0.0.1", server_->tcp_port(), kPatience);
   ASSERT_TRUE(client.ok()) << client.error().text;
@@ -277,7 +282,7 @@ TEST_F(ServerWithTls, SaysWhatIsWrongWithItsFiles) {
   write(kServerCertificate, "");
   EXPECT_THAT(what_is_wrong(), HasSubstr("server.pem: no line '-----BEGIN CERTIFICATE-----'"));
   std::filesystem::remove(folder_ / kServerCertificate);
-  EXPECT_THAT(what_is_wrong(), HasSubstr("skerry tls init"));
+  EXPECT_THAT(what_is_wrong(), HasSubstr("server.pem: there is no such file"));
 }
 
 TEST(Certificate, HasTheNamesItIsFor) {
