@@ -28,6 +28,9 @@ WORDS = {
 
 def described(source):
     """The schema's descriptors and the extension that holds rules."""
+    for needed in (SCHEMA, RULES):
+        if not os.path.isfile(os.path.join(source, needed)):
+            sys.exit(f"config_page.py: {source} has no {needed}; expected the project's folder")
     with tempfile.TemporaryDirectory() as folder:
         described_in = os.path.join(folder, "config.desc")
         subprocess.run(

@@ -61,7 +61,9 @@ def make(name, command, folder, version):
         # help2man names the page after the file that it runs.
         runner = os.path.join(scratch, name)
         with open(runner, "w", encoding="utf-8") as file:
-            file.write("#!/bin/sh\nexec " + " ".join(f"'{word}'" for word in command) + ' "$@"\n')
+            # The usage begins with the name that a program was run by: not with the builder's path.
+            name_of_program = os.path.basename(command[0])
+            file.write(f"#!/bin/bash\nexec -a '{name_of_program}' " + " ".join(f"'{word}'" for word in command) + ' "$@"\n')
         os.chmod(runner, 0o755)
         more = os.path.join(scratch, "more")
         with open(more, "w", encoding="utf-8") as file:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -37,6 +38,8 @@ class NotifySocket {
       ++length;
     }
     socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    const timeval patience{.tv_sec = 60, .tv_usec = 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address),
                static_cast<socklen_t>(length)) != 0) {
       throw std::runtime_error("cannot bind " + path_);
@@ -51,7 +54,7 @@ class NotifySocket {
 
   const std::string& path() const { return path_; }  // for NOTIFY_SOCKET
 
-  // The next datagram, waited for.
+  // The next datagram; empty if none comes for a minute.
   std::string next() const { return received(0); }
   // All datagrams that wait.
   std::vector<std::string> told() const {
