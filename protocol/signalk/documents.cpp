@@ -47,7 +47,7 @@ Json radar_document(const Radar& radar) {
 }
 
 Json radar_list_document(std::span<const ListedRadar> radars, Dialect dialect,
-                         std::string_view authority) {
+                         const HttpPlace& place) {
   if (dialect == Dialect::array) {
     Json list = Json::array();
     for (const ListedRadar& listed : radars) list.push_back(state_in_list(listed));
@@ -58,8 +58,8 @@ Json radar_list_document(std::span<const ListedRadar> radars, Dialect dialect,
     Json& radar = keyed[listed.radar.id] = radar_document(listed.radar);
     if (dialect != Dialect::keyed) continue;
     radar["spokeDataUrl"] =
-        fmt::format("ws://{}{}/{}/spokes", authority, kRadarsPath, listed.radar.id);
-    radar["streamUrl"] = fmt::format("ws://{}{}", authority, kStreamPath);
+        fmt::format("{}{}/{}/spokes", place.ws(), kRadarsPath, listed.radar.id);
+    radar["streamUrl"] = fmt::format("{}{}", place.ws(), kStreamPath);
   }
   if (dialect == Dialect::keyed) return keyed;
   return Json{{"version", kRadarApiVersion}, {"radars", std::move(keyed)}};
@@ -186,12 +186,12 @@ Json other_vessel_document(const OtherVessel& vessel, UtcTime now) {
   return tree_of(other_vessel_values(vessel), now);
 }
 
-Json endpoints_document(std::string_view server, std::string_view authority) {
+Json endpoints_document(std::string_view server, const HttpPlace& place) {
   Json v1{{"version", "1.7.0"},
-          {"signalk-http", fmt::format("http://{}/signalk/v1/api/", authority)},
-          {"signalk-ws", fmt::format("ws://{}{}", authority, kStreamPath)}};
+          {"signalk-http", place.http() + "/signalk/v1/api/"},
+          {"signalk-ws", fmt::format("{}{}", place.ws(), kStreamPath)}};
   Json v2{{"version", "2.0.0"},
-          {"signalk-http", fmt::format("http://{}/signalk/v2/api/", authority)}};
+          {"signalk-http", place.http() + "/signalk/v2/api/"}};
   const auto space = server.find(' ');
   return Json{
       {"endpoints", Json{{"v1", std::move(v1)}, {"v2", std::move(v2)}}},

@@ -42,15 +42,22 @@ struct Radar {
 // A key of the control table and what it says.
 using ControlStates = std::vector<std::pair<std::string, ControlState>>;
 
+// The server as the client has it.
+struct HttpPlace {
+  std::string authority;  // "192.0.2.7:7480"
+  bool secure = false;    // by TLS
+  std::string http() const { return (secure ? "https://" : "http://") + authority; }
+  std::string ws() const { return (secure ? "wss://" : "ws://") + authority; }
+};
+
 Json radar_document(const Radar& radar);
-// `state_of` of each radar's controls are asked for by Dialect::array alone; `authority` is
-// HOST:PORT of the server as the client has it.
+// `state_of` of each radar's controls are asked for by Dialect::array alone.
 struct ListedRadar {
   Radar radar;
   ControlStates states;
 };
 Json radar_list_document(std::span<const ListedRadar> radars, Dialect dialect,
-                         std::string_view authority);
+                         const HttpPlace& place);
 Json capabilities_document(const Radar& radar);
 Json controls_document(const ControlStates& states);
 // Signal K server 2.23: status, time and controls in one.
@@ -85,7 +92,7 @@ std::string tracked_vessel_key(std::uint32_t radar, std::uint32_t target);
 std::vector<std::pair<std::string, Json>> other_vessel_values(const OtherVessel& vessel);
 Json other_vessel_document(const OtherVessel& vessel, UtcTime now);
 
-Json endpoints_document(std::string_view server, std::string_view authority);
+Json endpoints_document(std::string_view server, const HttpPlace& place);
 Json hello_document(std::string_view server, UtcTime now);
 Json features_document();
 // `logged_in`: what this client asks for is obeyed.

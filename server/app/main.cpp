@@ -90,9 +90,11 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   const std::string& host = options.net.bind;
   std::fprintf(stderr,
                "%s: %s\n"
-               "  web console      http://%s/\n"
-               "  native protocol  tcp %s\n",
-               kServerName, what.c_str(), skerry::host_and_port(host, net.http_port()).c_str(),
+               "  web console      http%s://%s/\n"
+               "  native protocol  %s %s\n",
+               kServerName, what.c_str(), options.net.tls.empty() ? "" : "s",
+               skerry::host_and_port(host, net.http_port()).c_str(),
+               options.net.tls.empty() ? "tcp" : "tls",
                skerry::host_and_port(host, net.tcp_port()).c_str());
   for (const StreamOutputConfig& stream : options.net.streams) {
     constexpr const char* kNames[] = {"native datagrams", "ASTERIX CAT240", "board's records"};

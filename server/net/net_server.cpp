@@ -233,6 +233,7 @@ class NetServer::Impl {
                  http_port());
     error_code error;
     if (is_loopback(asio::ip::make_address(config.bind, error))) return;
+    if (!config.exposure.empty()) spdlog::warn(config.exposure);
     if (context_.gate.is_closed()) {
       spdlog::info("other hosts need a token{}{}",
                    config.tokens.empty() ? "" : " of " + config.tokens,

@@ -158,10 +158,11 @@ What the service writes.
 .SH EXAMPLES
 .nf
 bind: 192.0.2.7
+tls: /var/lib/skerry/tls
 users: /var/lib/skerry/users.yaml
 recorder: {folder: /var/lib/skerry/recordings, record: true, roll_minutes: 60}
 outputs:
-  \- {kind: navico_4g, interface_address: 192.0.2.7}
+  \- {kind: navico_4g, interface_address: 192.0.2.7, obeys: true}
 .fi
 .SH "SEE ALSO"
 .BR skerryd (1),

@@ -183,7 +183,10 @@ void make_authority(const fs::path& folder, const std::string& name) {
   fs::create_directories(folder);
   for (const char* file : {kAuthorityCertificate, kAuthorityKey}) {
     if (fs::exists(folder / file)) {
-      throw std::runtime_error((folder / file).string() + " is there already");
+      throw std::runtime_error(
+          (folder / file).string() +
+          " is there already: `skerry tls renew` makes another certificate by it; for another "
+          "authority give another folder");
     }
   }
   const Key key = make_key();

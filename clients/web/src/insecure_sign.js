@@ -1,7 +1,5 @@
 // An open padlock beside the state of the connection, on a page of a server that other hosts reach without encryption or
-// without users (skerryd --insecure). Its Hello says which.
-import { t } from './language/language.js';
-
+// without users (skerryd --insecure). Its Hello says which, in English.
 const PADLOCK = 'M4.5 7V4.8a3 3 0 0 1 5.8-1.1M3 7h10v7H3z';
 
 function padlock() {
@@ -27,6 +25,6 @@ export function signInsecure(warning) {
     sign.append(padlock(), words);
     link.append(sign);
   }
-  sign.title = `${t('Not secure')} – ${warning}`;
-  sign.querySelector('.unseen').textContent = sign.title;
+  sign.title = warning;
+  sign.querySelector('.unseen').textContent = warning;
 }

@@ -19,7 +19,7 @@ WebAnswer answer_signalk(NetContext& context, SignalkSite& site, const HttpReque
       .method = {method.data(), method.size()},
       .path = std::move(path),
       .body = request.body(),
-      .authority = std::string(*header_of(request, http::field::host)),
+      .place = {std::string(*header_of(request, http::field::host)), peer.is_secure},
       .address = by.address.empty() ? config.bind : by.address,
       .origin = "Signal K display " + peer.text,
       .refusal = why_not(who, right, context.ship_of(site.radars().front().number)),

@@ -78,7 +78,7 @@ class RadarRequest {
     for (SignalkSite::Mounted& each : site_.radars()) {
       radars.push_back({described(each), site_.states(each)});
     }
-    return document(signalk::radar_list_document(radars, dialect, request_.authority));
+    return document(signalk::radar_list_document(radars, dialect, request_.place));
   }
 
   WebAnswer answer() {
@@ -208,7 +208,7 @@ WebAnswer signalk_answer(SignalkSite& site, const SignalkConfig& config, const G
     return failure(501, "only radars can be changed here");
   }
   if (path == "/signalk") {
-    return document(signalk::endpoints_document(site.server(), request.authority));
+    return document(signalk::endpoints_document(site.server(), request.place));
   }
   if (path == signalk::kStreamPath) return failure(426, "this is a WebSocket");
   if (path == "/signalk/v2/features") return document(signalk::features_document());

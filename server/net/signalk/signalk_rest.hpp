@@ -15,7 +15,7 @@ struct SignalkRequest {
   std::string_view method;  // "GET"
   std::string path;         // clean, without query
   std::string_view body = {};
-  std::string authority;     // HOST:PORT as the client has it
+  signalk::HttpPlace place;  // of this server, as the client has it
   std::string address = {};  // of the server's end of the connection
   std::string origin = {};   // who asks, for the log
   // Why what is asked for is refused, if it is (signalk_right()).

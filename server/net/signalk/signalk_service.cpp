@@ -69,7 +69,11 @@ void SignalkService::advertise(std::uint16_t http_port) {
       "swname=" + server.substr(0, space),
       "swvers=" + (space == std::string::npos ? std::string() : server.substr(space + 1))};
   std::vector<MdnsService> services;
-  for (const char* type : {"_signalk-http._tcp", "_signalk-ws._tcp", "_mayara-http._tcp"}) {
+  using Types = std::vector<const char*>;
+  const Types types = context_.tls
+                          ? Types{"_signalk-https._tcp", "_signalk-wss._tcp"}
+                          : Types{"_signalk-http._tcp", "_signalk-ws._tcp", "_mayara-http._tcp"};
+  for (const char* type : types) {
     services.push_back({.type = type, .port = http_port, .texts = texts});
   }
   advertiser_ = std::make_unique<MdnsAdvertiser>("Skerry on " + host_label(), context_.config.bind,

@@ -444,7 +444,7 @@ TEST(SignalkAccess, WhoMayNotControlMayStillLook) {
     const SignalkRequest request{.method = method,
                                  .path = kRadars + path,
                                  .body = R"({"value":20})",
-                                 .authority = "192.0.2.7:7480",
+                                 .place = {"192.0.2.7:7480"},
                                  .refusal = why_not(context.gate.who(false, "", utc_now()),
                                                     signalk_right(method, kRadars + path))};
     return signalk_answer(site, {}, context.gate, request);

@@ -138,6 +138,7 @@ TEST_F(ServerWithTls, IsTrustedByItsAuthorityAndItsNameAlone) {
 TEST_F(ServerWithTls, ServesHttpAndSendsOnWhoComesInTheClear) {
   start();
   EXPECT_THAT(https(get("/status")), StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(https(get("/signalk")), HasSubstr("wss://127.0.0.1/signalk/v1/stream"));
   const std::string sent_on = http_get(server_->http_port(), "/status?x=1");
   EXPECT_THAT(sent_on, StartsWith("HTTP/1.1 308"));
   EXPECT_THAT(sent_on, HasSubstr(":" + std::to_string(server_->http_port()) + "/status?x=1"));

@@ -32,14 +32,14 @@ ControlStates states() {
 
 TEST(RadarList, OfTheCurrentDialectHasAVersionAndNoAddressesOfStreams) {
   const ListedRadar listed[] = {{radar(), states()}};
-  EXPECT_EQ(text_of(radar_list_document(listed, Dialect::current, "192.0.2.7:7480")),
+  EXPECT_EQ(text_of(radar_list_document(listed, Dialect::current, HttpPlace{"192.0.2.7:7480"})),
             R"({"version":"3.4.0","radars":{"skerry0":{"name":"Frida X-band","brand":"Skerry",)"
             R"("model":"25 kW X","radarIpAddress":"192.0.2.7"}}})");
 }
 
 TEST(RadarList, OfOlderDialectsIsAnArrayOrKeyed) {
   const ListedRadar listed[] = {{radar(), states()}};
-  const Json array = radar_list_document(listed, Dialect::array, "h:1");
+  const Json array = radar_list_document(listed, Dialect::array, HttpPlace{"h:1"});
   ASSERT_TRUE(array.is_array());
   EXPECT_EQ(array[0]["id"], "skerry0");
   EXPECT_EQ(array[0]["status"], "transmit");
@@ -47,7 +47,7 @@ TEST(RadarList, OfOlderDialectsIsAnArrayOrKeyed) {
   EXPECT_EQ(array[0]["maxSpokeLen"], 1024);
   EXPECT_EQ(array[0]["range"], 5556);
   EXPECT_EQ(array[0]["controls"]["gain"]["value"], 50);
-  const Json keyed = radar_list_document(listed, Dialect::keyed, "h:1");
+  const Json keyed = radar_list_document(listed, Dialect::keyed, HttpPlace{"h:1"});
   EXPECT_EQ(keyed["skerry0"]["spokeDataUrl"],
             "ws://h:1/signalk/v2/api/vessels/self/radars/skerry0/spokes");
   EXPECT_EQ(keyed["skerry0"]["streamUrl"], "ws://h:1/signalk/v1/stream");

@@ -233,6 +233,19 @@ test('another server is told: its protocol, its version, its scenario, its radar
   assert.equal(await problem.isVisible(), false);
 });
 
+test('a server that is open to others without a guard is told by an open padlock', async () => {
+  const warning = 'Not secure: this server is open to other hosts without users.';
+  await open({ helloMore: { warning } });
+  const sign = page.locator('#insecure');
+  await sign.waitFor();
+  assert.equal(await sign.getAttribute('title'), warning);
+  assert.match(await page.locator('#link').innerText(), /Connected/);
+  const [lamp, box] = [await page.locator('#link').boundingBox(), await sign.boundingBox()];
+  assert.ok(box.x + box.width <= lamp.x + lamp.width + 1, 'it is within its place');
+  server = await restart(server, { helloMore: {} });
+  await sign.waitFor({ state: 'detached' });
+});
+
 test('hostile names and a wrong clock change neither the page nor its layout', async () => {
   const names = ['<img src=x onerror="window.hit=1"><script>window.hit=1</script>', 'x'.repeat(10240), '\u202egnol si eman siht\u202c \u05e9\u05dc\u05d5\u05dd'];
   server = new MockServer({ ...SMALL, ships: names, helloMore: { scenario: `\u202e${'y'.repeat(10240)}`, server: '<b>mock</b>' } });
