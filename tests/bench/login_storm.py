@@ -58,7 +58,7 @@ class Server:
         self.token = subprocess.run([skerry, "token", "new", "admin", "--role", "admin", "--tokens", tokens], text=True,
                                     check=True, capture_output=True).stdout.strip()
         self.child = subprocess.Popen(
-            [skerryd, "--bind", SERVER, "--users", users, "--tokens", tokens, "--tcp-port", "0", "--http-port", "0",
+            [skerryd, "--insecure", "--bind", SERVER, "--users", users, "--tokens", tokens, "--tcp-port", "0", "--http-port", "0",
              "--no-udp", "--no-cat240", "--print-ports"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         for line in self.child.stdout:
             words = line.split()

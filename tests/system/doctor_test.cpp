@@ -111,9 +111,8 @@ class DoctorOnAHost : public testing::Test {
 TEST_F(DoctorOnAHost, FindsNothingWrongWhereNothingIs) {
   give_address("192.0.2.7/24");
   give_route();
-  const auto server =
-      start({"--insecure", "--bind", "0.0.0.0", "--output",
-             "navico_halo:interface_address=192.0.2.7,obeys=true"});
+  const auto server = start({"--insecure", "--bind", "0.0.0.0", "--output",
+                             "navico_halo:interface_address=192.0.2.7,obeys=true"});
   const Said said = doctor({"--display", "192.0.2.8", "--listen", "2"});
   EXPECT_EQ(said.code, 0) << said.all;
   EXPECT_THAT(said.all, HasSubstr("a radar at 192.0.2.7:"));
@@ -166,11 +165,10 @@ TEST_F(DoctorOnAHost, FindsATakenPort) {
 TEST_F(DoctorOnAHost, FindsTwoRadarsOfOneAddress) {
   give_address("192.0.2.7/24");
   give_route();
-  const auto server =
-      start({"--insecure", "--bind", "0.0.0.0", "--output",
-             "navico_4g:interface_address=192.0.2.7,obeys=true"});
-  const auto second = start(
-      {"--tcp-port", "0", "--http-port", "0", "--output", "navico_3g:interface_address=192.0.2.7"});
+  const auto server = start({"--insecure", "--bind", "0.0.0.0", "--output",
+                             "navico_4g:interface_address=192.0.2.7,obeys=true"});
+  const auto second = start({"--tcp-port", "0", "--http-port", "0", "--output",
+                             "navico_3g:interface_address=192.0.2.7,obeys=true"});
   const Said said = doctor({});
   EXPECT_EQ(said.code, 1);
   EXPECT_THAT(said.faults, HasSubstr("two radars send to 236.6.7.9:6679"));
@@ -180,9 +178,8 @@ TEST_F(DoctorOnAHost, FindsTwoRadarsOfOneAddress) {
 TEST_F(DoctorOnAHost, FindsThatGarminDisplaysLookElsewhere) {
   give_address("192.0.2.7/24");
   give_route();
-  const auto server =
-      start({"--insecure", "--bind", "0.0.0.0", "--output",
-             "garmin_xhd:interface_address=192.0.2.7,obeys=true"});
+  const auto server = start({"--insecure", "--bind", "0.0.0.0", "--output",
+                             "garmin_xhd:interface_address=192.0.2.7,obeys=true"});
   const Said said = doctor({"--display", "192.0.2.8", "--listen", "2"});
   EXPECT_EQ(said.code, 1);
   EXPECT_THAT(said.faults, HasSubstr("192.0.2.7 is not in 172.16.0.0/12"));

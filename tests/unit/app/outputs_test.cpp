@@ -160,7 +160,7 @@ TEST(Outputs, OfPlotsAndTracksHaveTheirCategoryPortAndSource) {
 
 TEST(Outputs, EmulatedRadarsStayOnThisHostUntilAnInterfaceIsGiven) {
   const NetConfig net = config_of({"navico_4g:dual_range=true,obeys=false",
-                                   "garmin_xhd:interface_address=172.16.2.1,radar=1",
+                                   "garmin_xhd:interface_address=172.16.2.1,radar=1,obeys=true",
                                    "raymarine_quantum:ttl=3,view=own"});
   ASSERT_EQ(net.displays.size(), 3u);
   EXPECT_EQ(net.displays[0].interface_address, "127.0.0.1");
@@ -176,6 +176,16 @@ TEST(Outputs, EmulatedRadarsStayOnThisHostUntilAnInterfaceIsGiven) {
   EXPECT_GT(net.displays[1].burst, Duration::zero());
   EXPECT_EQ(net.displays[2].ttl, 3);
   EXPECT_TRUE(net.displays[2].sources[0].own_view);
+}
+
+TEST(Outputs, WhetherAnEmulatedRadarObeysIsSaidWhereOtherHostsReachIt) {
+  const std::string refused =
+      refusal_of([] { config_of({"garmin_xhd:interface_address=172.16.2.1"}); });
+  EXPECT_THAT(refused, HasSubstr("add obeys: true"));
+  EXPECT_THAT(refused, HasSubstr("172.16.2.1"));
+  EXPECT_EQ(refusal_of([] { config_of({"garmin_xhd:interface_address=172.16.2.1,obeys=false"}); }),
+            "accepted");
+  EXPECT_EQ(refusal_of([] { config_of({"garmin_xhd:interface_address=127.0.0.2"}); }), "accepted");
 }
 
 // A HALO and a Quantum say where they are, so that any number fits on one address.
