@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -257,6 +258,7 @@ int run_all(int argc, char** argv) {
 }  // namespace skerry::bench
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a server that closes is told as an error
   try {
     return skerry::bench::run_all(argc, argv);
   } catch (const std::exception& error) {
