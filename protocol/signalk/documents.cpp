@@ -57,8 +57,7 @@ Json radar_list_document(std::span<const ListedRadar> radars, Dialect dialect,
   for (const ListedRadar& listed : radars) {
     Json& radar = keyed[listed.radar.id] = radar_document(listed.radar);
     if (dialect != Dialect::keyed) continue;
-    radar["spokeDataUrl"] =
-        fmt::format("{}{}/{}/spokes", place.ws(), kRadarsPath, listed.radar.id);
+    radar["spokeDataUrl"] = fmt::format("{}{}/{}/spokes", place.ws(), kRadarsPath, listed.radar.id);
     radar["streamUrl"] = fmt::format("{}{}", place.ws(), kStreamPath);
   }
   if (dialect == Dialect::keyed) return keyed;
@@ -190,8 +189,7 @@ Json endpoints_document(std::string_view server, const HttpPlace& place) {
   Json v1{{"version", "1.7.0"},
           {"signalk-http", place.http() + "/signalk/v1/api/"},
           {"signalk-ws", fmt::format("{}{}", place.ws(), kStreamPath)}};
-  Json v2{{"version", "2.0.0"},
-          {"signalk-http", place.http() + "/signalk/v2/api/"}};
+  Json v2{{"version", "2.0.0"}, {"signalk-http", place.http() + "/signalk/v2/api/"}};
   const auto space = server.find(' ');
   return Json{
       {"endpoints", Json{{"v1", std::move(v1)}, {"v2", std::move(v2)}}},

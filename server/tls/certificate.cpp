@@ -119,7 +119,8 @@ std::string pem_of(EVP_PKEY* key) {
 std::string read_text(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    throw std::runtime_error(file.string() + ": there is no such file that can be read; expected PEM");
+    throw std::runtime_error(file.string() +
+                             ": there is no such file that can be read; expected PEM");
   }
   return {std::istreambuf_iterator<char>(in), {}};
 }
