@@ -1,5 +1,5 @@
-// An open padlock beside the state of the connection, on a page of a server that other hosts reach without encryption or
-// without users (skerryd --insecure). Its Hello says which, in English.
+// An open padlock beside the state of the connection, on a page of a server that other hosts reach without encryption
+// or without users (skerryd --insecure). Its Hello says which, in English.
 const PADLOCK = 'M4.5 7V4.8a3 3 0 0 1 5.8-1.1M3 7h10v7H3z';
 
 function padlock() {

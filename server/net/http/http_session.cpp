@@ -248,7 +248,8 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
     return web_error(503, "503: " + slot_->reason());
   }
   if (auto refused = refusal_of(request, context_.config)) return refused;
-  if (!context_.tls || stream_.is_secure() || slot_->peer().on_own_host) return std::nullopt;
+  const TcpPeer& peer = slot_->peer();
+  if (!context_.tls || peer.is_secure || peer.on_own_host) return std::nullopt;
   return to_secure(request);
 }
 

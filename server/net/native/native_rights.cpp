@@ -161,7 +161,8 @@ void NativeSession::look_at_rights() {
                               asked);
   }
   if (!refused) return;
-  // Posted: the feed may be going through its readers, of which this session is one no more then.
+  // Posted, because the feed may be going through its readers, and fail() takes this session off
+  // them.
   asio::post(context_.io, [weak = weak_from_this(), text = *std::move(refused)] {
     const auto self = weak.lock();
     if (self == nullptr || self->failed_ || self->closed_) return;
