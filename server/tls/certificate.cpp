@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -178,6 +179,23 @@ std::string text_of(const ASN1_OCTET_STRING* address) {
   return text.data();
 }
 
+// A full disk leaves the pair from before: names alone change once both are written.
+void write_both(const fs::path& folder, const std::string& key, const std::string& certificate) {
+  const fs::path new_key = folder / (std::string(kServerKey) + ".new");
+  const fs::path new_certificate = folder / (std::string(kServerCertificate) + ".new");
+  try {
+    write_whole(new_key, key, S_IRUSR | S_IWUSR);
+    write_whole(new_certificate, certificate, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+    fs::rename(new_key, folder / kServerKey);
+    fs::rename(new_certificate, folder / kServerCertificate);
+  } catch (const std::exception&) {
+    std::error_code ignored;
+    fs::remove(new_key, ignored);
+    fs::remove(new_certificate, ignored);
+    throw;
+  }
+}
+
 }  // namespace
 
 void make_authority(const fs::path& folder, const std::string& name) {
@@ -227,8 +245,7 @@ void make_server_certificate(const fs::path& folder, const std::vector<std::stri
   extend(raw, authority.get(), NID_subject_key_identifier, "hash");
   extend(raw, authority.get(), NID_authority_key_identifier, "keyid");
   sign(raw, authority_key.get());
-  write_whole(folder / kServerKey, pem_of(key.get()), S_IRUSR | S_IWUSR);
-  write_whole(folder / kServerCertificate, pem_of(raw), S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+  write_both(folder, pem_of(key.get()), pem_of(raw));
 }
 
 CertificateFacts facts_of_certificate(const fs::path& file) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clients/common/spoke_client.hpp"
+#include "server/net/common/tls_keys.hpp"
 #include "server/tls/certificate.hpp"
 #include "tests/unit/net/fake_host.hpp"
 #include "tests/unit/net/test_client.hpp"
@@ -284,6 +285,22 @@ TEST_F(ServerWithTls, SaysWhatIsWrongWithItsFiles) {
   EXPECT_THAT(what_is_wrong(), HasSubstr("server.pem: no line '-----BEGIN CERTIFICATE-----'"));
   std::filesystem::remove(folder_ / kServerCertificate);
   EXPECT_THAT(what_is_wrong(), HasSubstr("server.pem: there is no such file"));
+}
+
+TEST(Certificate, IsAsBeforeWhereItsPairCannotBeWritten) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("skerry-certificate-" + std::to_string(::getpid()));
+  make_authority(folder, "Test authority");
+  make_server_certificate(folder, {"radar.school"});
+  const std::string before = facts_of_certificate(folder / kServerCertificate).fingerprint;
+  // The key can be written, and the certificate not: its name is a folder's.
+  std::filesystem::create_directory(folder / "server.pem.new");
+  std::ofstream(folder / "server.pem.new" / "kept") << "so that it is not removed";
+  EXPECT_THROW(make_server_certificate(folder, {"radar.school"}), std::exception);
+  EXPECT_EQ(facts_of_certificate(folder / kServerCertificate).fingerprint, before);
+  EXPECT_NO_THROW(read_tls(folder / kServerCertificate, folder / kServerKey)) << "still a pair";
+  EXPECT_FALSE(std::filesystem::exists(folder / "server.key.new"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Certificate, HasTheNamesItIsFor) {
