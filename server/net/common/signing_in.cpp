@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -21,12 +22,15 @@ SignInOutcome welcome(NetContext& context, const std::string& from, Gate::Signed
   return {.kind = Kind::signed_in, .made = std::move(made)};
 }
 
+std::size_t codes_that_take_in(const NetContext& context) {
+  const auto& codes = context.gate.class_codes().codes();
+  return static_cast<std::size_t>(std::count_if(
+      codes.begin(), codes.end(), [](const auto& each) { return each.second.takes_in(); }));
+}
+
 // Codes that the last wrong try has spent: the instructor has to know.
 void tell_spent_codes(NetContext& context, std::size_t took_in, const std::string& from) {
-  std::size_t now = 0;
-  for (const auto& [ship, code] : context.gate.class_codes().codes())
-    now += code.takes_in() ? 1 : 0;
-  if (now == took_in) return;
+  if (codes_that_take_in(context) == took_in) return;
   const std::string text = fmt::format(
       "class codes: {} wrong ones were tried, the last from {}; they take nobody in any more, and "
       "new ones can be made",
@@ -38,10 +42,7 @@ void tell_spent_codes(NetContext& context, std::size_t took_in, const std::strin
 SignInOutcome sign_in_class(NetContext& context, const std::string& from,
                             const Credentials& credentials) {
   constexpr const char* kWrong = "no class has this code now; ask the instructor for it";
-  std::size_t took_in = 0;
-  for (const auto& [ship, code] : context.gate.class_codes().codes()) {
-    took_in += code.takes_in() ? 1 : 0;
-  }
+  const std::size_t took_in = codes_that_take_in(context);
   try {
     auto made = context.gate.sign_in_class(credentials.class_code, credentials.name, utc_now());
     if (made) return welcome(context, from, *std::move(made), "by class code");
