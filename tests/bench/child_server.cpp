@@ -34,7 +34,7 @@ Ports read_ports(int from_server) {
 
 }  // namespace
 
-ChildServer::ChildServer(const std::vector<std::string>& arguments) {
+ChildServer::ChildServer(const std::vector<std::string>& arguments, const std::string& log) {
   std::array<int, 2> pipe{};
   if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe to skerryd");
   pid_ = ::fork();
@@ -42,7 +42,7 @@ ChildServer::ChildServer(const std::vector<std::string>& arguments) {
   if (pid_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // a bench that is killed leaves no server behind
     ::dup2(pipe[1], STDOUT_FILENO);
-    ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
+    ::dup2(::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644), STDERR_FILENO);
     ::close(pipe[0]);
     ::close(pipe[1]);
     std::vector<std::string> all = {
@@ -66,11 +66,16 @@ ChildServer::ChildServer(const std::vector<std::string>& arguments) {
   }
 }
 
-ChildServer::~ChildServer() { stop(); }
+ChildServer::~ChildServer() {
+  if (pid_ > 0) stop();
+}
 
-void ChildServer::stop() {
+int ChildServer::stop() {
+  int status = 0;
   ::kill(pid_, SIGTERM);
-  ::waitpid(pid_, nullptr, 0);
+  ::waitpid(pid_, &status, 0);
+  pid_ = 0;
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 double ChildServer::cpu_seconds() const {

@@ -14,7 +14,9 @@ namespace skerry::bench {
 // before it listens.
 class ChildServer {
  public:
-  explicit ChildServer(const std::vector<std::string>& arguments = {});
+  // `log`: where its log goes, behind what the file has.
+  explicit ChildServer(const std::vector<std::string>& arguments = {},
+                       const std::string& log = "/dev/null");
   ~ChildServer();
   ChildServer(const ChildServer&) = delete;
   ChildServer& operator=(const ChildServer&) = delete;
@@ -24,10 +26,11 @@ class ChildServer {
   double cpu_seconds() const;  // user and system, of all threads so far
   double thread_cpu_seconds(const std::string& name) const;  // 0 if it has no such thread
   double resident_mib() const;                               // VmRSS
+  pid_t pid() const { return pid_; }
+  // Asks it to stop and waits; its exit code, or 128 and the number of the signal that ended it.
+  int stop();
 
  private:
-  void stop();
-
   pid_t pid_ = 0;
   std::uint16_t tcp_port_ = 0, http_port_ = 0;
 };

@@ -65,6 +65,8 @@ class LoadConsole : public LoadReceiver {
   void subscribe(std::uint32_t radar);
   void subscribe(const wire::Subscribe& subscribe);
   void set(const wire::Set& set);
+  // Anything else; its number is put in.
+  void send(wire::ClientMessage& message);
   // The answer is status() once it has come; all that came before it has then been counted.
   void ask_status();
   const std::optional<wire::Status>& status() const { return status_; }
@@ -82,8 +84,6 @@ class LoadConsole : public LoadReceiver {
   virtual void take(std::span<const std::uint8_t> bytes);
 
  private:
-  void send(wire::ClientMessage& message);
-
   FrameReader frames_{kMaxServerFrame};
   std::uint64_t own_ships_ = 0, exercise_states_ = 0;
   wire::ServerMessage message_;

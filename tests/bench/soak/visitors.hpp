@@ -1,0 +1,63 @@
+// Visitors: consoles that come, look, turn knobs and go, well behaved or not.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/system/load_console.hpp"
+
+namespace skerry::bench {
+
+// What a server's port numbers are, and what may be asked of it.
+struct Visited {
+  std::uint16_t tcp_port = 0, http_port = 0;
+  std::uint32_t radars = 1;
+  bool has_controls = true;  // false: a playback, which is told where to go instead
+  double played_s = 0.0;     // the length of what it plays
+};
+
+struct VisitCounts {
+  std::uint64_t visits = 0, views = 0, orders = 0, resets = 0, stalls = 0;
+  std::uint64_t spokes = 0;
+  std::uint64_t lost = 0;         // of those who read all the time
+  std::uint64_t stalls_lost = 0;  // of those who did not
+};
+
+// At all times `count` of them, half on TCP and half on WebSocket.  What they do follows from the
+// seed; when, from the machine.  Error: std::runtime_error as LoadConsole has.
+// Thread: one.
+class Visitors {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Visitors(const Visited& server, std::size_t count, std::uint64_t seed);
+  ~Visitors();
+
+  // Lets come and go who is due, and has some of them ask for something.
+  void look(Clock::time_point now);
+  // All go, and nobody comes until the next look().
+  void leave();
+  void add_readers(std::vector<system_test::LoadReceiver*>& readers) const;
+
+  const VisitCounts& counts() const { return counts_; }
+
+ private:
+  struct Visitor;
+  std::unique_ptr<Visitor> arrive(Clock::time_point now);
+  void depart(Visitor& visitor);
+  void ask(Visitor& visitor);
+  double between(double least, double most);
+
+  const Visited server_;
+  const std::size_t count_;
+  std::mt19937_64 random_;
+  std::vector<std::unique_ptr<Visitor>> visitors_;
+  VisitCounts counts_;
+};
+
+}  // namespace skerry::bench
