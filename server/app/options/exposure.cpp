@@ -17,6 +17,13 @@ bool is_open_to_others(const NetConfig& net) {
 
 bool has_users(const NetConfig& net) { return !net.users.empty() || !net.tokens.empty(); }
 
+// Whoever guesses it is an admin, and may try as often as she likes.
+constexpr std::size_t kLeastTokenLength = 16;
+bool has_weak_token(const NetConfig& net) {
+  return !net.control_token.empty() && net.control_token.size() < kLeastTokenLength;
+}
+bool is_guarded(const NetConfig& net) { return has_users(net) && !net.tls.empty(); }
+
 // Requires that something is.
 const char* missing(const NetConfig& net) {
   if (has_users(net)) return "encryption";
@@ -26,12 +33,22 @@ const char* missing(const NetConfig& net) {
 }  // namespace
 
 std::string exposure_of(const NetConfig& net) {
-  if (!is_open_to_others(net) || (has_users(net) && !net.tls.empty())) return {};
+  if (!is_open_to_others(net)) return {};
+  if (is_guarded(net)) {
+    return has_weak_token(net) ? "Not secure: the control token of this server can be guessed."
+                               : "";
+  }
   return fmt::format("Not secure: this server is open to other hosts without {}.", missing(net));
 }
 
 void require_guarded(const NetConfig& net, bool insecure) {
   if (insecure || exposure_of(net).empty()) return;
+  if (is_guarded(net)) {
+    throw std::runtime_error(fmt::format(
+        "control_token: other hosts could guess it, for it has {} characters; expected: at least "
+        "{}, at random, or none (`skerry token new` makes tokens)",
+        net.control_token.size(), kLeastTokenLength));
+  }
   std::string lines;
   if (net.tls.empty()) lines += "\n  skerry tls init tls                       then --tls tls";
   if (!has_users(net)) {

@@ -58,6 +58,24 @@ TEST(Exposure, ElsewhereWantsUsersAndEncryption) {
   }
 }
 
+TEST(Exposure, ElsewhereWantsAControlTokenThatCannotBeGuessed) {
+  NetConfig net = bound_to("192.0.2.7");
+  net.tls = "tls";
+  net.users = "users.yaml";
+  net.control_token = "fifteen letters";
+  EXPECT_THAT(refusal_of(net), AllOf(HasSubstr("control_token"), HasSubstr("15 characters"),
+                                     HasSubstr("at least 16"), HasSubstr("skerry token new")));
+  EXPECT_THAT(refusal_of(net), Not(HasSubstr(net.control_token)));
+  EXPECT_THAT(exposure_of(net), HasSubstr("can be guessed"));
+  EXPECT_NO_THROW(require_guarded(net, true));
+  net.control_token += '!';
+  EXPECT_EQ(refusal_of(net), "");
+  EXPECT_EQ(exposure_of(net), "");
+  net.control_token = "short";
+  net.bind = "127.0.0.1";
+  EXPECT_EQ(refusal_of(net), "");
+}
+
 TEST(Exposure, IsLetPassByWhoSaysSoAndIsStillTold) {
   const NetConfig net = bound_to("0.0.0.0");
   EXPECT_NO_THROW(require_guarded(net, true));
