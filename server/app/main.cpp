@@ -124,9 +124,17 @@ void greet(const Options& options, const NetServer& net, const std::string& what
   }
 }
 
-void await(const Signals& signals, const std::string& what, Supervision::Paces paces = {}) {
+// `radars`: nullptr if a recording is played.
+void await(const Signals& signals, const std::string& what, const NetServer& net,
+           const RadarServer* radars) {
   const ServiceManager manager = ServiceManager::of_environment();
-  Supervision supervision(manager, std::move(paces));
+  Supervision supervision(manager, [&net, radars] {
+    std::vector<std::uint64_t> steps = {net.looks()};
+    for (const RadarPace& radar : radars ? radars->pace() : std::vector<RadarPace>()) {
+      steps.push_back(radar.sectors);
+    }
+    return steps;
+  });
   supervision.on_reload([&signals] { signals.hang_up(); });
   const int signal = supervision.await(signals.set(), what);
   spdlog::info("stopping on signal {}", signal);
@@ -201,7 +209,7 @@ int run_playback(const Options& options, LogTap& tap) {
   plotters.start();
   logging.recorder.start();
   greet(options, net, "playback of " + what);
-  await(signals, "playback of " + what);
+  await(signals, "playback of " + what, net, nullptr);
   playback->stop();
   plotters.stop();
   logging.recorder.stop();
@@ -280,7 +288,7 @@ int run(const Options& options, LogTap& tap) {
   logging.recorder.start();
   const std::string on_air = std::to_string(host.radar_count()) + " radars on the air";
   greet(options, net, on_air);
-  await(signals, on_air, [&radars] { return radars.pace(); });
+  await(signals, on_air, net, &radars);
   if (live) live->inputs.stop();
   radars.stop();
   plotters.stop();

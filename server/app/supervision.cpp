@@ -1,6 +1,5 @@
 #include "server/app/supervision.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -23,21 +22,20 @@ bool ignores_hangups() {
 
 }  // namespace
 
-bool RadarPulse::beats(std::span<const RadarPace> radars) {
-  sectors_.resize(radars.size(), 0);
-  for (std::size_t i = 0; i < radars.size(); ++i) {
-    if (radars[i].sectors == sectors_[i]) return false;
+bool Pulse::beats(std::span<const std::uint64_t> steps) {
+  before_.resize(steps.size(), 0);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] == before_[i]) return false;
   }
-  std::transform(radars.begin(), radars.end(), sectors_.begin(),
-                 [](const RadarPace& radar) { return radar.sectors; });
+  before_.assign(steps.begin(), steps.end());
   return true;
 }
 
-Supervision::Supervision(const ServiceManager& manager, Paces paces)
-    : manager_(manager), paces_(std::move(paces)) {}
+Supervision::Supervision(const ServiceManager& manager, Steps steps)
+    : manager_(manager), steps_(std::move(steps)) {}
 
 void Supervision::look() {
-  if (paces_ && !pulse_.beats(paces_())) return;
+  if (!pulse_.beats(steps_())) return;
   if (!std::exchange(is_ready_, true)) {
     manager_.ready(status_);
   } else {

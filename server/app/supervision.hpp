@@ -1,5 +1,5 @@
 // Supervision: the main thread while the server runs.  It waits for signals, and tells the service
-// manager when the radars turn and that they go on.
+// manager when the radars turn and that all goes on.
 #pragma once
 
 #include <signal.h>
@@ -13,31 +13,31 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/load_watch.hpp"
 #include "server/app/service_manager.hpp"
 
 namespace skerry::server {
 
-// Whether radars go on.  A radar that leaves sectors out for want of time goes on too.
-class RadarPulse {
+// Whether threads go on, by counts of what they have done.
+class Pulse {
  public:
   // Whether each of them has come further since this was last true, the first time since its start.
-  // The same radars in the same order every time; with none it is always true.
-  bool beats(std::span<const RadarPace> radars);
+  // The same threads in the same order every time; with none it is always true.
+  bool beats(std::span<const std::uint64_t> steps);
 
  private:
-  std::vector<std::uint64_t> sectors_;
+  std::vector<std::uint64_t> before_;
 };
 
-// Ready is told when every radar has had its first sector; from then on the watchdog is fed as long
-// as all of them go on, four times as often as it asks for.  So a server one of whose radars hangs
-// is started again.
+// Ready is told when every thread that is watched has made its first step; from then on the
+// watchdog is fed as long as all of them go on, four times as often as it asks for.  So a server
+// one of whose threads hangs is started again.
 class Supervision {
  public:
-  using Paces = std::function<std::vector<RadarPace>()>;
-  // Without `paces` (a recording is played) it is ready at once, and alive as long as this runs.
+  // Of each thread that is watched: a radar's sectors, of which it may leave some out for want of
+  // time, and looks of net-0.
+  using Steps = std::function<std::vector<std::uint64_t>()>;
   // The manager must outlive it.
-  explicit Supervision(const ServiceManager& manager, Paces paces = {});
+  Supervision(const ServiceManager& manager, Steps steps);
 
   // Called on SIGHUP, on the thread that waits, while the manager is told that it reloads.  What
   // cannot be read is its own to tell; it must not throw.
@@ -55,10 +55,10 @@ class Supervision {
   std::optional<std::chrono::nanoseconds> pause() const;
 
   const ServiceManager& manager_;
-  Paces paces_;
+  Steps steps_;
   std::function<void()> reload_;
   std::string status_;
-  RadarPulse pulse_;
+  Pulse pulse_;
   bool is_ready_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <exception>
 #include <memory>
@@ -244,6 +245,7 @@ class NetServer::Impl {
   }
 
   wire::Status status() const { return context_.status(); }
+  std::uint64_t looks() const { return looks_.load(std::memory_order_relaxed); }
   std::uint16_t tcp_port() const { return tcp_.port(); }
   std::uint16_t http_port() const { return http_.port(); }
   std::vector<std::uint16_t> signalk_ports() const { return signalk_->further_ports(); }
@@ -305,7 +307,7 @@ class NetServer::Impl {
       context_.end_views(std::chrono::steady_clock::now());
       context_.tell_own_ships();
       for (const auto& output : target_outputs_) output->tick();
-      if (++ticks_ % kSendBufferPeriods == 0) {
+      if (looks_.fetch_add(1, std::memory_order_relaxed) % kSendBufferPeriods == 0) {
         context_.look_at_tokens();
         context_.look_at_tls();
         context_.tell_send_buffers();
@@ -327,7 +329,7 @@ class NetServer::Impl {
   Listener tcp_;
   Listener http_;
   Timer tick_;
-  int ticks_ = 0;
+  std::atomic<std::uint64_t> looks_{0};
   std::vector<std::unique_ptr<UdpSender>> senders_;
   std::vector<std::unique_ptr<TargetOutput>> target_outputs_;
   std::optional<DisplayOutputs> displays_;
@@ -348,6 +350,7 @@ void NetServer::start() {
 }
 void NetServer::stop() { impl_->stop(); }
 void NetServer::read_certificate() { impl_->read_certificate(); }
+std::uint64_t NetServer::looks() const { return impl_->looks(); }
 wire::Status NetServer::status() const { return impl_->status(); }
 std::uint16_t NetServer::tcp_port() const { return impl_->tcp_port(); }
 std::uint16_t NetServer::http_port() const { return impl_->http_port(); }

@@ -33,6 +33,9 @@ class NetServer {
   // from before holds.  Thread: any.
   void read_certificate();
 
+  // How often net-0 has looked after its connections, ten times a second: it goes on.  Thread: any.
+  std::uint64_t looks() const;
+
   // The answer to GetStatus.  Thread: any.
   wire::Status status() const;
 

@@ -18,34 +18,24 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-std::vector<RadarPace> radars_at(std::vector<std::uint64_t> sectors) {
-  std::vector<RadarPace> radars;
-  for (const std::uint64_t each : sectors) radars.push_back({.sectors = each});
-  return radars;
+using Steps = std::vector<std::uint64_t>;
+
+TEST(Pulse, BeatsOnceEverybodyHasMadeTheFirstStep) {
+  Pulse pulse;
+  EXPECT_FALSE(pulse.beats(Steps{0, 0, 0}));
+  EXPECT_FALSE(pulse.beats(Steps{5, 0, 7}));
+  EXPECT_TRUE(pulse.beats(Steps{9, 1, 7}));
 }
 
-TEST(RadarPulse, BeatsOnceEveryRadarHasHadItsFirstSector) {
-  RadarPulse pulse;
-  EXPECT_FALSE(pulse.beats(radars_at({0, 0, 0})));
-  EXPECT_FALSE(pulse.beats(radars_at({5, 0, 7})));
-  EXPECT_TRUE(pulse.beats(radars_at({9, 1, 7})));
+TEST(Pulse, BeatsAgainOnceAllHaveGoneOn) {
+  Pulse pulse;
+  EXPECT_TRUE(pulse.beats(Steps{1, 1}));
+  EXPECT_FALSE(pulse.beats(Steps{1, 1}));
+  EXPECT_FALSE(pulse.beats(Steps{900, 1}));  // the second hangs
+  EXPECT_TRUE(pulse.beats(Steps{901, 2}));
 }
 
-TEST(RadarPulse, BeatsAgainOnceAllHaveGoneOn) {
-  RadarPulse pulse;
-  EXPECT_TRUE(pulse.beats(radars_at({1, 1})));
-  EXPECT_FALSE(pulse.beats(radars_at({1, 1})));
-  EXPECT_FALSE(pulse.beats(radars_at({900, 1})));  // radar 1 hangs
-  EXPECT_TRUE(pulse.beats(radars_at({901, 2})));
-}
-
-TEST(RadarPulse, OfNoRadarsAlwaysBeats) {
-  RadarPulse pulse;
-  EXPECT_TRUE(pulse.beats({}));
-  EXPECT_TRUE(pulse.beats({}));
-}
-
-// Two radars, whose server is supervised on a thread of its own.
+// Two threads, whose server is supervised on a thread of its own.
 class Supervised : public testing::Test {
  protected:
   Supervised() {
@@ -58,13 +48,12 @@ class Supervised : public testing::Test {
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
 
-  void begin(const ServiceManager& manager, bool plays = false) {
-    thread_ = std::jthread([this, &manager, plays] {
-      Supervision supervision(
-          manager, plays ? Supervision::Paces{} : [this] {
-            ++looks_;
-            return radars_at({first_.load(), second_.load()});
-          });
+  void begin(const ServiceManager& manager) {
+    thread_ = std::jthread([this, &manager] {
+      Supervision supervision(manager, [this] {
+        ++looks_;
+        return Steps{first_.load(), second_.load()};
+      });
       supervision.on_reload([this] { ++reloads_; });
       signal_ = supervision.await(signals_, "2 radars on the air");
     });
@@ -94,7 +83,7 @@ constexpr const char* kReady = "READY=1\nSTATUS=2 radars on the air\n";
 constexpr const char* kAlive = "WATCHDOG=1\n";
 constexpr const char* kStopping = "STOPPING=1\nSTATUS=stopping\n";
 
-TEST_F(Supervised, IsReadyWhenAllRadarsTurn) {
+TEST_F(Supervised, IsReadyWhenAllHaveBegun) {
   const ServiceManager manager(socket_.path());
   begin(manager);
   await_looks(3);
@@ -107,7 +96,7 @@ TEST_F(Supervised, IsReadyWhenAllRadarsTurn) {
   EXPECT_THAT(socket_.told(), ElementsAre(kStopping));
 }
 
-TEST_F(Supervised, FeedsTheWatchdogOnlyWhileAllRadarsGoOn) {
+TEST_F(Supervised, FeedsTheWatchdogOnlyWhileAllGoOn) {
   const ServiceManager manager(socket_.path(), microseconds(4000));
   first_ = second_ = 1;
   begin(manager);
@@ -125,14 +114,6 @@ TEST_F(Supervised, FeedsTheWatchdogOnlyWhileAllRadarsGoOn) {
   ++second_;
   EXPECT_EQ(socket_.next(), kAlive);
   EXPECT_EQ(end(SIGINT), SIGINT);
-}
-
-TEST_F(Supervised, IsReadyAtOnceWithARecordingInPlaceOfRadars) {
-  const ServiceManager manager(socket_.path(), microseconds(4000));
-  begin(manager, true);
-  EXPECT_EQ(socket_.next(), kReady);
-  EXPECT_EQ(socket_.next(), kAlive);
-  EXPECT_EQ(socket_.next(), kAlive);
 }
 
 TEST_F(Supervised, ReadsFilesAgainOnSighup) {
