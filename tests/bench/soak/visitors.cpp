@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 
 namespace skerry::bench {
 
@@ -17,8 +19,9 @@ struct Visitors::Visitor {
   std::uint32_t radar = 0;
   Clock::time_point goes, asks_at;
   std::optional<Clock::time_point> stalls_from, stalls_until;
-  bool stalled = false;  // it has been
-  bool resets = false;   // it goes without a word
+  bool stalled = false;     // it has been
+  bool resets = false;      // it goes without a word
+  bool is_leaving = false;  // it has asked for its last status
   bool reads(Clock::time_point now) const {
     return !stalls_from || now < *stalls_from || now >= *stalls_until;
   }
@@ -79,8 +82,15 @@ std::unique_ptr<Visitors::Visitor> Visitors::arrive(Clock::time_point now) {
 
 void Visitors::depart(Visitor& visitor) {
   const auto& losses = visitor.console->spokes().losses();
+  const auto& clients = visitor.console->status()->clients();
+  const auto itself = std::find_if(clients.begin(), clients.end(), [&](const auto& client) {
+    return client.peer() == visitor.console->name();
+  });
+  if (itself == clients.end()) throw std::runtime_error("a console is not in the server's status");
   counts_.spokes += losses.received();
-  (visitor.stalled ? counts_.stalls_lost : counts_.lost) += losses.lost();
+  (visitor.stalled ? counts_.stalls_lost : counts_.lost) += itself->spokes_lost();
+  if (!visitor.stalled)
+    counts_.never_made += losses.lost() - std::min(losses.lost(), itself->spokes_lost());
   if (!visitor.resets) return;
   make_abrupt(visitor.console->socket());
   ++counts_.resets;
@@ -125,20 +135,22 @@ void Visitors::ask(Visitor& visitor) {
 void Visitors::look(Clock::time_point now) {
   std::erase_if(visitors_, [&](const std::unique_ptr<Visitor>& visitor) {
     if (now < visitor->goes || !visitor->reads(now)) return false;
+    if (!std::exchange(visitor->is_leaving, true)) visitor->console->ask_status();
+    if (!visitor->console->status()) return false;
     depart(*visitor);
     return true;
   });
-  while (visitors_.size() < count_) visitors_.push_back(arrive(now));
+  while (are_welcome_ && visitors_.size() < count_) visitors_.push_back(arrive(now));
   for (const auto& visitor : visitors_) {
-    if (now < visitor->asks_at) continue;
+    if (now < visitor->asks_at || visitor->is_leaving) continue;
     visitor->asks_at = now + seconds(between(5.0, 30.0));
     ask(*visitor);
   }
 }
 
 void Visitors::leave() {
-  for (const auto& visitor : visitors_) depart(*visitor);
-  visitors_.clear();
+  are_welcome_ = false;
+  for (const auto& visitor : visitors_) visitor->goes = {};
 }
 
 void Visitors::add_readers(std::vector<LoadReceiver*>& readers) const {

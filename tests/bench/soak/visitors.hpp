@@ -24,8 +24,11 @@ struct Visited {
 struct VisitCounts {
   std::uint64_t visits = 0, views = 0, orders = 0, resets = 0, stalls = 0;
   std::uint64_t spokes = 0;
-  std::uint64_t lost = 0;         // of those who read all the time
-  std::uint64_t stalls_lost = 0;  // of those who did not
+  // What the server says that it could not send, of those who read all the time and of those who
+  // did not.
+  std::uint64_t lost = 0, stalls_lost = 0;
+  // Gaps in the numbers besides, of those who read all the time: spokes that were never made.
+  std::uint64_t never_made = 0;
 };
 
 // At all times `count` of them, half on TCP and half on WebSocket.  What they do follows from the
@@ -40,8 +43,10 @@ class Visitors {
 
   // Lets come and go who is due, and has some of them ask for something.
   void look(Clock::time_point now);
-  // All go, and nobody comes until the next look().
+  // All go, and nobody comes until begin(); look() still has to be called until nobody is there.
   void leave();
+  void begin() { are_welcome_ = true; }
+  bool is_anybody_there() const { return !visitors_.empty(); }
   void add_readers(std::vector<system_test::LoadReceiver*>& readers) const;
 
   const VisitCounts& counts() const { return counts_; }
@@ -49,6 +54,7 @@ class Visitors {
  private:
   struct Visitor;
   std::unique_ptr<Visitor> arrive(Clock::time_point now);
+  // Counts what it has seen, and what its last status says of it.
   void depart(Visitor& visitor);
   void ask(Visitor& visitor);
   double between(double least, double most);
@@ -57,6 +63,7 @@ class Visitors {
   const std::size_t count_;
   std::mt19937_64 random_;
   std::vector<std::unique_ptr<Visitor>> visitors_;
+  bool are_welcome_ = true;
   VisitCounts counts_;
 };
 
