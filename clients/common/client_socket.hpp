@@ -19,7 +19,8 @@ struct HostName {
 
 // Operations as of an Asio stream: at most one read and one write are in flight.  Under TLS the
 // server's certificate must be for the host's name and signed by an authority of the file that the
-// environment's SKERRY_CA names, or, without it, of the system's.
+// environment's SKERRY_CA names, or, without it, of the system's.  A server that asks for a
+// certificate of the client is shown that of SKERRY_CERT, whose key is in SKERRY_KEY.
 // Thread: one at a time.
 class ClientSocket {
  public:
@@ -34,11 +35,15 @@ class ClientSocket {
   tcp::socket& tcp_socket() { return socket_; }
   const tcp::socket& tcp_socket() const { return socket_; }
 
-  // Once tcp_socket() is connected.  Error: what is wrong with SKERRY_CA; empty if nothing is.
+  // Once tcp_socket() is connected.  Error: what is wrong with SKERRY_CA, SKERRY_CERT or
+  // SKERRY_KEY; empty if nothing is.
   std::string begin_tls(const HostName& host);
   void async_handshake(Done done);
   // Why the handshake failed, for people: the certificate's fault, if it was that.
   std::string handshake_fault(const error_code& error) const;
+  // What an operation's error means to people.  By TLS 1.3 a server refuses the client's
+  // certificate after the client's handshake is done.
+  std::string in_words(const error_code& error) const;
 
   void async_read_some(boost::asio::mutable_buffer into, Moved moved);
   void async_write(boost::asio::const_buffer from, Moved moved);

@@ -57,7 +57,7 @@ Failure<ClientError> MessageStream::end(ClientErrorKind kind, std::string text) 
 
 Failure<ClientError> MessageStream::end_of_stream(const error_code& error) {
   std::string text = fmt::format("{} closed the connection", name_);
-  if (error != asio::error::eof) text += fmt::format(" ({})", printable(error.message()));
+  if (error != asio::error::eof) text += fmt::format(" ({})", printable(socket_.in_words(error)));
   if (!complaint_.empty()) text += fmt::format("; the server said: {}", complaint_);
   return end(ClientErrorKind::closed, std::move(text));
 }

@@ -54,13 +54,14 @@ Gate::Gate(Config config)
   users_.read_if_new();
 }
 
-Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
+Who Gate::who(const Shown& shown, UtcTime now) const {
+  const std::string_view token = shown.token;
   const bool is_control_token =
       !control_token_.empty() && !token.empty() && is_same(token, control_token_);
   if (is_control_token) return admin_named("with the control token");
   if (auto signed_in = who_signed_in(token, now)) return *std::move(signed_in);
   if (!is_closed()) {
-    if (from_here) return admin_named("on the server's own host");
+    if (shown.from_here) return admin_named("on the server's own host");
     Who looker{access::OBSERVER, {}, "of another host", {}};
     looker.more = control_token_.empty()
                       ? "it is only accepted from the server's own host; to allow it from "
@@ -69,11 +70,7 @@ Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
                                   : "the token is not the server's control token";
     return looker;
   }
-  if (token.empty()) {
-    if (from_here) return admin_named("on the server's own host");
-    return nobody(has_users() ? "from another host one has to sign in, or to give a token"
-                              : "from another host it needs a token; `skerry token new` makes one");
-  }
+  if (token.empty()) return who_shows_no_token(shown, now);
   const TokenFile::Found found = tokens_.contents.find(token, now);
   switch (found.state) {
     case TokenState::unknown:
@@ -88,6 +85,24 @@ Who Gate::who(bool from_here, std::string_view token, UtcTime now) const {
   return {found.token->role, found.token->ship, found.token->name, {}};
 }
 
+Who Gate::who_shows_no_token(const Shown& shown, UtcTime now) const {
+  const TokenFile::Found found = tokens_.contents.find_certificate(shown.certificate, now);
+  if (found.state == TokenState::good) {
+    return {found.token->role, found.token->ship, found.token->name, {}, true};
+  }
+  if (found.state == TokenState::ended) {
+    return nobody(fmt::format("the entry of the certificate {} has ended", found.token->name));
+  }
+  if (shown.from_here) return admin_named("on the server's own host");
+  if (!shown.certificate.empty()) {
+    return nobody(
+        "the certificate has no entry among the server's tokens, or it was revoked; `skerry token "
+        "new NAME --certificate FILE` makes one");
+  }
+  return nobody(has_users() ? "from another host one has to sign in, or to give a token"
+                            : "from another host it needs a token; `skerry token new` makes one");
+}
+
 std::optional<Who> Gate::who_signed_in(std::string_view token, UtcTime now) const {
   if (token.empty()) return std::nullopt;
   const std::string digest = digest_of(token);
@@ -99,9 +114,9 @@ std::optional<Who> Gate::who_signed_in(std::string_view token, UtcTime now) cons
   return Who{user->role, user->ship, user->name, {}};
 }
 
-bool Gate::knows(std::string_view token, UtcTime now) const {
-  if (token.empty()) return false;
-  const Who known = who(false, token, now);
+bool Gate::knows(const Shown& shown, UtcTime now) const {
+  if (shown.token.empty() && shown.certificate.empty()) return false;
+  const Who known = who({.token = shown.token, .certificate = shown.certificate}, now);
   return known.role && known.more.empty();
 }
 
@@ -197,8 +212,12 @@ bool Gate::sign_out(std::string_view token) {
   return true;
 }
 
-std::optional<UtcTime> Gate::end_of(std::string_view token, UtcTime now) const {
-  if (token.empty()) return std::nullopt;
+std::optional<UtcTime> Gate::end_of(const Shown& shown, UtcTime now) const {
+  const std::string_view token = shown.token;
+  if (token.empty()) {
+    const TokenFile::Found found = tokens_.contents.find_certificate(shown.certificate, now);
+    return found.token != nullptr ? found.token->ends : std::nullopt;
+  }
   const auto session = sessions_.find(digest_of(token));
   if (session != sessions_.end()) return session->second.ends;
   if (const auto* trainee = classes_.find(digest_of(token), now)) return trainee->ends;

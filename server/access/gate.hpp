@@ -20,7 +20,8 @@ namespace skerry::server {
 // Where there is no file of tokens or users, everybody sees and the control token makes an admin.
 // With one, who is not on the server's own host sees nothing without a token: of the file, or one
 // that a user or a trainee was given when she signed in.  Who is on that host is an admin, unless a
-// token says otherwise.
+// token says otherwise.  A connection's certificate that the file of tokens has stands for a token
+// where none is shown.
 //
 // Thread: one at a time.
 class Gate {
@@ -34,11 +35,21 @@ class Gate {
   // Reads the files.  Error: ConfigError as TokenFile::read() and UserFile::read().
   explicit Gate(Config config);
 
-  // Who has `token` and comes from the server's own host, or not.  Never throws for a token.
-  Who who(bool from_here, std::string_view token, UtcTime now) const;
+  // Where somebody comes from, and what she shows.
+  struct Shown {
+    bool from_here = false;             // the server's own host
+    std::string_view token = {};        // empty: none
+    std::string_view certificate = {};  // its SHA-256, as KeptToken has it; empty: none
+  };
+  // Who that is.  Never throws for a token.
+  Who who(const Shown& shown, UtcTime now) const;
+  Who who(bool from_here, std::string_view token, UtcTime now) const {
+    return who({.from_here = from_here, .token = token}, now);
+  }
 
-  // Whether the token is a good one, wherever it comes from.
-  bool knows(std::string_view token, UtcTime now) const;
+  // Whether the token, or without one the certificate, is a good one, wherever it comes from.
+  bool knows(const Shown& shown, UtcTime now) const;
+  bool knows(std::string_view token, UtcTime now) const { return knows({.token = token}, now); }
 
   // Reads the files anew if they are others than before; call it once a second.  What is wrong with
   // one is returned, once; then what was read before holds.
@@ -81,8 +92,11 @@ class Gate {
 
   // False if nobody is signed in with it.
   bool sign_out(std::string_view token);
-  // When the token ends; nothing: it does not, or is none.
-  std::optional<UtcTime> end_of(std::string_view token, UtcTime now) const;
+  // When the token, or without one the certificate's entry, ends; nothing: it does not, or is none.
+  std::optional<UtcTime> end_of(const Shown& shown, UtcTime now) const;
+  std::optional<UtcTime> end_of(std::string_view token, UtcTime now) const {
+    return end_of({.token = token}, now);
+  }
 
  private:
   struct Stamp {
@@ -111,6 +125,7 @@ class Gate {
   const KeptUser* user_of(const Session& session, UtcTime now) const;
   // Whoever signed in with the token; nothing: nobody did.
   std::optional<Who> who_signed_in(std::string_view token, UtcTime now) const;
+  Who who_shows_no_token(const Shown& shown, UtcTime now) const;
 
   std::string control_token_;
   Watched<TokenFile> tokens_;

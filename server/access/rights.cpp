@@ -43,6 +43,11 @@ constexpr std::string_view in_words(Scope scope) {
   return "";
 }
 
+// "the token bridge-1"
+std::string shown_by(const Who& who) {
+  return fmt::format("the {} {}", who.by_certificate ? "certificate" : "token", who.name);
+}
+
 }  // namespace
 
 bool has(const Right& right, Role role) { return ((right.roles >> role) & 1U) != 0; }
@@ -50,6 +55,7 @@ bool has(const Right& right, Role role) { return ((right.roles >> role) & 1U) !=
 std::string text_of(const Who& who) {
   if (!who.role) return {};
   std::string text = who.name.empty() ? name_of(*who.role) : who.name + ", " + name_of(*who.role);
+  if (who.by_certificate) text = "certificate " + text;
   return who.ship.empty() ? text : text + " of " + who.ship;
 }
 
@@ -74,19 +80,19 @@ std::optional<std::string> why_not(const Who& who, std::string_view name, std::s
   if (right->scope == Scope::open) return std::nullopt;
   if (!who.role) return fmt::format("to {}: {}", right->does, who.more);
   if (!has(*right, *who.role)) {
-    return fmt::format("to {} is for {}; {}", right->does, names_of(right->roles),
-                       !who.more.empty() ? who.more
-                                         : fmt::format("the token {} is of the role {}", who.name,
-                                                       name_of(*who.role)));
+    return fmt::format(
+        "to {} is for {}; {}", right->does, names_of(right->roles),
+        !who.more.empty() ? who.more
+                          : fmt::format("{} is of the role {}", shown_by(who), name_of(*who.role)));
   }
   if (who.ship.empty()) return std::nullopt;
   if (right->scope == Scope::ship && ship != who.ship) {
-    return fmt::format("to {}: the token {} is of the ship {} alone, and this radar is on {}",
-                       right->does, who.name, who.ship, ship.empty() ? "no ship" : ship);
+    return fmt::format("to {}: {} is of the ship {} alone, and this radar is on {}", right->does,
+                       shown_by(who), who.ship, ship.empty() ? "no ship" : ship);
   }
   if (right->scope == Scope::fleet) {
-    return fmt::format("to {} is of all ships, and the token {} is of the ship {} alone",
-                       right->does, who.name, who.ship);
+    return fmt::format("to {} is of all ships, and {} is of the ship {} alone", right->does,
+                       shown_by(who), who.ship);
   }
   return std::nullopt;
 }
@@ -98,7 +104,9 @@ std::string rights_page() {
       "[rights_table.cpp](rights_table.cpp); a test compares. What has no row is refused to "
       "everybody.\n\n"
       "A right of \"the token's ship\" ends at other ships' radars, if the token names a ship; one "
-      "of\n\"no ship's token\" is for tokens that name none.\n\n"
+      "of\n\"no ship's token\" is for tokens that name none. A client's certificate that has an "
+      "entry\n"
+      "among the tokens is as a token on a connection that comes with it.\n\n"
       "| right | to | of |";
   std::string rule = "|---|---|---|";
   for (const Role role : kRoles) {

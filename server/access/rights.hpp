@@ -16,10 +16,11 @@ using access::Role;
 
 // Who stands behind a connection or a request.
 struct Who {
-  std::optional<Role> role;  // none: nobody that the server knows
-  std::string ship;          // the own ship that all she does is of; empty: of any
-  std::string name;          // for logs
-  std::string more;          // how she may do more than her role says; ends a refusal
+  std::optional<Role> role;     // none: nobody that the server knows
+  std::string ship;             // the own ship that all she does is of; empty: of any
+  std::string name;             // for logs
+  std::string more;             // how she may do more than her role says; ends a refusal
+  bool by_certificate = false;  // she is known by the connection's certificate, not by a token
 };
 
 // What a right is about.
@@ -58,7 +59,8 @@ bool has(const Right& right, Role role);
 std::optional<std::string> why_not(const Who& who, std::string_view right,
                                    std::string_view ship = {});
 
-// "Anna, trainee of Frida", for logs; empty: nobody that the server knows.
+// "Anna, trainee of Frida" or "certificate relay, observer", for logs; empty: nobody that the
+// server knows.
 std::string text_of(const Who& who);
 
 // "observer", as files and command lines have it.

@@ -8,6 +8,7 @@
 #include <array>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "protocol/digest/digest.hpp"
 #include "protocol/nmea/log_time.hpp"
@@ -27,9 +28,18 @@ bool is_digest(std::string_view text) {
 
 KeptToken token_of_message(const access::Token& message, const std::string& path,
                            YamlSource& source) {
-  KeptToken token{message.name(), message.role(), message.ship(), message.sha256(), std::nullopt};
-  if (source.is_sound(path + ".sha256") && !is_digest(token.sha256)) {
-    source.refuse(path + ".sha256",
+  KeptToken token{message.name(),   message.role(), message.ship(),
+                  message.sha256(), std::nullopt,   message.certificate()};
+  if (message.has_sha256() == message.has_certificate() && source.is_sound(path + ".sha256") &&
+      source.is_sound(path + ".certificate")) {
+    source.refuse(
+        message.has_sha256() ? path + ".certificate" : path,
+        "expected: one of sha256, of a token, and certificate, of a client's certificate");
+  }
+  for (const auto& [key, digest] :
+       {std::pair(".sha256", &token.sha256), std::pair(".certificate", &token.certificate)}) {
+    if (!source.has(path + key) || !source.is_sound(path + key) || is_digest(*digest)) continue;
+    source.refuse(path + key,
                   "is no SHA-256; expected: 64 hexadecimal digits, lower case, as "
                   "`skerry token new` writes them");
   }
@@ -55,13 +65,18 @@ TokenFile TokenFile::parse(const std::string& text, const std::string& file) {
   YamlSource source(file);
   read_yaml(text, source, message);
   TokenFile read;
-  std::set<std::string_view> names;
+  std::set<std::string_view> names, certificates;
   for (int i = 0; i < message.tokens_size(); ++i) {
     const std::string path = fmt::format("tokens[{}]", i);
     read.tokens_.push_back(token_of_message(message.tokens(i), path, source));
     if (source.is_sound(path + ".name") && !names.insert(message.tokens(i).name()).second) {
       source.refuse(path + ".name", fmt::format("'{}' is the name of an earlier token, too",
                                                 printable(message.tokens(i).name())));
+    }
+    const std::string& certificate = message.tokens(i).certificate();
+    if (!certificate.empty() && source.is_sound(path + ".certificate") &&
+        !certificates.insert(certificate).second) {
+      source.refuse(path + ".certificate", "is that of an earlier entry, too");
     }
   }
   if (read.tokens_.size() > kMost) {
@@ -71,14 +86,23 @@ TokenFile TokenFile::parse(const std::string& text, const std::string& file) {
   return read;
 }
 
-TokenFile::Found TokenFile::find(std::string_view text, UtcTime now) const {
-  // What is compared is a digest: how long that takes tells nothing of a token.
-  const std::string digest = digest_of(text);
-  const auto found = std::find_if(tokens_.begin(), tokens_.end(),
-                                  [&](const KeptToken& token) { return token.sha256 == digest; });
+template <typename Is>
+TokenFile::Found TokenFile::find_if(const Is& is_it, UtcTime now) const {
+  const auto found = std::find_if(tokens_.begin(), tokens_.end(), is_it);
   if (found == tokens_.end()) return {};
   const bool ended = found->ends && now >= *found->ends;
   return {ended ? TokenState::ended : TokenState::good, &*found};
+}
+
+TokenFile::Found TokenFile::find(std::string_view text, UtcTime now) const {
+  // What is compared is a digest: how long that takes tells nothing of a token.
+  const std::string digest = digest_of(text);
+  return find_if([&](const KeptToken& token) { return token.sha256 == digest; }, now);
+}
+
+TokenFile::Found TokenFile::find_certificate(std::string_view digest, UtcTime now) const {
+  if (digest.empty()) return {};
+  return find_if([&](const KeptToken& token) { return token.certificate == digest; }, now);
 }
 
 void TokenFile::add(KeptToken token) {
@@ -86,7 +110,14 @@ void TokenFile::add(KeptToken token) {
   if (tokens_.size() >= kMost) {
     throw std::invalid_argument(fmt::format("there are {} tokens; no more are allowed", kMost));
   }
+  if (token.sha256.empty() != token.is_certificate()) {
+    throw std::invalid_argument("an entry is of a token or of a certificate");
+  }
   for (const KeptToken& other : tokens_) {
+    if (token.is_certificate() && other.certificate == token.certificate) {
+      throw std::invalid_argument(
+          fmt::format("the certificate is that of '{}'; revoke it first", other.name));
+    }
     if (other.name != token.name) continue;
     throw std::invalid_argument(
         fmt::format("there is a token '{}'; revoke it, or give this one another name", token.name));
@@ -106,7 +137,8 @@ std::string TokenFile::text() const {
   for (const KeptToken& token : tokens_) {
     out += fmt::format("  - name: {}\n    role: {}\n", in_quotes(token.name), name_of(token.role));
     if (!token.ship.empty()) out += fmt::format("    ship: {}\n", in_quotes(token.ship));
-    out += fmt::format("    sha256: \"{}\"\n", token.sha256);
+    out += token.is_certificate() ? fmt::format("    certificate: \"{}\"\n", token.certificate)
+                                  : fmt::format("    sha256: \"{}\"\n", token.sha256);
     if (token.ends) out += fmt::format("    ends: \"{}\"\n", utc_text(*token.ends));
   }
   return out;

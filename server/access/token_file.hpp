@@ -13,16 +13,19 @@
 
 namespace skerry::server {
 
-// What the file has of a token.
+// What the file has of a token, or of a client's certificate, which stands for one.
 struct KeptToken {
   std::string name;  // 1 to 64 bytes of printable UTF-8
   Role role = access::OBSERVER;
-  std::string ship;             // empty: of all
-  std::string sha256;           // of the token's text: 64 hexadecimal digits, lower case
-  std::optional<UtcTime> ends;  // it holds before; nothing: always
+  std::string ship;              // empty: of all
+  std::string sha256;            // of the token's text: 64 hexadecimal digits, lower case
+  std::optional<UtcTime> ends;   // it holds before; nothing: always
+  std::string certificate = {};  // SHA-256 of it, in the same digits; then sha256 is empty
+
+  bool is_certificate() const { return !certificate.empty(); }
 };
 
-// What is known of a text that claims to be a token.
+// What is known of a text that claims to be a token, or of a certificate.
 enum class TokenState { unknown, ended, good };
 
 class TokenFile {
@@ -31,7 +34,8 @@ class TokenFile {
 
   TokenFile() = default;
   // Error: ConfigError naming file, line and what is wrong: a file that cannot be read, two tokens
-  // of one name, a digest that is none, a time that is none, more than kMost.
+  // of one name or certificate, a digest that is none, neither or both of them, a time that is
+  // none, more than kMost.
   static TokenFile read(const std::filesystem::path& file);
   // The same of a text; `file` is for errors.
   static TokenFile parse(const std::string& text, const std::string& file);
@@ -43,8 +47,11 @@ class TokenFile {
     const KeptToken* token = nullptr;
   };
   Found find(std::string_view text, UtcTime now) const;
+  // The same of a certificate, by its digest.  What everybody may know of a certificate is no
+  // token: find() does not look at these.
+  Found find_certificate(std::string_view digest, UtcTime now) const;
 
-  // Error: std::invalid_argument if the name is taken or a value is not allowed.
+  // Error: std::invalid_argument if the name or certificate is taken or a value is not allowed.
   void add(KeptToken token);
   // False if there is none of that name.
   bool remove(std::string_view name);
@@ -53,6 +60,9 @@ class TokenFile {
   std::string text() const;
 
  private:
+  template <typename Is>
+  Found find_if(const Is& is_it, UtcTime now) const;
+
   std::vector<KeptToken> tokens_;
 };
 

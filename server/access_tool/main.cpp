@@ -29,6 +29,7 @@ constexpr Tool kTokens = {
     "Examples:\n"
     "  skerry token new bridge-1 --role trainee --ship Frida --for 8h\n"
     "  skerry token new wall-display\n"
+    "  skerry token new relay-2 --role observer --certificate tls/relay-2.pem\n"
     "  skerry token list --tokens school.yaml\n"
     "  skerry token revoke bridge-1\n"
     "  skerry token rights\n",
@@ -69,14 +70,17 @@ constexpr Tool kAudit = {
 
 constexpr Tool kTls = {
     "skerry tls",
-    "Makes an authority and a certificate, so that a skerryd encrypts what it sends and gets.",
+    "Makes an authority and certificates: a skerryd encrypts by its own, and knows programs by "
+    "theirs.",
     "All is made here, without any network.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
     "command line cannot be understood.\n"
     "Examples:\n"
     "  skerry tls init                                      # ./tls, for this host\n"
     "  skerry tls init /etc/skerry/tls --name radar.school --name 192.0.2.7\n"
     "  skerry tls show\n"
-    "  skerry tls renew                                     # heeded by a server that runs\n",
+    "  skerry tls renew                                     # heeded by a server that runs\n"
+    "  skerry tls client relay-2                            # tls/relay-2.pem, for a program\n"
+    "  skerry tls client relay-2 --renew\n",
     make_tls_commands};
 
 int run(const Tool& tool, int argc, char** argv) {

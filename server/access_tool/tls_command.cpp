@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 struct TlsGiven {
   std::string folder = "tls";
   std::vector<std::string> names;
+  std::string client;
+  bool renews = false;
 };
 
 std::shared_ptr<TlsGiven> tls_given_to(CLI::App& command) {
@@ -59,8 +61,12 @@ std::vector<std::string> names_of_this_host() {
 }
 
 std::string facts_text(const CertificateFacts& facts) {
-  return fmt::format("for {}; until {} ({} days); SHA-256 {}", fmt::join(facts.names, ", "),
-                     facts.ends, facts.days_left, facts.fingerprint);
+  const std::string what =
+      !facts.names.empty()   ? fmt::format("for {}; ", fmt::join(facts.names, ", "))
+      : facts.is_for_clients ? fmt::format("of the client {}; ", facts.common_name)
+                             : "";
+  return fmt::format("{}until {} ({} days); SHA-256 {}", what, facts.ends, facts.days_left,
+                     facts.fingerprint);
 }
 
 void tell_steps(const fs::path& folder, const CertificateFacts& facts) {
@@ -116,19 +122,71 @@ echo::Command make_tls_renew_command(CLI::App& app) {
           }};
 }
 
+echo::Command make_tls_client_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "client", "Makes a certificate by which another program says who it is, NAME.pem");
+  const auto given = std::make_shared<TlsGiven>();
+  command->add_option("NAME", given->client, "of the client, and of its two files")->required();
+  command->add_option("FOLDER", given->folder, "of the authority that skerryd --tls reads")
+      ->capture_default_str();
+  command->add_flag("--renew", given->renews, "another in place of the one before");
+  return {command, [given] {
+            make_client_certificate(
+                given->folder, given->client,
+                given->renews ? ClientFiles::are_renewed : ClientFiles::are_new);
+            const fs::path file = client_certificate_file(given->folder, given->client);
+            fmt::print(
+                stderr,
+                "{0}: {1}\n"
+                "{2}Say what it may do, where the server's tokens are:\n"
+                "  skerry token new {3} --role observer --certificate {0}\n"
+                "Then move it and {4} to the client's host, and start the client with\n"
+                "  SKERRY_CERT={3}.pem SKERRY_KEY={3}.key SKERRY_CA={5}\n",
+                file.string(), facts_text(facts_of_certificate(file)),
+                given->renews
+                    ? fmt::format("The entry of the one before does not hold for it: `skerry token "
+                                  "revoke {}` ends that.\n",
+                                  given->client)
+                    : "",
+                given->client, (fs::path(given->folder) / (given->client + ".key")).string(),
+                kAuthorityCertificate);
+            return echo::kExitOk;
+          }};
+}
+
+// Those of clients, by name.  What else is there is none of this tool's.
+std::vector<fs::path> client_certificates(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const fs::path& file = entry.path();
+    if (file.extension() != ".pem" || file.filename() == kAuthorityCertificate ||
+        file.filename() == kServerCertificate) {
+      continue;
+    }
+    if (entry.is_regular_file()) found.push_back(file);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 echo::Command make_tls_show_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("show", "Tells what the certificates are for and how long");
   const auto given = tls_given_to(*command);
   return {command, [given] {
-            for (const char* name : {kAuthorityCertificate, kServerCertificate}) {
-              const fs::path file = fs::path(given->folder) / name;
-              const CertificateFacts facts = facts_of_certificate(file);
-              echo::write_out(fmt::format(
-                  "{}: {}\n", file.string(),
-                  facts.names.empty() ? fmt::format("until {} ({} days); SHA-256 {}", facts.ends,
-                                                    facts.days_left, facts.fingerprint)
-                                      : facts_text(facts)));
+            const fs::path folder = given->folder;
+            const auto tell = [](const fs::path& file) {
+              echo::write_out(
+                  fmt::format("{}: {}\n", file.string(), facts_text(facts_of_certificate(file))));
+            };
+            tell(folder / kAuthorityCertificate);
+            tell(folder / kServerCertificate);
+            for (const fs::path& file : client_certificates(folder)) {
+              try {
+                tell(file);
+              } catch (const std::runtime_error& error) {
+                echo::write_out(std::string(error.what()) + "\n");
+              }
             }
             return echo::kExitOk;
           }};
@@ -137,7 +195,8 @@ echo::Command make_tls_show_command(CLI::App& app) {
 }  // namespace
 
 std::vector<echo::Command> make_tls_commands(CLI::App& app) {
-  return {make_tls_init_command(app), make_tls_renew_command(app), make_tls_show_command(app)};
+  return {make_tls_init_command(app), make_tls_renew_command(app), make_tls_client_command(app),
+          make_tls_show_command(app)};
 }
 
 }  // namespace skerry::server

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "echo/tool_console/console.hpp"
 #include "protocol/picture/label_text.hpp"
 #include "server/access/token_file.hpp"
+#include "server/tls/certificate.hpp"
 
 namespace skerry::server {
 namespace {
@@ -24,6 +27,7 @@ struct Given {
   std::string role = "observer";
   std::string ship;
   double seconds = 0;  // 0: without end
+  std::string certificate;
 };
 
 std::shared_ptr<Given> given_to(CLI::App& command) {
@@ -32,6 +36,26 @@ std::shared_ptr<Given> given_to(CLI::App& command) {
       ->type_name("FILE")
       ->capture_default_str();
   return given;
+}
+
+// Of a client that shows this certificate; without another end it ends with it.
+KeptToken entry_of_certificate(const std::string& file) {
+  require_certificate(file);
+  const CertificateFacts facts = facts_of_certificate(file);
+  if (!facts.is_for_clients) {
+    throw std::runtime_error(
+        file + ": no client's certificate; `skerry tls client NAME` makes one, NAME.pem");
+  }
+  KeptToken kept;
+  kept.certificate = facts.sha256;
+  kept.ends = facts.until;
+  return kept;
+}
+
+void tell_kept(const Given& given, const KeptToken& kept) {
+  fmt::print(stderr, "Kept in {} as {}, {}{}{}.\n", given.file, given.name, given.role,
+             given.ship.empty() ? "" : " of the ship " + given.ship,
+             kept.ends ? ", until " + utc_text(*kept.ends) : "");
 }
 
 console::Command make_new_command(CLI::App& app) {
@@ -48,22 +72,38 @@ console::Command make_new_command(CLI::App& app) {
                                 CLI::AsNumberWithUnit::UNIT_REQUIRED))
       ->check(CLI::Range(60.0, 3660.0 * 86400.0))
       ->type_name("TIME");
-  return {
-      command, [given] {
-        const std::string token = make_token();
-        KeptToken kept{given->name, role_named(given->role), given->ship, digest_of(token), {}};
-        if (given->seconds > 0) kept.ends = utc_now() + seconds_as_duration(given->seconds);
-        change_tokens(given->file, [&](TokenFile& file) { file.add(kept); });
-        console::write_out(token + "\n");
-        fmt::print(
-            stderr,
-            "Kept in {} as {}, {}{}{}.\nIt is not shown again.  It goes into SKERRY_TOKEN, into "
-            "the field Token of a console,\nor into a header Authorization: Bearer.\n",
-            given->file, given->name, given->role,
-            given->ship.empty() ? "" : " of the ship " + given->ship,
-            kept.ends ? ", until " + utc_text(*kept.ends) : "");
-        return console::kExitOk;
-      }};
+  command
+      ->add_option("--certificate", given->certificate,
+                   "makes none: who comes with this client's certificate, as `skerry tls client` "
+                   "makes it, needs none; --for is at most as long as it holds")
+      ->type_name("FILE");
+  return {command, [given] {
+            const bool is_certificate = !given->certificate.empty();
+            const std::string token = is_certificate ? "" : make_token();
+            KeptToken kept;
+            if (is_certificate) {
+              kept = entry_of_certificate(given->certificate);
+            } else {
+              kept.sha256 = digest_of(token);
+            }
+            kept.name = given->name;
+            kept.role = role_named(given->role);
+            kept.ship = given->ship;
+            if (given->seconds > 0) {
+              const UtcTime ends = utc_now() + seconds_as_duration(given->seconds);
+              kept.ends = std::min(ends, kept.ends.value_or(ends));
+            }
+            change_tokens(given->file, [&](TokenFile& file) { file.add(kept); });
+            if (!is_certificate) console::write_out(token + "\n");
+            tell_kept(*given, kept);
+            fmt::print(
+                stderr, "{}",
+                is_certificate
+                    ? "It is known by its certificate; a server heeds it within a second.\n"
+                    : "It is not shown again.  It goes into SKERRY_TOKEN, into the field Token "
+                      "of a console,\nor into a header Authorization: Bearer.\n");
+            return console::kExitOk;
+          }};
 }
 
 console::Command make_list_command(CLI::App& app) {
@@ -71,12 +111,13 @@ console::Command make_list_command(CLI::App& app) {
   const auto given = given_to(*command);
   return {command, [given] {
             const TokenFile file = TokenFile::read(given->file);
-            std::string out =
-                fmt::format("{:<24} {:<11} {:<20} {}\n", "name", "role", "ship", "ends");
+            std::string out = fmt::format("{:<24} {:<11} {:<20} {:<11} {}\n", "name", "role",
+                                          "ship", "by", "ends");
             for (const KeptToken& token : file.tokens()) {
               const bool ended = token.ends && utc_now() >= *token.ends;
-              out += fmt::format("{:<24} {:<11} {:<20} {}{}\n", token.name, name_of(token.role),
-                                 token.ship.empty() ? "all" : token.ship,
+              out += fmt::format("{:<24} {:<11} {:<20} {:<11} {}{}\n", token.name,
+                                 name_of(token.role), token.ship.empty() ? "all" : token.ship,
+                                 token.is_certificate() ? "certificate" : "token",
                                  token.ends ? utc_text(*token.ends) : "never",
                                  ended ? " (has ended)" : "");
             }

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -179,21 +181,90 @@ std::string text_of(const ASN1_OCTET_STRING* address) {
   return text.data();
 }
 
+struct Pair {
+  fs::path key, certificate;
+};
+
 // A full disk leaves the pair from before: names alone change once both are written.
-void write_both(const fs::path& folder, const std::string& key, const std::string& certificate) {
-  const fs::path new_key = folder / (std::string(kServerKey) + ".new");
-  const fs::path new_certificate = folder / (std::string(kServerCertificate) + ".new");
+void write_both(const Pair& files, const std::string& key, const std::string& certificate) {
+  const fs::path new_key = files.key.string() + ".new";
+  const fs::path new_certificate = files.certificate.string() + ".new";
   try {
     write_whole(new_key, key, S_IRUSR | S_IWUSR);
     write_whole(new_certificate, certificate, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
-    fs::rename(new_key, folder / kServerKey);
-    fs::rename(new_certificate, folder / kServerCertificate);
+    fs::rename(new_key, files.key);
+    fs::rename(new_certificate, files.certificate);
   } catch (const std::exception&) {
     std::error_code ignored;
     fs::remove(new_key, ignored);
     fs::remove(new_certificate, ignored);
     throw;
   }
+}
+
+struct Authority {
+  Certificate certificate;
+  Key key;
+};
+
+Authority authority_in(const fs::path& folder) {
+  Authority authority{certificate_in(folder / kAuthorityCertificate),
+                      key_in(folder / kAuthorityKey)};
+  if (::X509_check_private_key(authority.certificate.get(), authority.key.get()) != 1) {
+    ::ERR_clear_error();
+    throw std::runtime_error((folder / kAuthorityKey).string() + ": the key is of another " +
+                             kAuthorityCertificate);
+  }
+  return authority;
+}
+
+// A certificate that signs for itself alone, and its key, in these files.  `alternatives`: other
+// names of what it is for; empty: none.
+void make_pair(const Authority& authority, const Pair& files, const std::string& name,
+               const std::string& purpose, const std::string& alternatives) {
+  X509* const issuer = authority.certificate.get();
+  const Key key = make_key();
+  const Certificate certificate = begin_certificate(key.get(), name, kServerValidity);
+  X509* const raw = certificate.get();
+  ::X509_set_issuer_name(raw, ::X509_get_subject_name(issuer));
+  extend(raw, issuer, NID_basic_constraints, "critical,CA:FALSE");
+  extend(raw, issuer, NID_key_usage, "critical,digitalSignature");
+  extend(raw, issuer, NID_ext_key_usage, purpose);
+  if (!alternatives.empty()) extend(raw, issuer, NID_subject_alt_name, alternatives);
+  extend(raw, issuer, NID_subject_key_identifier, "hash");
+  extend(raw, issuer, NID_authority_key_identifier, "keyid");
+  sign(raw, authority.key.get());
+  write_both(files, pem_of(key.get()), pem_of(raw));
+}
+
+// The name is that of two files, too.
+void require_client_name(const std::string& name) {
+  const auto is_allowed = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+  };
+  const bool is_taken = name == fs::path(kAuthorityCertificate).stem().string() ||
+                        name == fs::path(kServerCertificate).stem().string();
+  if (!name.empty() && name.size() <= kMostCommonName && name.front() != '.' &&
+      name.front() != '-' && !is_taken && std::all_of(name.begin(), name.end(), is_allowed)) {
+    return;
+  }
+  throw std::runtime_error(
+      fmt::format("'{}' is no name for a client's certificate; expected: 1 to {} letters, digits, "
+                  "'-', '_' and '.', the first a letter, digit or '_'; not authority, not server",
+                  name, kMostCommonName));
+}
+
+std::string common_name_of(const X509* certificate) {
+  const X509_NAME* subject = ::X509_get_subject_name(certificate);
+  const int at = ::X509_NAME_get_index_by_NID(subject, NID_commonName, -1);
+  if (at < 0) return {};
+  unsigned char* text = nullptr;
+  const int size =
+      ::ASN1_STRING_to_UTF8(&text, ::X509_NAME_ENTRY_get_data(::X509_NAME_get_entry(subject, at)));
+  if (size < 0) return {};
+  std::string name(reinterpret_cast<const char*>(text), static_cast<std::size_t>(size));
+  ::OPENSSL_free(text);
+  return name;
 }
 
 }  // namespace
@@ -227,25 +298,25 @@ void make_server_certificate(const fs::path& folder, const std::vector<std::stri
     if (!alternatives.empty()) alternatives += ',';
     alternatives += alternative_name(name);
   }
-  const Certificate authority = certificate_in(folder / kAuthorityCertificate);
-  const Key authority_key = key_in(folder / kAuthorityKey);
-  if (::X509_check_private_key(authority.get(), authority_key.get()) != 1) {
-    ::ERR_clear_error();
-    throw std::runtime_error((folder / kAuthorityKey).string() + ": the key is of another " +
-                             kAuthorityCertificate);
+  make_pair(authority_in(folder), {folder / kServerKey, folder / kServerCertificate}, names.front(),
+            "serverAuth", alternatives);
+}
+
+fs::path client_certificate_file(const fs::path& folder, const std::string& name) {
+  return folder / (name + ".pem");
+}
+
+void make_client_certificate(const fs::path& folder, const std::string& name, ClientFiles files) {
+  require_client_name(name);
+  const Pair pair{folder / (name + ".key"), client_certificate_file(folder, name)};
+  for (const fs::path& file : {pair.key, pair.certificate}) {
+    if (files == ClientFiles::are_renewed || !fs::exists(file)) continue;
+    throw std::runtime_error(file.string() +
+                             " is there already: --renew makes another in its place; for another "
+                             "client give another name");
   }
-  const Key key = make_key();
-  const Certificate certificate = begin_certificate(key.get(), names.front(), kServerValidity);
-  X509* const raw = certificate.get();
-  ::X509_set_issuer_name(raw, ::X509_get_subject_name(authority.get()));
-  extend(raw, authority.get(), NID_basic_constraints, "critical,CA:FALSE");
-  extend(raw, authority.get(), NID_key_usage, "critical,digitalSignature");
-  extend(raw, authority.get(), NID_ext_key_usage, "serverAuth");
-  extend(raw, authority.get(), NID_subject_alt_name, alternatives);
-  extend(raw, authority.get(), NID_subject_key_identifier, "hash");
-  extend(raw, authority.get(), NID_authority_key_identifier, "keyid");
-  sign(raw, authority_key.get());
-  write_both(folder, pem_of(key.get()), pem_of(raw));
+  if (files == ClientFiles::are_renewed) certificate_in(pair.certificate);  // there is one
+  make_pair(authority_in(folder), pair, name, "clientAuth", {});
 }
 
 CertificateFacts facts_of_certificate(const fs::path& file) {
@@ -262,8 +333,11 @@ CertificateFacts facts_of_certificate(const fs::path& file) {
                                static_cast<std::size_t>(::ASN1_STRING_length(name->d.dNSName)));
     }
   }
+  facts.common_name = common_name_of(certificate.get());
+  facts.is_for_clients = ::X509_check_purpose(certificate.get(), X509_PURPOSE_SSL_CLIENT, 0) == 1;
   std::tm end{};
   ::ASN1_TIME_to_tm(::X509_get0_notAfter(certificate.get()), &end);
+  facts.until = std::chrono::sys_seconds(std::chrono::seconds(::timegm(&end)));
   facts.ends = fmt::format("{:04}-{:02}-{:02}", end.tm_year + 1900, end.tm_mon + 1, end.tm_mday);
   int days = 0, seconds = 0;
   ::ASN1_TIME_diff(&days, &seconds, nullptr, ::X509_get0_notAfter(certificate.get()));
@@ -273,6 +347,7 @@ CertificateFacts facts_of_certificate(const fs::path& file) {
   ::X509_digest(certificate.get(), ::EVP_sha256(), digest.data(), &size);
   for (unsigned i = 0; i < size; ++i) {
     facts.fingerprint += fmt::format("{}{:02X}", i == 0 ? "" : ":", digest[i]);
+    facts.sha256 += fmt::format("{:02x}", digest[i]);
   }
   return facts;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ inline constexpr const char* kServerCertificate = "server.pem";
 inline constexpr const char* kServerKey = "server.key";
 
 // Browsers take no certificate of a server that holds for longer than 825 days (CA/Browser Forum
-// Baseline Requirements 6.3.2, and Apple's for authorities that users add).
+// Baseline Requirements 6.3.2, and Apple's for authorities that users add).  Clients' hold as long.
 inline constexpr std::chrono::days kServerValidity{825};
 inline constexpr std::chrono::days kAuthorityValidity{3650};
 
@@ -29,11 +30,26 @@ void make_authority(const std::filesystem::path& folder, const std::string& name
 void make_server_certificate(const std::filesystem::path& folder,
                              const std::vector<std::string>& names);
 
+// A key and a certificate by which a client says who it is: NAME.key and NAME.pem, signed by the
+// authority in `folder`, and written there.  `renews`: in place of those that must be there;
+// otherwise there must be none.
+// Error: std::runtime_error naming the file or name; then the files are as before.
+enum class ClientFiles : std::uint8_t { are_new, are_renewed };
+void make_client_certificate(const std::filesystem::path& folder, const std::string& name,
+                             ClientFiles files);
+// Of a client of that name.
+std::filesystem::path client_certificate_file(const std::filesystem::path& folder,
+                                              const std::string& name);
+
 struct CertificateFacts {
   std::vector<std::string> names;  // that it is for
+  std::string common_name;         // of a client: its name
+  bool is_for_clients = false;     // a client may show it
   std::string ends;                // "2029-03-01"
+  std::chrono::sys_seconds until;  // the same to the second
   long days_left = 0;              // negative: it has ended
   std::string fingerprint;         // SHA-256, "AB:CD:..."
+  std::string sha256;              // the same as 64 hexadecimal digits, lower case
 };
 
 // Of the first certificate in a PEM file.

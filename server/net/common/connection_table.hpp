@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/net/common/peer_limits.hpp"
@@ -26,7 +27,7 @@ class Connection {
 
 enum class Place {
   own_host,  // a peer on the server's own host
-  trusted,   // has shown a good token
+  trusted,   // has shown a good token or certificate
   stranger,
   on_trial,  // a stranger in the reserve, who must show the token at once
   refused,   // admitted only to be told why not
@@ -52,10 +53,13 @@ class ConnectionSlot {
   // Why a connection that is refused or on trial got no place of its own, and what to do.
   const std::string& reason() const { return reason_; }
   bool is_trusted() const { return place_ == Place::own_host || place_ == Place::trusted; }
-  // The connection has shown a good token.
+  // The connection has shown a good token or certificate.
   void trust();
-  // The connection is under TLS.
-  void secure() { peer_.is_secure = true; }
+  // The connection is under TLS, and its client has shown this certificate (TcpPeer).
+  void secure(std::string certificate) {
+    peer_.is_secure = true;
+    peer_.certificate = std::move(certificate);
+  }
 
   std::weak_ptr<Connection> owner;
 

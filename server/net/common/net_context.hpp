@@ -80,6 +80,10 @@ class NetContext {
   ConnectionTable connections;
   Gate gate;  // who may do what; refreshed by look_at_tokens()
 
+  // Who that is who has this token or, with none, came with this certificate.
+  Who who(const TcpPeer& peer, std::string_view token) const;
+  // Whether what she shows of these is good, wherever she comes from.
+  bool knows(const TcpPeer& peer, std::string_view token = {}) const;
   // The own ship that carries a radar; empty if there is no such radar.
   const std::string& ship_of(std::uint32_t radar) const;
   // Whether it is one; and which there are, for a refusal.

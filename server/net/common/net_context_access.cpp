@@ -13,6 +13,15 @@
 
 namespace skerry::server {
 
+Who NetContext::who(const TcpPeer& peer, std::string_view token) const {
+  return gate.who({.from_here = peer.on_own_host, .token = token, .certificate = peer.certificate},
+                  utc_now());
+}
+
+bool NetContext::knows(const TcpPeer& peer, std::string_view token) const {
+  return gate.knows({.token = token, .certificate = peer.certificate}, utc_now());
+}
+
 const std::string& NetContext::ship_of(std::uint32_t radar) const {
   static const std::string none;
   return radar < ships_.size() ? ships_[radar] : none;

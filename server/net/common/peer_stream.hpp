@@ -52,6 +52,8 @@ class PeerStream {
                                   keeping(std::forward<Handler>(handler)));
   }
   bool is_secure() const { return stream_->tls.has_value(); }
+  // Of OpenSSL.  Requires begin_tls().
+  SSL* tls() { return stream_->tls->native_handle(); }
 
   executor_type get_executor() { return stream_->tcp.get_executor(); }
   TcpSocket& socket() { return stream_->tcp.socket(); }

@@ -14,6 +14,8 @@ struct TcpPeer {
   PeerNet net;
   bool on_own_host = false;  // needs no token
   bool is_secure = false;    // the connection is encrypted
+  // SHA-256 of the client's certificate, which has been verified; empty: it has shown none.
+  std::string certificate = {};
 };
 
 // An IPv4 address that came in over an IPv6 socket counts as the IPv4 address it is.

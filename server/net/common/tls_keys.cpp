@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <openssl/err.h>
 #include <openssl/ssl.h>
+#include <openssl/x509.h>
 
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -45,9 +48,45 @@ int choose_protocol(SSL*, const unsigned char** chosen, unsigned char* length,
   return SSL_TLSEXT_ERR_NOACK;
 }
 
+// A ticket keeps the client's certificate as it was verified then.
+SSL_TICKET_RETURN take_ticket(SSL*, SSL_SESSION* session, const unsigned char*, std::size_t,
+                              SSL_TICKET_STATUS status, void*) {
+  if (status != SSL_TICKET_SUCCESS && status != SSL_TICKET_SUCCESS_RENEW) {
+    return SSL_TICKET_RETURN_IGNORE_RENEW;
+  }
+  if (::SSL_SESSION_get0_peer(session) != nullptr) return SSL_TICKET_RETURN_IGNORE_RENEW;
+  return status == SSL_TICKET_SUCCESS ? SSL_TICKET_RETURN_USE : SSL_TICKET_RETURN_USE_RENEW;
+}
+
+// Clients' certificates are those that `file` has signed itself, which need be no root.  It stays
+// away from what the server sends of its own chain.
+void ask_for_certificates(SSL_CTX* context, const std::filesystem::path& file) {
+  facts_of_certificate(file);  // or why there is none
+  X509_STORE* const store = ::X509_STORE_new();
+  if (store == nullptr || ::SSL_CTX_set0_verify_cert_store(context, store) != 1 ||
+      ::X509_STORE_load_file(store, file.c_str()) != 1 ||
+      ::X509_STORE_set_flags(store, X509_V_FLAG_PARTIAL_CHAIN) != 1) {
+    refuse(file, "no authority that OpenSSL takes");
+  }
+  // Browsers that have none by it do not bother anybody with the question.
+  ::SSL_CTX_set_client_CA_list(context, ::SSL_load_client_CA_file(file.c_str()));
+  constexpr int kIntermediates = 0;
+  ::SSL_CTX_set_verify_depth(context, kIntermediates);
+  // Bytes of all that a client sends of its chain: some ten certificates.
+  constexpr long kMostOfChain = 16 * 1024;
+  ::SSL_CTX_set_max_cert_list(context, kMostOfChain);
+  ::SSL_CTX_set_verify(context, SSL_VERIFY_PEER, nullptr);
+  constexpr std::string_view kResumedHere = "skerryd";  // a session by its own tickets alone
+  ::SSL_CTX_set_session_id_context(context,
+                                   reinterpret_cast<const unsigned char*>(kResumedHere.data()),
+                                   static_cast<unsigned>(kResumedHere.size()));
+  ::SSL_CTX_set_session_ticket_cb(context, nullptr, take_ticket, nullptr);
+}
+
 }  // namespace
 
-TlsContextPtr read_tls(const std::filesystem::path& certificate, const std::filesystem::path& key) {
+TlsContextPtr read_tls(const TlsFiles& files) {
+  const auto& [certificate, key, authority] = files;
   ::ERR_clear_error();
   require_certificate(certificate);
   auto context = std::make_shared<asio::ssl::context>(asio::ssl::context::tls_server);
@@ -74,21 +113,42 @@ TlsContextPtr read_tls(const std::filesystem::path& certificate, const std::file
                     : "there is no such file; expected a private key in PEM");
   }
   if (::SSL_CTX_check_private_key(raw) != 1) refuse(key, "the key is of another certificate");
+  if (std::filesystem::exists(authority)) ask_for_certificates(raw, authority);
   ::ERR_clear_error();
   return context;
 }
 
+std::string certificate_shown(const SSL* connection) {
+  const X509* const certificate = ::SSL_get0_peer_certificate(connection);
+  if (certificate == nullptr) return {};
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size = 0;
+  ::X509_digest(certificate, ::EVP_sha256(), digest.data(), &size);
+  std::string text;
+  for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+  return text;
+}
+
+std::optional<std::string> certificate_fault(const SSL* connection) {
+  const long fault = ::SSL_get_verify_result(connection);
+  if (fault == X509_V_OK) return std::nullopt;
+  return ::X509_verify_cert_error_string(fault);
+}
+
 TlsKeys::TlsKeys(const std::string& folder)
-    : certificate_(std::filesystem::path(folder) / kServerCertificate),
-      key_(std::filesystem::path(folder) / kServerKey),
+    : files_{std::filesystem::path(folder) / kServerCertificate,
+             std::filesystem::path(folder) / kServerKey,
+             std::filesystem::path(folder) / kAuthorityCertificate},
       read_at_(stamp()),
       seen_(read_at_),
-      context_(read_tls(certificate_, key_)) {}
+      context_(read_tls(files_)) {}
 
 TlsKeys::Stamp TlsKeys::stamp() const {
-  std::error_code ignored;
-  return {std::filesystem::last_write_time(certificate_, ignored),
-          std::filesystem::last_write_time(key_, ignored)};
+  const auto time_of = [](const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::last_write_time(file, ignored);
+  };
+  return {time_of(files_.certificate), time_of(files_.key), time_of(files_.authority)};
 }
 
 std::optional<std::string> TlsKeys::refresh(When when) {
@@ -97,7 +157,7 @@ std::optional<std::string> TlsKeys::refresh(When when) {
   if (when == When::settled && (now == read_at_ || !is_settled)) return std::nullopt;
   read_at_ = now;
   try {
-    context_ = read_tls(certificate_, key_);
+    context_ = read_tls(files_);
   } catch (const std::runtime_error& error) {
     return error.what();
   }

@@ -63,14 +63,23 @@ class TlsOpening final : public Connection, public std::enable_shared_from_this<
     keys_ = context_.tls->context();
     stream_.begin_tls(*keys_);
     stream_.async_handshake([self = shared_from_this()](error_code failed) {
-      if (!failed) {
-        self->slot_->secure();
-        return self->hand_on(self->to_.secure);
-      }
-      self->context_.errors.add(self->to_.protocol + " TLS handshake",
-                                self->slot_->peer().text + ": " +
-                                    (self->is_late_ ? "not done in time" : failed.message()));
+      if (failed) return self->tell(failed);
+      self->slot_->secure(certificate_shown(self->stream_.tls()));
+      if (self->context_.knows(self->slot_->peer())) self->slot_->trust();
+      self->hand_on(self->to_.secure);
     });
+  }
+
+  void tell(error_code failed) {
+    const std::string& peer = slot_->peer().text;
+    if (const auto fault = certificate_fault(stream_.tls())) {
+      const std::string what = "the client's certificate is not taken: " + *fault;
+      context_.complain(to_.protocol + " TLS client certificate", peer + ": " + what);
+      return context_.audit(
+          {.kind = AuditEntry::Kind::refusal, .from = to_.protocol + " " + peer, .what = what});
+    }
+    context_.errors.add(to_.protocol + " TLS handshake",
+                        peer + ": " + (is_late_ ? "not done in time" : failed.message()));
   }
 
   void hand_on(const OpeningTo::Take& take) { take(std::move(stream_), std::move(slot_)); }

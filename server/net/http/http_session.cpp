@@ -11,7 +11,6 @@
 #include <string>
 #include <utility>
 
-#include "server/net/common/net_clock.hpp"
 #include "server/net/common/tcp_peer.hpp"
 #include "server/net/http/audit_page.hpp"
 #include "server/net/http/carried_token.hpp"
@@ -174,7 +173,7 @@ void HttpSession::on_read(error_code error) {
   if (error) return answer_unreadable(error);
   has_served_ = true;
   Request request = parser_->release();
-  if (context_.gate.knows(token_of(request), utc_now())) slot_->trust();
+  if (context_.knows(slot_->peer(), token_of(request))) slot_->trust();
   if (auto refused = refusal(request)) {
     const std::string_view text = refused->body;
     context_.complain("http refused",
@@ -214,13 +213,12 @@ void HttpSession::on_read(error_code error) {
                 request.keep_alive());
   }
   if (is_setup_path(path)) {
-    return answer_setups(
-        context_, slot_->peer(),
-        {.method = {method.data(), method.size()},
-         .path = std::move(path),
-         .body = std::move(request.body()),
-         .who = context_.gate.who(slot_->peer().on_own_host, token_of(request), utc_now())},
-        later);
+    return answer_setups(context_, slot_->peer(),
+                         {.method = {method.data(), method.size()},
+                          .path = std::move(path),
+                          .body = std::move(request.body()),
+                          .who = context_.who(slot_->peer(), token_of(request))},
+                         later);
   }
   send(answer(request), with_body, request.keep_alive());
 }
@@ -262,7 +260,7 @@ WebAnswer HttpSession::answer(const Request& request) const {
   const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
                                   [&](const Route& each) { return each.path == path; });
   const bool is_file = route == kRoutes.end();
-  const Who who = context_.gate.who(slot_->peer().on_own_host, token_of(request), utc_now());
+  const Who who = context_.who(slot_->peer(), token_of(request));
   if (const auto refused = why_not(who, "GET " + (is_file ? std::string("/") : path))) {
     context_.refuse("HTTP " + slot_->peer().text, text_of(who), *refused);
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
@@ -296,7 +294,7 @@ WebAnswer HttpSession::answer_audit(const Request& request) const {
 bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
   const auto wanted = signalk_stream(*site_, path);
   if (!wanted) return false;
-  const StreamRight right(context_, slot_->peer().on_own_host, std::string(token_of(request)),
+  const StreamRight right(context_, slot_->peer(), std::string(token_of(request)),
                           site_->radars().front().number);
   if (const auto refused = right.refusal_of("signalk.stream")) {
     send(web_error(401, "401: " + *refused), true, false);
@@ -319,7 +317,7 @@ bool HttpSession::upgrade_signalk(Request& request, std::string_view path) {
 void HttpSession::upgrade_native(Request request) {
   const auto offered = offered_subprotocols(headers_of(request, kSubprotocols));
   std::string token = offered.token.empty() ? std::string(token_of(request)) : offered.token;
-  if (context_.gate.knows(token, utc_now())) slot_->trust();
+  if (context_.knows(slot_->peer(), token)) slot_->trust();
   upgrade(std::move(request), [self = shared_from_this(), token = std::move(token)] {
     NativeSession::begin(self->context_, make_ws_transport(std::move(self->ws_)),
                          std::move(self->slot_), token);

@@ -45,10 +45,10 @@ WebAnswer tell(const NetContext& context, const TcpPeer& peer, const LoginReques
   const UtcTime now = utc_now();
   Json json{{"users", context.gate.has_users()},
             {"class", context.gate.class_codes().takes_in(now)}};
-  const bool is_known = context.gate.knows(request.token, now);
+  const bool is_known = context.knows(peer, request.token);
   if (is_known) {
-    describe(json, context.gate.who(peer.on_own_host, request.token, now),
-             context.gate.end_of(request.token, now));
+    describe(json, context.who(peer, request.token),
+             context.gate.end_of({.token = request.token, .certificate = peer.certificate}, now));
   }
   WebAnswer answer = document_of(json);
   // A browser that keeps the cookie of a session that has ended is nobody again.
@@ -60,7 +60,7 @@ WebAnswer tell(const NetContext& context, const TcpPeer& peer, const LoginReques
 
 WebAnswer sign_out(NetContext& context, const TcpPeer& peer, const LoginRequest& request,
                    bool is_signalk) {
-  const std::string who = text_of(context.gate.who(peer.on_own_host, request.token, utc_now()));
+  const std::string who = text_of(context.who(peer, request.token));
   if (!context.gate.sign_out(request.token)) {
     // A token of the file does not end so; Signal K's clients are content with that.
     if (is_signalk) return login_error(true, 200, "OK");
@@ -143,7 +143,7 @@ void answer_login(NetContext& context, const TcpPeer& peer, LoginRequest request
   const std::string right = is_signalk
                                 ? "signalk.discover"
                                 : (request.method == "HEAD" ? "GET" : request.method) + " /login";
-  const Who who = context.gate.who(peer.on_own_host, request.token, utc_now());
+  const Who who = context.who(peer, request.token);
   if (right_of(right) != nullptr) {
     if (const auto refused = why_not(who, right))
       return answer(login_error(is_signalk, 403, *refused));

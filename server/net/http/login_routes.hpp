@@ -21,13 +21,14 @@ struct LoginRequest {
 
 bool is_login_path(std::string_view path);
 
-// GET tells who bears the token: {"users", "class", "role", "name", "ship", "ends"}; without a good
-// one {"users", "class"} alone: whether there are users, and a class code that takes somebody in.
-// POST of {"name", "password"} or {"name", "code"} signs in: {"token", "role", "name", "ship",
-// "ends"}; with "cookie": true over an encrypted connection, or on the server's own host, the token
-// is in a cookie instead (carried_token.hpp).  DELETE ends the token that it bears.  Signal K: POST
-// of {"username", "password"} gives {"token", "timeToLive"} in seconds; a password that is itself a
-// token is given back, for clients that know no other way to have one.
+// GET tells who bears the token, or came with the certificate: {"users", "class", "role", "name",
+// "ship", "ends"}; without a good one {"users", "class"} alone: whether there are users, and a
+// class code that takes somebody in. POST of {"name", "password"} or {"name", "code"} signs in:
+// {"token", "role", "name", "ship", "ends"}; with "cookie": true over an encrypted connection, or
+// on the server's own host, the token is in a cookie instead (carried_token.hpp).  DELETE ends the
+// token that it bears.  Signal K: POST of {"username", "password"} gives {"token", "timeToLive"} in
+// seconds; a password that is itself a token is given back, for clients that know no other way to
+// have one.
 //
 // `answer` is called once, at once or when the password was tried: 400 no such document, 401 no
 // such user or password, code or token, 404 no users here, 405, 429 too many sign-ins of this

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "server/net/common/net_clock.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
 
 namespace skerry::server {
@@ -12,7 +11,7 @@ WebAnswer answer_signalk(NetContext& context, SignalkSite& site, const HttpReque
                          std::string path, const SignalkAsked& by) {
   const NetConfig& config = context.config;
   const TcpPeer& peer = by.peer;
-  const Who who = context.gate.who(peer.on_own_host, by.token, utc_now());
+  const Who who = context.who(peer, by.token);
   const auto method = request.method_string();
   const auto right = signalk_right({method.data(), method.size()}, path);
   SignalkRequest asked{
@@ -23,7 +22,7 @@ WebAnswer answer_signalk(NetContext& context, SignalkSite& site, const HttpReque
       .address = by.address.empty() ? config.bind : by.address,
       .origin = "Signal K display " + peer.text,
       .refusal = why_not(who, right, context.ship_of(site.radars().front().number)),
-      .has_token = !by.token.empty() && who.role && who.more.empty(),
+      .has_token = context.knows(peer, by.token),
       .is_known = who.role.has_value()};
   const bool reads = only_reads(request);
   if (!reads && !context.changes.take(peer, std::chrono::steady_clock::now())) {

@@ -8,7 +8,6 @@
 
 #include "protocol/wire/schema.hpp"
 #include "server/net/common/access_policy.hpp"
-#include "server/net/common/net_clock.hpp"
 #include "server/net/native/native_session.hpp"
 
 namespace skerry::server {
@@ -102,7 +101,7 @@ void NativeSession::get_chart_objects(std::uint32_t request, const wire::GetChar
 bool NativeSession::admits(const wire::ClientMessage& message) {
   asked_ = asked_by(message);
   const std::string& token = message.has_sign_in() ? message.sign_in().token() : asked_.token;
-  if (!is_trusted() && context_.gate.knows(token, utc_now())) slot_->trust();
+  if (!is_trusted() && context_.knows(slot_->peer(), token)) slot_->trust();
   // A password or code that is yet to be tried may show who she is.
   const bool shows_more = message.has_sign_in() && (!message.sign_in().password().empty() ||
                                                     !message.sign_in().class_code().empty());

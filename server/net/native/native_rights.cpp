@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "protocol/digest/digest.hpp"
-#include "server/net/common/net_clock.hpp"
 #include "server/net/native/native_session.hpp"
 
 namespace skerry::server {
@@ -42,14 +41,15 @@ bool is_audited(const wire::ClientMessage& message, const Asked& asked) {
 // "trainee bridge-1, of the ship Frida"
 std::string text_for_client(const Who& who) {
   const std::string ship = who.ship.empty() ? "" : ", of the ship " + who.ship;
-  return fmt::format("{} {}{}", name_of(*who.role), who.name, ship);
+  return fmt::format("{} {}{}{}", name_of(*who.role), who.name,
+                     who.by_certificate ? ", by its certificate" : "", ship);
 }
 
 }  // namespace
 
 bool NativeSession::may(const wire::ClientMessage& message) {
   if (asked_.token.empty() && !message.has_sign_in()) asked_.token = token_;
-  const Who who = context_.gate.who(slot_->peer().on_own_host, asked_.token, utc_now());
+  const Who who = context_.who(slot_->peer(), asked_.token);
   auto refused = why_not_allowed(who, asked_);
   if (!refused) {
     who_ = text_of(who);
@@ -75,7 +75,7 @@ void NativeSession::sign_in(std::uint32_t request, const wire::SignIn& wanted) {
         request,
         {.name = wanted.name(), .password = wanted.password(), .class_code = wanted.class_code()});
   }
-  const Who who = context_.gate.who(slot_->peer().on_own_host, wanted.token(), utc_now());
+  const Who who = context_.who(slot_->peer(), wanted.token());
   if (!wanted.token().empty() && (!who.role || !who.more.empty())) {
     context_.refuse(origin(), {}, "sign in: " + who.more);
     return reply(request, wire::Reply::REFUSED, "sign in: " + who.more);
@@ -85,7 +85,7 @@ void NativeSession::sign_in(std::uint32_t request, const wire::SignIn& wanted) {
                  "sign in: a name alone; expected a token, or a password or class code with it");
   }
   if (wanted.token().empty() && !token_.empty()) {
-    const Who before = context_.gate.who(slot_->peer().on_own_host, token_, utc_now());
+    const Who before = context_.who(slot_->peer(), token_);
     context_.audit({.kind = AuditEntry::Kind::sign_in,
                     .from = origin(),
                     .who = text_of(before),
@@ -138,7 +138,7 @@ void NativeSession::become(std::string token) {
 }
 
 void NativeSession::tell_sign_in() const {
-  const Who who = context_.gate.who(slot_->peer().on_own_host, token_, utc_now());
+  const Who who = context_.who(slot_->peer(), token_);
   context_.audit({.kind = AuditEntry::Kind::sign_in, .from = origin(), .who = text_of(who)});
 }
 
@@ -157,8 +157,7 @@ void NativeSession::look_at_rights() {
   for (const auto* holds : {&subscribed_, &streamed_}) {
     if (refused || !*holds) continue;
     const Asked& asked = **holds;
-    refused = why_not_allowed(context_.gate.who(slot_->peer().on_own_host, asked.token, utc_now()),
-                              asked);
+    refused = why_not_allowed(context_.who(slot_->peer(), asked.token), asked);
   }
   if (!refused) return;
   // Posted, because the feed may be going through its readers, and fail() takes this session off

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "server/net/common/encoders.hpp"
-#include "server/net/common/net_clock.hpp"
 
 namespace skerry::server {
 namespace {
@@ -52,7 +51,7 @@ void NativeSession::start() {
     *message.mutable_hello() = context_.hello();
     message.mutable_hello()->set_you(origin());
     send(message);
-    if (context_.gate.knows(token_, utc_now())) tell_sign_in();
+    if (context_.knows(slot_->peer(), token_)) tell_sign_in();
   }
   pump();
   read();
@@ -65,7 +64,7 @@ void NativeSession::close() {
   boards_.leave();
   {
     // Whose token has ended meanwhile is still the one who had the con.
-    const Who who = context_.gate.who(slot_->peer().on_own_host, token_, utc_now());
+    const Who who = context_.who(slot_->peer(), token_);
     const AuditedRequest audited(context_.config.audit, origin(), who.role ? text_of(who) : who_);
     context_.host.leave(origin());
   }

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "server/net/common/net_clock.hpp"
 #include "server/net/common/net_context.hpp"
 
 namespace skerry::server {
@@ -15,18 +15,18 @@ namespace skerry::server {
 class StreamRight {
  public:
   // `token` as it came with the request; `radar` is on the ship that the stream is of.
-  StreamRight(const NetContext& context, bool from_here, std::string token, std::uint32_t radar)
-      : context_(context), from_here_(from_here), token_(std::move(token)), radar_(radar) {}
+  StreamRight(const NetContext& context, TcpPeer peer, std::string token, std::uint32_t radar)
+      : context_(context), peer_(std::move(peer)), token_(std::move(token)), radar_(radar) {}
 
   // Why she may not, with this token, or with her own where this is empty.
   std::optional<std::string> refusal_of(std::string_view right, std::string_view token = {}) const {
-    const Who who = context_.gate.who(from_here_, token.empty() ? token_ : token, utc_now());
+    const Who who = context_.who(peer_, token.empty() ? token_ : token);
     return why_not(who, right, context_.ship_of(radar_));
   }
 
   // For the audit, by this token, or by her own.
   std::string who(std::string_view token = {}) const {
-    return text_of(context_.gate.who(from_here_, token.empty() ? token_ : token, utc_now()));
+    return text_of(context_.who(peer_, token.empty() ? token_ : token));
   }
 
   // True once when she may have the stream no longer: her token was revoked or has ended.  Cheap
@@ -39,7 +39,7 @@ class StreamRight {
 
  private:
   const NetContext& context_;
-  bool from_here_;
+  TcpPeer peer_;
   std::string token_;
   std::uint32_t radar_;
   std::uint64_t looked_at_ = 0;  // Gate::generation()

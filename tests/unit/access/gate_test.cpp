@@ -131,6 +131,53 @@ TEST_F(GateOfAFile, ADamagedOrLostFileIsToldOnceAndWhatWasReadHolds) {
   EXPECT_TRUE(gate.who(false, token, kNow).role);
 }
 
+TEST_F(GateOfAFile, ACertificateIsWhoItsEntrySaysUntilATokenIsShown) {
+  const std::string digest(64, 'c'), other(64, 'd');
+  const std::string wall = add("wall", access::ASSESSOR);
+  change_tokens(file_, [&](TokenFile& file) {
+    file.add({"relay", access::TRAINEE, "Frida", "", kNow + 10s, digest});
+  });
+  Gate gate = this->gate();
+  gate.refresh(kNow);
+  for (const bool from_here : {false, true}) {
+    const Who who = gate.who({from_here, "", digest}, kNow);
+    EXPECT_EQ(text_of(who), "certificate relay, trainee of Frida");
+    EXPECT_THAT(*why_not(who, "subscribe", "Ymer"), HasSubstr("the certificate relay is of"));
+    EXPECT_EQ(text_of(gate.who({from_here, wall, digest}, kNow)), "wall, assessor");
+    EXPECT_FALSE(gate.who({from_here, "a guess", digest}, kNow).role);
+    EXPECT_FALSE(gate.who({from_here, digest, ""}, kNow).role) << "it is no token";
+    EXPECT_FALSE(gate.who({from_here, digest, digest}, kNow).role);
+    EXPECT_THAT(gate.who({from_here, "", digest}, kNow + 10s).more, HasSubstr("relay has ended"));
+  }
+  EXPECT_TRUE(gate.knows({false, "", digest}, kNow));
+  EXPECT_FALSE(gate.knows({false, "a guess", digest}, kNow));
+  EXPECT_FALSE(gate.knows({false, "", other}, kNow));
+  EXPECT_FALSE(gate.knows({true, "", other}, kNow));
+  EXPECT_EQ(gate.end_of({false, "", digest}, kNow), kNow + 10s);
+  EXPECT_EQ(gate.who({true, "", other}, kNow).role, access::ADMIN) << "as without one";
+  EXPECT_THAT(*why_not(gate.who({false, "", other}, kNow), "get_status"),
+              HasSubstr("no entry among the server's tokens, or it was revoked"));
+
+  const auto before = gate.generation();
+  gate.refresh(kNow + 10s);
+  EXPECT_NE(gate.generation(), before) << "it has ended, and sessions look again";
+  const auto ended = gate.generation();
+  change_tokens(file_, [](TokenFile& file) { EXPECT_TRUE(file.remove("relay")); });
+  gate.refresh(kNow + 11s);
+  EXPECT_NE(gate.generation(), ended);
+  EXPECT_FALSE(gate.who({false, "", digest}, kNow).role);
+}
+
+TEST(Gate, WithoutTokensACertificateIsNobodys) {
+  const std::string digest(64, 'c');
+  for (const char* control : {"", "secret"}) {
+    const Gate gate({control, {}, {}});
+    EXPECT_EQ(gate.who({false, "", digest}, kNow).role, access::OBSERVER);
+    EXPECT_TRUE(why_not(gate.who({false, "", digest}, kNow), "set.controls"));
+    EXPECT_FALSE(gate.knows({false, "", digest}, kNow));
+  }
+}
+
 class GateOfUsers : public testing::Test {
  protected:
   GateOfUsers() {

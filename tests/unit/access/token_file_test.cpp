@@ -35,14 +35,18 @@ TEST(TokenFile, ReadsWhatItWrites) {
   TokenFile file;
   file.add({"bridge \"1\" \\ \u00c5", access::TRAINEE, "Sj\u00f8: #1", kDigest, kEnds});
   file.add({"wall", access::OBSERVER, "", digest_of("x"), std::nullopt});
+  file.add({"relay", access::OBSERVER, "", "", std::nullopt, std::string(64, 'b')});
   const TokenFile read = TokenFile::parse(file.text(), "tokens.yaml");
-  ASSERT_EQ(read.tokens().size(), 2u);
   EXPECT_EQ(read.tokens()[0].name, "bridge \"1\" \\ \u00c5");
   EXPECT_EQ(read.tokens()[0].role, access::TRAINEE);
   EXPECT_EQ(read.tokens()[0].ship, "Sj\u00f8: #1");
   EXPECT_EQ(read.tokens()[0].sha256, kDigest);
   EXPECT_EQ(read.tokens()[0].ends, kEnds);
   EXPECT_EQ(read.tokens()[1].ends, std::nullopt);
+  EXPECT_EQ(read.tokens()[1].certificate, "");
+  ASSERT_EQ(read.tokens().size(), 3u);
+  EXPECT_EQ(read.tokens()[2].sha256, "");
+  EXPECT_EQ(read.tokens()[2].certificate, std::string(64, 'b'));
   EXPECT_TRUE(TokenFile::parse(TokenFile().text(), "").tokens().empty());
 }
 
@@ -66,6 +70,17 @@ TEST(TokenFile, ErrorsNameTheLineAndWhatIsExpected) {
   const std::string one = "  - name: a\n    sha256: " + kDigest + "\n";
   EXPECT_THAT(error_of("tokens:\n" + one + one), HasSubstr("earlier token"));
   EXPECT_THAT(error_of("token: []\n"), HasSubstr("tokens"));
+  const std::string certificate = "    certificate: " + kDigest + "\n";
+  EXPECT_EQ(error_of("tokens:\n  - name: a\n" + certificate), "");
+  EXPECT_THAT(error_of("tokens:\n  - name: a\n"), HasSubstr("tokens.yaml:2:"));
+  EXPECT_THAT(error_of("tokens:\n  - name: a\n"), HasSubstr("one of sha256"));
+  const std::string both = error_of("tokens:\n" + one + certificate);
+  EXPECT_THAT(both, HasSubstr("tokens.yaml:4:"));
+  EXPECT_THAT(both, HasSubstr("tokens[0].certificate: expected: one of sha256"));
+  const std::string wrong = error_of("tokens:\n  - name: a\n    certificate: AB:CD\n");
+  EXPECT_THAT(wrong, HasSubstr("tokens.yaml:3:18: tokens[0].certificate: is no SHA-256"));
+  EXPECT_THAT(error_of("tokens:\n  - name: a\n" + certificate + "  - name: b\n" + certificate),
+              HasSubstr("tokens.yaml:5:18: tokens[1].certificate: is that of an earlier entry"));
 }
 
 TEST(TokenFile, FindsATokenByItsTextWhileItHolds) {
@@ -77,6 +92,34 @@ TEST(TokenFile, FindsATokenByItsTextWhileItHolds) {
   EXPECT_EQ(file.find("", kEnds - Duration(1)).state, TokenState::unknown);
   EXPECT_EQ(file.find(digest_of("skerry_A"), kEnds - Duration(1)).state, TokenState::unknown)
       << "what stands in the file opens nothing";
+}
+
+TEST(TokenFile, FindsACertificateByItsDigestAndByNothingElse) {
+  TokenFile file;
+  file.add({"relay", access::OBSERVER, "", "", kEnds, kDigest});
+  file.add({"a", access::OBSERVER, "", digest_of("skerry_A"), {}});
+  const UtcTime before = kEnds - Duration(1);
+  const auto found = file.find_certificate(kDigest, before);
+  ASSERT_EQ(found.state, TokenState::good);
+  EXPECT_EQ(found.token->name, "relay");
+  EXPECT_EQ(file.find_certificate(kDigest, kEnds).state, TokenState::ended);
+  EXPECT_EQ(file.find_certificate("", before).state, TokenState::unknown);
+  EXPECT_EQ(file.find_certificate(digest_of("skerry_A"), before).state, TokenState::unknown)
+      << "a token's digest is no certificate's";
+  for (const std::string& text : {kDigest, std::string("relay"), std::string()}) {
+    EXPECT_EQ(file.find(text, before).state, TokenState::unknown) << text;
+  }
+}
+
+TEST(TokenFile, AnEntryIsOfOneTokenOrOneCertificateOfNobodyElse) {
+  TokenFile file;
+  file.add({"relay", access::OBSERVER, "", "", {}, kDigest});
+  EXPECT_THROW(file.add({"b", access::OBSERVER, "", "", {}, kDigest}), std::invalid_argument);
+  EXPECT_THROW(file.add({"c", access::OBSERVER, "", "", {}, ""}), std::invalid_argument);
+  EXPECT_THROW(file.add({"d", access::OBSERVER, "", kDigest, {}, std::string(64, 'b')}),
+               std::invalid_argument);
+  EXPECT_TRUE(file.remove("relay"));
+  file.add({"b", access::OBSERVER, "", "", {}, kDigest});
 }
 
 TEST(TokenFile, RefusesNamesThatAreTakenOrNoNames) {

@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
+#include <stdexcept>
 
 namespace skerry::server {
 
@@ -23,6 +25,13 @@ TestTls::TestTls(std::uint16_t port, const TestTlsOptions& options) {
     ::SSL_CTX_load_verify_file(context_, options.authority.c_str());
     ::SSL_CTX_set_verify(context_, SSL_VERIFY_PEER, nullptr);
   }
+  if (!options.certificate.empty()) {
+    const auto key = std::filesystem::path(options.certificate).replace_extension(".key");
+    const bool is_pair =
+        ::SSL_CTX_use_certificate_chain_file(context_, options.certificate.c_str()) == 1 &&
+        ::SSL_CTX_use_PrivateKey_file(context_, key.c_str(), SSL_FILETYPE_PEM) == 1;
+    if (!is_pair) throw std::runtime_error(options.certificate + ": no pair with its key");
+  }
   socket_ = ::socket(AF_INET, SOCK_STREAM, 0);
   const timeval patience{30, 0};
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
@@ -33,6 +42,7 @@ TestTls::TestTls(std::uint16_t port, const TestTlsOptions& options) {
   ssl_ = ::SSL_new(context_);
   ::SSL_set_fd(ssl_, socket_);
   ::X509_VERIFY_PARAM_set1_ip_asc(::SSL_get0_param(ssl_), "127.0.0.1");
+  if (options.session != nullptr) ::SSL_set_session(ssl_, options.session);
   open_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&where), sizeof where) == 0 &&
           ::SSL_connect(ssl_) == 1;
 }

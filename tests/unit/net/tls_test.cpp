@@ -14,7 +14,7 @@
 #include "clients/common/spoke_client.hpp"
 #include "server/net/common/tls_keys.hpp"
 #include "server/tls/certificate.hpp"
-#include "tests/unit/net/fake_host.hpp"
+#include "tests/unit/net/server_with_tls.hpp"
 #include "tests/unit/net/test_client.hpp"
 #include "tests/unit/net/test_tls.hpp"
 
@@ -27,53 +27,6 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-constexpr Duration kPatience = std::chrono::seconds(20);
-
-class ServerWithTls : public testing::Test {
- protected:
-  ServerWithTls() {
-    make_authority(folder_, "Test authority");
-    make_server_certificate(folder_, {"127.0.0.1"});
-    config_.tls = folder_.string();
-    config_.foreign_addresses = {"127.0.0.1"};  // everybody is of another host
-    ::setenv("SKERRY_CA", file(kAuthorityCertificate).c_str(), 1);
-  }
-  ~ServerWithTls() override {
-    ::unsetenv("SKERRY_CA");
-    if (server_) server_->stop();
-    std::filesystem::remove_all(folder_);
-  }
-
-  void start() {
-    server_.emplace(host_, config_, std::span<const WebFile>{});
-    server_->start();
-  }
-  std::string file(const char* name) const { return (folder_ / name).string(); }
-  void write(const char* name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
-  static std::string get(const std::string& path) {
-    return "GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n";
-  }
-  std::string https(const std::string& request) const {
-    TestTls tls(server_->http_port(), {.authority = file(kAuthorityCertificate)});
-    if (!tls.is_open()) return "no handshake";
-    tls.send(request);
-    return tls.receive_all();
-  }
-  std::uint64_t errors(const std::string& kind) const {
-    const wire::Status status = server_->status();
-    const auto found = status.errors().find(kind);
-    return found == status.errors().end() ? 0 : found->second;
-  }
-
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("skerry-tls-" + std::to_string(::getpid()));
-  FakeHost host_;
-  NetConfig config_ = test_config();
-  std::optional<NetServer> server_;
-};
 
 TEST_F(ServerWithTls, SendsTheSameSpokesToNativeClients) {
   start();
@@ -298,8 +251,52 @@ TEST(Certificate, IsAsBeforeWhereItsPairCannotBeWritten) {
   std::ofstream(folder / "server.pem.new" / "kept") << "so that it is not removed";
   EXPECT_THROW(make_server_certificate(folder, {"radar.school"}), std::exception);
   EXPECT_EQ(facts_of_certificate(folder / kServerCertificate).fingerprint, before);
-  EXPECT_NO_THROW(read_tls(folder / kServerCertificate, folder / kServerKey)) << "still a pair";
+  EXPECT_NO_THROW(read_tls({folder / kServerCertificate, folder / kServerKey})) << "still a pair";
   EXPECT_FALSE(std::filesystem::exists(folder / "server.key.new"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Certificate, OfAClientIsMadeOnceAndRenewedWhenSaidSo) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("skerry-certificate-" + std::to_string(::getpid()));
+  make_authority(folder, "Test authority");
+  make_server_certificate(folder, {"radar.school"});
+  const auto file = client_certificate_file(folder, "relay-2");
+  EXPECT_THROW(make_client_certificate(folder, "relay-2", ClientFiles::are_renewed),
+               std::runtime_error)
+      << "there is none";
+  make_client_certificate(folder, "relay-2", ClientFiles::are_new);
+  const CertificateFacts made = facts_of_certificate(file);
+  EXPECT_EQ(made.common_name, "relay-2");
+  EXPECT_TRUE(made.is_for_clients);
+  EXPECT_FALSE(facts_of_certificate(folder / kServerCertificate).is_for_clients);
+  EXPECT_FALSE(facts_of_certificate(folder / kAuthorityCertificate).is_for_clients);
+  EXPECT_EQ(std::filesystem::status(folder / "relay-2.key").permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  try {
+    make_client_certificate(folder, "relay-2", ClientFiles::are_new);
+    ADD_FAILURE() << "the key from before was overwritten";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("relay-2.key is there already: --renew"));
+  }
+  EXPECT_EQ(facts_of_certificate(file).sha256, made.sha256);
+  make_client_certificate(folder, "relay-2", ClientFiles::are_renewed);
+  EXPECT_NE(facts_of_certificate(file).sha256, made.sha256);
+  EXPECT_NO_THROW(read_tls({file, folder / "relay-2.key"})) << "a pair";
+
+  const std::string before = facts_of_certificate(file).sha256;
+  std::filesystem::create_directory(folder / "relay-2.pem.new");
+  std::ofstream(folder / "relay-2.pem.new" / "kept") << "so that it cannot be written";
+  EXPECT_THROW(make_client_certificate(folder, "relay-2", ClientFiles::are_renewed),
+               std::exception);
+  EXPECT_EQ(facts_of_certificate(file).sha256, before);
+  EXPECT_NO_THROW(read_tls({file, folder / "relay-2.key"})) << "still a pair";
+
+  for (const char* name : {"", "server", "authority", "a b", "../relay", "-x", ".x", "x/y", "x\n",
+                           "0123456789012345678901234567890123456789012345678901234567890123x"}) {
+    EXPECT_THROW(make_client_certificate(folder, name, ClientFiles::are_new), std::runtime_error)
+        << name;
+  }
   std::filesystem::remove_all(folder);
 }
 
