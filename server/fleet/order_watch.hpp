@@ -19,8 +19,8 @@ namespace skerry::fleet {
 class OrderWatch {
  public:
   // A member from which nothing came for so long may be stopped or cut off: another is asked. While
-  // an exercise runs there are ten grants a second.
-  static constexpr std::chrono::milliseconds kQuiet{1000};
+  // an exercise runs there are ten grants a second; less would leave members that are well.
+  static constexpr std::chrono::milliseconds kQuiet{500};
 
   // `from`: 1 + LogText::at, or 1.  Error: std::invalid_argument, as of OrderStore.
   OrderWatch(KeyStore& keys, StoreMark& mark, const std::string& exercise, Revision from);

@@ -71,11 +71,11 @@ void EtcdCluster::start(std::size_t i) {
                                         "--log-level=error",
                                         "--log-outputs=stderr"};
   if (const std::string& tls = plan_.tls_folder; !tls.empty()) {
-    for (const std::string side : {"", "peer-"}) {
-      arguments.push_back("--" + side + "trusted-ca-file=" + tls + "/ca.pem");
-      arguments.push_back("--" + side + "cert-file=" + tls + "/host.pem");
-      arguments.push_back("--" + side + "key-file=" + tls + "/host.key");
-      arguments.push_back("--" + side + "client-cert-auth");
+    for (const char* side : {"", "peer-"}) {
+      arguments.push_back(fmt::format("--{}trusted-ca-file={}/ca.pem", side, tls));
+      arguments.push_back(fmt::format("--{}cert-file={}/host.pem", side, tls));
+      arguments.push_back(fmt::format("--{}key-file={}/host.key", side, tls));
+      arguments.push_back(fmt::format("--{}client-cert-auth", side));
     }
   }
   arguments.insert(arguments.end(), plan_.more_arguments.begin(), plan_.more_arguments.end());
