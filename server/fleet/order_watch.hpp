@@ -25,7 +25,7 @@ class OrderWatch {
   // `from`: 1 + LogText::at, or 1.  Error: std::invalid_argument, as of OrderStore.
   OrderWatch(KeyStore& keys, StoreMark& mark, const std::string& exercise, Revision from);
 
-  // At the latest at the deadline; empty: nothing came until then.
+  // At the latest at the deadline; empty: nothing came until then, or for kQuiet.
   // Error: said once; the next call goes on where this one ended.  Only went_back stays.
   StoreResult<std::vector<LogEvent>> next(HostTime deadline);
 

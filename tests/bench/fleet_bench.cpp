@@ -1,7 +1,6 @@
 // What the fleet's store costs, over three etcd of this machine: fleet_bench [APPENDS] [KILLS].
 // Prints a line for each figure: p50, p99 and the largest, in ms.
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <atomic>
@@ -106,8 +105,7 @@ void outages(EtcdCluster& etcd, int count) {
     const Epoch epoch = host.leader.held(host_now()).value();
     const auto text = host.orders.read(1, in(seconds(10)));
     const Revision grant = text.value().grant->revision;
-    const auto member = etcd.leader();
-    if (!member) continue;
+    const auto member = etcd.await_leader();
     int n = 0;
     const auto one = [&] {
       return host.orders.append({fmt::format("k{}.{}", i, ++n), "host-a", "x", epoch, grant, 4},
@@ -115,7 +113,7 @@ void outages(EtcdCluster& etcd, int count) {
     };
     for (int k = 0; k < 20; ++k) (void)one();
     const HostTime before = host_now();
-    etcd.kill(*member);
+    etcd.kill(member);
     const auto outcome = one();
     if (outcome) gaps.push_back(host_now() - before);
     if (!outcome) std::printf("  after a kill: %s\n", outcome.error().text.c_str());
@@ -139,10 +137,10 @@ void takeovers(EtcdCluster& etcd, int count, bool with_store) {
            std::string::npos)
       host.keys.wait_until(in(milliseconds(20)));
     host.keys.wait_until(in(milliseconds(300)));
-    const auto member = etcd.leader();
+    const auto member = etcd.await_leader();
     const HostTime before = host_now();
     worker.reset();
-    if (with_store && member) etcd.kill(*member);
+    if (with_store) etcd.kill(member);
     while (!host.leader.held(host_now())) {
       (void)host.leader.step(in(seconds(1)));
       host.keys.wait_until(in(milliseconds(20)));

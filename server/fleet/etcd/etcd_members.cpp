@@ -1,5 +1,6 @@
 #include "server/fleet/etcd/etcd_members.hpp"
 
+#include <grpc/support/log.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/support/channel_arguments.h>
@@ -22,6 +23,8 @@ constexpr int kFirstAgainMs = 50, kLastAgainMs = 500;
 }  // namespace
 
 EtcdMembers::EtcdMembers(const EtcdAddress& address) {
+  // gRPC writes to standard error what it also says in the errors that it returns.
+  gpr_set_log_function([](gpr_log_func_args*) {});
   if (address.members.empty())
     throw std::invalid_argument("the store: no member; expected host:port of each");
   std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();

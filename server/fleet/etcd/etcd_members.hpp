@@ -24,8 +24,8 @@ struct EtcdAddress {
   std::optional<EtcdTls> tls;        // nothing: in the clear, for tests and one machine
 };
 
-// A connection for each member, made when it is first used and again when it is lost.
-// Thread: any.
+// A connection for each member, made when it is first used and again when it is lost.  gRPC's own
+// log is off in a program that has made one. Thread: any.
 class EtcdMembers {
  public:
   // Error: std::invalid_argument, without a member, or with TLS that lacks a text.

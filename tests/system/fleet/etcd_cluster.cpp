@@ -9,6 +9,7 @@
 
 #include <map>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "server/fleet/until_answered.hpp"
@@ -16,20 +17,23 @@
 namespace skerry::fleet {
 
 std::vector<int> free_ports(std::size_t count) {
-  std::vector<int> sockets, ports;
-  for (std::size_t i = 0; i < count; ++i) {
+  // Below those that the kernel gives to connections: who tries to reach a member that does not run
+  // would some day be given its port.
+  constexpr int kFirst = 20000, kPorts = 12000;
+  std::vector<int> ports;
+  for (int i = 0; i < kPorts && ports.size() < count; ++i) {
+    const int port = kFirst + (::getpid() * 41 + i) % kPorts;
     const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    if (socket < 0 || ::bind(socket, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-        ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-      throw std::runtime_error("no free port");
-    sockets.push_back(socket);
-    ports.push_back(ntohs(address.sin_port));
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    if (socket < 0) break;
+    if (::bind(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0)
+      ports.push_back(port);
+    ::close(socket);
   }
-  for (const int socket : sockets) ::close(socket);
+  if (ports.size() < count) throw std::runtime_error("no free ports");
   return ports;
 }
 
@@ -157,6 +161,14 @@ std::string EtcdCluster::control(const std::vector<std::string>& arguments) cons
   if (ending.code != 0)
     throw std::runtime_error("etcdctl " + arguments.front() + ": " + ending.out + ending.err);
   return ending.out;
+}
+
+std::size_t EtcdCluster::await_leader() const {
+  for (const HostTime end = host_now() + std::chrono::minutes(1); host_now() < end;) {
+    if (const auto member = leader()) return *member;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  throw std::runtime_error("etcd has no leader");
 }
 
 void EtcdCluster::save(std::size_t member, const std::string& file) const {

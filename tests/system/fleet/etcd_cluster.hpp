@@ -42,6 +42,8 @@ class EtcdCluster {
   void await_majority();
   // Who leads by the words of most; nobody, if they do not agree.
   std::optional<std::size_t> leader() const;
+  // Until they agree.  Error: std::runtime_error after a minute.
+  std::size_t await_leader() const;
 
   // Of a member that runs.
   void save(std::size_t member, const std::string& file) const;
@@ -64,7 +66,7 @@ class EtcdCluster {
   int generation_ = 0;
 };
 
-// Ports of the loopback interface on which nobody listened just now.
+// Ports of the loopback interface that nobody had just now.
 std::vector<int> free_ports(std::size_t count);
 
 }  // namespace skerry::fleet

@@ -66,19 +66,26 @@ class Worker {
         if (const auto epoch = leader_.held(host_now())) led_ = *epoch;
       }
       look();
-      if (random_() % 500 == 0) leader_.release(host_now() + milliseconds(300));
+      if (led_appends_ >= kAppendsOfALeader) {
+        leader_.release(host_now() + milliseconds(300));
+        led_appends_ = 0;
+      }
       const bool holds = leader_.held(host_now()).has_value();
       if (led_ != 0 && holds && random_() % 3 == 0)
         (void)orders_.grant({led_, grant_.revision, grant_.to + 1, Duration(grant_.to)},
                             host_now() + milliseconds(300));
       // Who has been deposed tries it still: the store must not take it.
       const Epoch epoch = led_ != 0 && random_() % 2 == 0 ? led_ : epoch_;
+      led_appends_ += holds;
       if (epoch != 0 && (holds || random_() % 4 == 0))
         (void)append(epoch, fmt::format("{}.{}", host_, ++appends_), milliseconds(1500));
     }
   }
 
  private:
+  // Then it leaves it to another.
+  static constexpr int kAppendsOfALeader = 25;
+
   template <typename... Values>
   void say(fmt::format_string<Values...> text, Values&&... values) {
     const std::string line = fmt::format(text, std::forward<Values>(values)...) + "\n";
@@ -143,6 +150,7 @@ class Worker {
   GrantSeen grant_;
   Epoch epoch_ = 0, led_ = 0;
   std::uint64_t appends_ = 0;
+  int led_appends_ = 0;
 };
 
 }  // namespace

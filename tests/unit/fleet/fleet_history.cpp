@@ -296,7 +296,7 @@ class Simulation {
       const auto outcome = granted(*wish, reply);
       if (!outcome) history_.deposed += outcome.error().trouble == Trouble::deposed;
       if (!outcome) return;
-      history_.late_grants += host.log->known() >= outcome->revision;
+      history_.late_replies += host.log->known() >= outcome->revision;
       if (plan_.sabotage == Sabotage::trusted_reply)
         hear(host, GrantSeen{outcome->revision, wish->epoch, wish->to, wish->sent});
     });

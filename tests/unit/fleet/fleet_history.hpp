@@ -31,9 +31,9 @@ struct HistoryPlan {
 struct History {
   std::vector<std::string> violations;  // the first ones
   std::uint64_t acknowledged = 0, refused = 0, abandoned = 0;
-  std::uint64_t overtaken = 0;    // appends that came after a newer grant
-  std::uint64_t deposed = 0;      // appends and grants under an epoch that was over
-  std::uint64_t late_grants = 0;  // whose reply came when another host had run on them, or never
+  std::uint64_t overtaken = 0;     // appends that came after a newer grant
+  std::uint64_t deposed = 0;       // appends and grants under an epoch that was over
+  std::uint64_t late_replies = 0;  // of grants that were heard in the log before
   std::uint64_t free_runs = 0, conflicts = 0, came_back = 0, reborn = 0, leaders = 0;
   std::uint64_t ticks_followed = 0, ticks_free = 0;
 };

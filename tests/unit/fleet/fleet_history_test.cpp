@@ -39,6 +39,7 @@ TEST(FleetHistory, AllHostsApplyTheSameOrdersAtTheSameTicks) {
     sum.came_back += history.came_back;
     sum.reborn += history.reborn;
     sum.leaders += history.leaders;
+    sum.late_replies += history.late_replies;
     sum.ticks_followed += history.ticks_followed;
     sum.ticks_free += history.ticks_free;
   }
@@ -62,6 +63,7 @@ TEST(FleetHistory, AllHostsApplyTheSameOrdersAtTheSameTicks) {
   EXPECT_GT(sum.conflicts, 100u);
   EXPECT_EQ(sum.conflicts, sum.came_back);
   EXPECT_GT(sum.leaders, 300u);
+  EXPECT_GT(sum.late_replies, 1000u);
   EXPECT_GT(sum.reborn, 100u);
 }
 
