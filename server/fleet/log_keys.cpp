@@ -14,11 +14,13 @@ bool is_name_letter(char c) {
          c == '_' || c == '-';
 }
 
+// A key that is no name of ours may hold anything: it is not repeated.
 StoreError broken_key(const KeyValue& key, std::string_view what) {
+  const bool ours = !key.key.empty() && is_holding_name(std::string_view(key.key).substr(1));
   return {Trouble::broken,
           fmt::format("the store's key {} {}; something else than Skerry has written to it: start "
                       "the exercise under another name",
-                      key.key, what),
+                      ours ? key.key : fmt::format("(of {} bytes)", key.key.size()), what),
           false};
 }
 
@@ -41,7 +43,9 @@ StoreResult<std::optional<LogEvent>> LogKeys::event_of(const KeyEvent& event) co
   const std::string_view key = event.key.key;
   if (key.starts_with(names())) {
     HolderSeen seen{event.key.modified, std::string(key.substr(names().size())), {}, 0};
+    if (!is_holding_name(seen.name)) return Failure{broken_key(event.key, "is no name to hold")};
     if (!event.deleted) {
+      if (!is_name(event.key.value)) return Failure{broken_key(event.key, "names no host")};
       seen.host = event.key.value;
       seen.epoch = event.key.created;
     }
@@ -64,7 +68,10 @@ StoreResult<std::optional<LogEvent>> LogKeys::event_of(const KeyEvent& event) co
 StoreResult<OrderSeen> order_of(const KeyValue& key, std::string_view id) {
   if (key.created != key.modified) return Failure{broken_key(key, "was changed")};
   LogOrder message;
-  if (!message.ParseFromString(key.value)) return Failure{broken_key(key, "is no order")};
+  if (!is_name(id)) return Failure{broken_key(key, "is no order's id")};
+  if (!message.ParseFromString(key.value) || !is_name(message.by()) ||
+      message.order().size() > kMostOrder)
+    return Failure{broken_key(key, "is no order")};
   return OrderSeen{key.created,     message.epoch(), message.tick(),
                    std::string(id), message.by(),    std::move(*message.mutable_order())};
 }

@@ -296,6 +296,10 @@ TEST(OrderStore, SaysWhatElseWroteToTheLog) {
   EXPECT_EQ(said("other", "x"), "");
   EXPECT_THAT(said("order/o", "x"), HasSubstr("order/o was changed"));
   EXPECT_THAT(said("order/p", "\xFF\xFF"), HasSubstr("order/p is no order"));
+  EXPECT_THAT(said("order/p", ""), HasSubstr("order/p is no order"));
+  EXPECT_THAT(said("order/a b", ""), HasSubstr("key (of 28 bytes) is no order's id"));
+  EXPECT_THAT(said("name/ship", "host 1"), HasSubstr("name/ship names no host"));
+  EXPECT_THAT(said("name/\n", "host-1"), HasSubstr("is no name to hold"));
   EXPECT_THAT(said("grant", "\xFF\xFF"), HasSubstr("grant is no grant"));
 }
 
