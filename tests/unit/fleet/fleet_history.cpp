@@ -292,7 +292,9 @@ class Simulation {
     host.log->lead(holds ? std::optional<Epoch>(host.epoch) : std::nullopt, local(host));
     const auto wish = host.log->grant_due(local(host));
     if (!wish) return;
-    send(host, transaction_of(keys_, *wish), [this, &host, wish](const TransactionReply& reply) {
+    Transaction transaction = transaction_of(keys_, *wish);
+    if (plan_.sabotage == Sabotage::loose_grants) transaction.conditions.pop_back();
+    send(host, transaction, [this, &host, wish](const TransactionReply& reply) {
       const auto outcome = granted(*wish, reply);
       if (!outcome) history_.deposed += outcome.error().trouble == Trouble::deposed;
       if (!outcome) return;

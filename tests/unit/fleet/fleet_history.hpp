@@ -15,6 +15,7 @@ enum class Sabotage : std::uint8_t {
   none,
   no_fence,       // the store does not compare revisions
   any_grant,      // orders do not name the grant they were made for
+  loose_grants,   // grants do not name the grant before them
   trusted_reply,  // a leader takes the store's reply for the grant
   runs_ahead,     // hosts do not keep to grants
   silent,         // hosts that must come back do not say so

@@ -76,6 +76,7 @@ TEST(FleetHistory, AllHostsApplyTheSameOrdersAtTheSameTicks) {
 TEST(FleetHistory, ShowsWhatEachPartOfTheRuleIsFor) {
   for (const auto& [sabotage, name] : {std::pair{Sabotage::no_fence, "no fence"},
                                        {Sabotage::any_grant, "any grant"},
+                                       {Sabotage::loose_grants, "loose grants"},
                                        {Sabotage::trusted_reply, "trusted reply"},
                                        {Sabotage::runs_ahead, "runs ahead"},
                                        {Sabotage::silent, "silent"},
