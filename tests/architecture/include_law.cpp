@@ -143,6 +143,9 @@ const std::vector<Room>& table() {
       {"server/radar", {"protocol/", "echo/", "server/core/", "server/world/"}},
       // The video of a recorded exercise, made again.
       {"server/replay", {"protocol/", "echo/", "server/core/", "server/world/", "server/radar/"}},
+      // The log that hosts of an exercise share, and its store over etcd.
+      {"server/fleet", {"protocol/quantity/"}},
+      {"server/fleet/etcd", {"protocol/quantity/", "server/fleet/"}},
       {"server/board",
        {"protocol/", "echo/sweeps/", "echo/radar/", "echo/kernel/", "server/core/"}},
       {"server/displays", {"protocol/", "server/core/", "server/displays/"}},
@@ -293,6 +296,8 @@ const std::vector<Owned>& owned_headers() {
         "clients/common/client_socket.cpp"},
        "use protocol/digest/digest.hpp, server/tls/certificate.hpp or "
        "clients/common/client_socket.hpp"},
+      {"grpc/", {"server/fleet/etcd/"}, "use server/fleet/key_store.hpp"},
+      {"grpcpp/", {"server/fleet/etcd/"}, "use server/fleet/key_store.hpp"},
       {"zlib.h",
        {"protocol/asterix/", "protocol/pcap/"},
        "use protocol/asterix/cat240.hpp or protocol/pcap/capture_reader.hpp"},
