@@ -8,6 +8,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <iterator>
@@ -38,6 +39,7 @@
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
 #include "server/audit/audit_log.hpp"
+#include "server/core/run_identity.hpp"
 #include "server/navigation/ship_sensors.hpp"
 #include "server/net/common/encoders.hpp"
 #include "server/net/live/live_inputs.hpp"
@@ -45,6 +47,7 @@
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
 #include "server/tracking/target_service.hpp"
+#include "server/upstream/upstream_links.hpp"
 #include "server/world/scenario.hpp"
 
 namespace {
@@ -145,8 +148,9 @@ class Audit {
   AuditLog log;
 };
 
-NetConfig with_audit(NetConfig net, Audit& audit) {
+NetConfig with_audit(NetConfig net, Audit& audit, std::string identity = new_run_identity()) {
   net.audit = &audit.log;
+  net.identity = std::move(identity);
   return net;
 }
 
@@ -210,6 +214,62 @@ int run_playback(const Options& options, LogTap& tap) {
   return 0;
 }
 
+// Waits for a signal that ends the server, for so long.
+bool is_to_end(const Signals& signals, std::chrono::milliseconds time) {
+  const timespec most{.tv_sec = time.count() / 1000, .tv_nsec = time.count() % 1000 * 1'000'000};
+  const int signal = sigtimedwait(&signals.set(), nullptr, &most);
+  return signal == SIGINT || signal == SIGTERM;
+}
+
+int run_relay(const Options& options, LogTap& tap) {
+  const UpstreamPlace& place = options.relay.place;
+  Gate({options.net.control_token, options.net.tokens, options.net.users});
+  Signals signals;
+  const ServiceManager manager = ServiceManager::of_environment();
+  const auto hello = first_hello(
+      place,
+      [&](std::chrono::milliseconds time) {
+        manager.starting("waits for " + place.name());
+        return options.check_only || is_to_end(signals, time);
+      },
+      [&](const std::string& why) {
+        spdlog::warn("relay: waiting for {}: {}", place.name(), why);
+      });
+  if (!hello) return options.check_only ? 2 : 0;
+  const std::string identity = new_run_identity();
+  UpstreamHost host(*hello, {place.name(), kServerName, identity, kNativeFormat});
+  const std::string what = fmt::format("relay of {}, {} radar{}", place.name(), host.radar_count(),
+                                       host.radar_count() == 1 ? "" : "s");
+  if (options.check_only) {
+    std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
+    return 0;
+  }
+  make_state_folder(options.state);
+  Audit audit(options, what);
+  signals.on_hang_up([&] { audit.log.reopen(); });
+  host.set_audit(&audit.log);
+  LoggingRecorder logging(host, options.recorder, tap, audit.log);
+  host.set_recording(&logging.recorder);
+  TargetService plotters(
+      host, kNativeFormat,
+      sensors_of(host, hello->playback() ? SensorErrors::none() : options.net.sensors));
+  host.set_targets(&plotters);
+  UpstreamLinks links(host, place, options.relay.token);
+  NetServer net(host, with_audit(options.net, audit, identity), web_files());
+  signals.on_hang_up([&] { net.read_certificate(); });
+  net.start();
+  links.start();
+  plotters.start();
+  logging.recorder.start();
+  greet(options, net, what);
+  await(signals, what);
+  links.stop();
+  plotters.stop();
+  logging.recorder.stop();
+  net.stop();
+  return 0;
+}
+
 // Real radars beside the simulated ones.
 struct Live {
   Live(RadarServer& simulated, const std::vector<LiveSource>& sources)
@@ -241,6 +301,7 @@ int run(const Options& options, LogTap& tap) {
                    options.workers});
   }
   if (!options.playback.file.empty()) return run_playback(options, tap);
+  if (!options.relay.place.host.empty()) return run_relay(options, tap);
   // Its errors before all else takes time.
   Gate({options.net.control_token, options.net.tokens, options.net.users});
   const auto [yaml, scenario] = open_scenario(options.scenario);
