@@ -43,7 +43,9 @@ class Relay : public testing::Test {
  private:
   static std::string coaster_scenario() {
     std::string text = small_scenario();
-    return text.replace(text.find("speed_kn: 12"), 12, "speed_kn: 12\n    ship_class: coaster");
+    const std::size_t begin = text.find("    speed_time_constant_s"),
+                      end = text.find("    radars:");
+    return text.replace(begin, end - begin, "    ship_class: coaster\n");
   }
 };
 

@@ -69,7 +69,7 @@ RelayOptions relay_options(const app::ServerConfig& config, const NetConfig& net
   const auto place = upstream_place(config.relay().server());
   if (!place) throw std::runtime_error("--relay: " + place.error());
   refuse(config.has_scenario(), "--scenario", "radars of its own, or another server's");
-  refuse(config.has_playback(), "--play", "a recording, or another server's radars");
+  refuse(config.playback().has_file(), "--play", "a recording, or another server's radars");
   refuse(!config.charts().empty() || config.has_elevation(), "--chart or --elevation",
          "the chart is the other server's");
   refuse(!config.inputs().empty(), "--input",
