@@ -53,6 +53,8 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
                                           const Answered& later) override;
   void leave(const std::string& origin) override;
   wire::OwnShip own_ship(std::uint32_t radar) const override;
+  // Its clocks go on between what is told of them.
+  wire::World world() const override;
   // Truth, from the first call on as long as it is asked for, if the other server lets this one.
   std::optional<wire::ExerciseState> exercise_state() const override;
   std::vector<TrafficItem> traffic() const override;
@@ -126,6 +128,7 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
   std::vector<bool> relayed_;
   std::string changes_;              // of its radars, for people; empty: none
   std::optional<std::string> gone_;  // why nothing comes
+  SteadyTime gone_at_{}, world_at_{};
   std::map<std::uint32_t, wire::OwnShip> own_ships_;
   std::optional<wire::ExerciseState> exercise_;
   wire::PlaybackState playback_;

@@ -74,8 +74,10 @@ void UpstreamHost::set_connected() {
 }
 
 void UpstreamHost::set_gone(const std::string& why) {
-  meter_.gone(why, std::chrono::steady_clock::now());
+  const auto now = std::chrono::steady_clock::now();
+  meter_.gone(why, now);
   const std::lock_guard lock(mutex_);
+  if (!gone_) gone_at_ = now;
   gone_ = why;
   exercise_.reset();
 }
@@ -87,6 +89,8 @@ void UpstreamHost::take(std::uint32_t radar, std::uint32_t view, wire::ServerMes
     std::string told = message.world().SerializeAsString();
     if (std::exchange(world_told_, told) == told) return;
     state_.take({recording::Kind::world}, {}, octets_of(message.world()), {});
+    const std::lock_guard lock(mutex_);
+    world_at_ = std::chrono::steady_clock::now();
   } else if (message.has_own_ship()) {
     bring_into_range(*message.mutable_own_ship());
     const std::lock_guard lock(mutex_);
@@ -163,6 +167,17 @@ std::vector<TrafficItem> UpstreamHost::traffic() const {
     if (!ship.removed()) items.push_back(item_of(ship, own_ships));
   }
   return items;
+}
+
+wire::World UpstreamHost::world() const {
+  wire::World world = RelayHost::world();
+  const std::lock_guard lock(mutex_);
+  const auto until = gone_ ? gone_at_ : std::chrono::steady_clock::now();
+  if (world_at_ == SteadyTime{} || until < world_at_) return world;
+  const double since_s = std::chrono::duration<double>(until - world_at_).count();
+  world.set_scenario_s(world.scenario_s() + since_s);
+  if (!world.frozen()) world.set_exercise_s(world.exercise_s() + since_s * world.rate());
+  return world;
 }
 
 wire::PlaybackState UpstreamHost::state() const {

@@ -143,6 +143,23 @@ TEST(PassedOn, SettingsShipsAndWorldAreTheOthers) {
   EXPECT_EQ(relay.host.world_version(), world_then);  // nothing has changed
 }
 
+TEST(PassedOn, TheWorldsClocksGoOnUntilTheOtherServerIsGone) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  EXPECT_EQ(relay.host.world().scenario_s(), 0);
+  wire::ServerMessage world;
+  world.mutable_world()->set_scenario_s(100);
+  world.mutable_world()->set_exercise_s(50);
+  world.mutable_world()->set_rate(2);
+  relay.say(1, world);
+  const wire::World now = relay.host.world();
+  EXPECT_GE(now.scenario_s(), 100);
+  EXPECT_NEAR(now.exercise_s() - 50, 2 * (now.scenario_s() - 100), 1e-6);
+  relay.cut(1, "gone");
+  EXPECT_EQ(relay.host.world().scenario_s(), relay.host.world().scenario_s());
+  EXPECT_GE(relay.host.world().scenario_s(), now.scenario_s());
+}
+
 TEST(PassedOn, WithoutTheOtherServerNobodyIsToSteerByWhatIsOld) {
   RelayUnderTest relay;
   relay.accept_all();
