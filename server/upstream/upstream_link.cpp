@@ -87,10 +87,12 @@ void UpstreamTalk::Link::on_news(wire::ServerMessage& message) {
 
 void UpstreamTalk::Link::count(SteadyTime now) {
   const std::uint64_t bytes = line ? line->bytes() : 0;
-  talk_.host_.meter().received(losses_.received() - received_counted_,
-                               losses_.lost() - lost_counted_, bytes - bytes_counted_, now);
+  // What comes late is taken back from the lost; what was told stays told.
+  const std::uint64_t lost = std::max(losses_.lost(), lost_counted_);
+  talk_.host_.meter().received(losses_.received() - received_counted_, lost - lost_counted_,
+                               bytes - bytes_counted_, now);
   received_counted_ = losses_.received();
-  lost_counted_ = losses_.lost();
+  lost_counted_ = lost;
   bytes_counted_ = bytes;
 }
 

@@ -51,6 +51,19 @@ TEST(PassedOn, AGapStaysAGapAndIsCounted) {
   EXPECT_EQ(relay.host.hops().at(0).spokes_lost(), 5u);
 }
 
+TEST(PassedOn, SpokesInDisorderArePassedOnAndCountedOnce) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  Console console(relay.host.find_channel(0, 0));
+  for (const std::uint64_t sequence : {10u, 13u, 11u, 12u, 12u}) {
+    relay.send_spokes(1, 0, 0, sequence, 1);
+    relay.pass(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(spokes_in(console.take()).size(), 5u);
+  EXPECT_EQ(relay.host.hops().at(0).spokes(), 4u);
+  EXPECT_EQ(relay.host.hops().at(0).spokes_lost(), 2u);  // told before they came
+}
+
 TEST(PassedOn, WhatWasMissedWhileTheLineWasDownIsAGapToo) {
   RelayUnderTest relay;
   relay.accept_all();
