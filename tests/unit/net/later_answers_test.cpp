@@ -66,7 +66,7 @@ class LaterAnswers : public testing::Test {
     return client;
   }
   AskingHost host_;
-  NetServer server_{host_, test_config()};
+  NetServer server_{host_, test_config(), {}};
 };
 
 TEST_F(LaterAnswers, ComeBeforeThoseToWhatWasAskedAfter) {
