@@ -221,6 +221,17 @@ bool is_to_end(const Signals& signals, std::chrono::milliseconds time) {
   return signal == SIGINT || signal == SIGTERM;
 }
 
+// Until what consoles ask for can be passed up, but for a few seconds at most: then without. False:
+// a signal ends the server.
+bool await_upstream(const UpstreamHost& host, const Signals& signals) {
+  constexpr std::chrono::milliseconds kLook{20};
+  for (auto waited = kLook; waited < std::chrono::seconds(10); waited += kLook) {
+    if (host.hops().front().connected()) return true;
+    if (is_to_end(signals, kLook)) return false;
+  }
+  return true;
+}
+
 int run_relay(const Options& options, LogTap& tap) {
   const UpstreamPlace& place = options.relay.place;
   Gate({options.net.control_token, options.net.tokens, options.net.users});
@@ -257,8 +268,9 @@ int run_relay(const Options& options, LogTap& tap) {
   UpstreamLinks links(host, place, options.relay.token);
   NetServer net(host, with_audit(options.net, audit, identity), web_files());
   signals.on_hang_up([&] { net.read_certificate(); });
-  net.start();
   links.start();
+  if (!await_upstream(host, signals)) return 0;
+  net.start();
   plotters.start();
   logging.recorder.start();
   greet(options, net, what);
