@@ -34,6 +34,7 @@ constexpr auto kRights = std::to_array<Right>({
     {"set.instructor", Scope::fleet, kExercise, "change what is locked"},
     {"target_order.*", Scope::ship, kConsole, "acquire, cancel and rule a view's targets"},
     {"get_status.*", Scope::any, kAll, "read the server's status"},
+    {"get_hops.*", Scope::any, kAll, "see how a relay is connected"},
     {"get_coastline.*", Scope::any, kAll, "have the coast about a place"},
     {"get_chart_objects.*", Scope::any, kAll, "have the chart's objects about a place"},
     {"record.*", Scope::fleet, kExercise, "start, mark and stop recordings"},

@@ -3,29 +3,25 @@
 #include <google/protobuf/stubs/logging.h>
 #include <malloc.h>
 #include <signal.h>
-#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
-#include <iterator>
 #include <memory>
-#include <mutex>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
-#include <variant>
 
-#include "protocol/wire/host_and_port.hpp"
 #include "server/access/gate.hpp"
-#include "server/app/control/change_log.hpp"
 #include "server/app/exercise_files.hpp"
+#include "server/app/greeting.hpp"
 #include "server/app/joined_host.hpp"
 #include "server/app/journal_lines.hpp"
 #include "server/app/load_estimate.hpp"
+#include "server/app/logging_recorder.hpp"
 #include "server/app/options/charts.hpp"
 #include "server/app/options/options.hpp"
 #include "server/app/options/state_folder.hpp"
@@ -38,6 +34,7 @@
 #include "server/app/version.hpp"
 #include "server/app/web_files.hpp"
 #include "server/audit/audit_log.hpp"
+#include "server/core/run_identity.hpp"
 #include "server/navigation/ship_sensors.hpp"
 #include "server/net/common/encoders.hpp"
 #include "server/net/live/live_inputs.hpp"
@@ -45,84 +42,13 @@
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
 #include "server/tracking/target_service.hpp"
+#include "server/upstream/upstream_links.hpp"
 #include "server/world/scenario.hpp"
 
 namespace {
 
 using namespace skerry::server;
 namespace wire = skerry::wire;
-
-// Lines of the server's log, for the recorder: a sink of the log that hands on to a recorder, if
-// there is one.  Thread: any.
-class LogTap final : public spdlog::sinks::base_sink<std::mutex> {
- public:
-  // nullptr: none from now on; when it returns, no line is on its way to the one before.
-  void set(Recorder* recorder) {
-    const std::lock_guard lock(mutex_);
-    recorder_ = recorder;
-  }
-
- private:
-  void sink_it_(const spdlog::details::log_msg& line) override {
-    if (recorder_ == nullptr) return;
-    std::string text(line.payload.data(), line.payload.size());
-    const std::string_view logger(line.logger_name.data(), line.logger_name.size());
-    if (logger == kControlLogger) {
-      recorder_->control_changed(std::move(text));
-    } else {
-      recorder_->log(static_cast<int>(line.level), std::move(text));
-    }
-  }
-  void flush_() override {}
-
-  Recorder* recorder_ = nullptr;  // under the sink's mutex
-};
-
-// No right of root's is needed.  A right to a higher priority is used if there is one (NetServer).
-void tell_of_root() {
-  if (geteuid() != 0) return;
-  spdlog::warn(
-      "skerryd runs as root and does not need to; start it as a user of its own, who may write "
-      "to the folder of recordings");
-}
-
-void greet(const Options& options, const NetServer& net, const std::string& what) {
-  const std::string& host = options.net.bind;
-  std::fprintf(stderr,
-               "%s: %s\n"
-               "  web console      http%s://%s/\n"
-               "  native protocol  %s %s\n",
-               kServerName, what.c_str(), options.net.tls.empty() ? "" : "s",
-               skerry::host_and_port(host, net.http_port()).c_str(),
-               options.net.tls.empty() ? "tcp" : "tls",
-               skerry::host_and_port(host, net.tcp_port()).c_str());
-  for (const StreamOutputConfig& stream : options.net.streams) {
-    constexpr const char* kNames[] = {"native datagrams", "ASTERIX CAT240", "board's records"};
-    static_assert(std::size(kNames) == std::variant_size_v<decltype(stream.shape)>);
-    std::fprintf(stderr, "  %-16s udp %s (radar %u)\n", kNames[stream.shape.index()],
-                 skerry::host_and_port(stream.to.address, stream.to.port).c_str(), stream.to.radar);
-  }
-  for (const DisplayOutputConfig& d : options.net.displays) {
-    std::fprintf(stderr, "  %-16s at %s (radar %u)\n", d.identity.family.c_str(),
-                 d.interface_address.c_str(), d.sources.front().radar);
-  }
-  for (const LiveSource& live : options.live) {
-    std::fprintf(stderr, "  %-16s listened for at %s (radar %u)\n",
-                 std::string(live.kind->name).c_str(), live.interface_address.c_str(), live.radar);
-  }
-  const wire::Status status = net.status();
-  for (const wire::OutputStatus& nmea : status.outputs()) {
-    if (!nmea.name().starts_with("nmea")) continue;
-    std::fprintf(stderr, "  %-16s %s (radar %u)\n", nmea.name().c_str(), nmea.address().c_str(),
-                 nmea.radar());
-  }
-  tell_of_root();
-  std::fprintf(stderr, "  stop with Ctrl-C\n");
-  if (options.print_ports) {
-    std::printf("tcp %u http %u\n", net.tcp_port(), net.http_port());
-    std::fflush(stdout);
-  }
-}
 
 // `radars`: nullptr if a recording is played.
 void await(const Signals& signals, const std::string& what, const NetServer& net,
@@ -153,32 +79,11 @@ class Audit {
   AuditLog log;
 };
 
-NetConfig with_audit(NetConfig net, Audit& audit) {
+NetConfig with_audit(NetConfig net, Audit& audit, std::string identity = new_run_identity()) {
   net.audit = &audit.log;
+  net.identity = std::move(identity);
   return net;
 }
-
-// A recorder that also has the lines of the log and the entries of the audit, while it lives.
-class LoggingRecorder {
- public:
-  LoggingRecorder(RadarHost& host, const RecorderConfig& config, LogTap& tap, AuditLog& audit)
-      : recorder(host, config), tap_(tap), audit_(audit) {
-    tap_.set(&recorder);
-    audit_.give_to([this](const AuditEntryPtr& entry) { recorder.audit(entry); });
-  }
-  ~LoggingRecorder() {
-    audit_.give_to(nullptr);
-    tap_.set(nullptr);
-  }
-  LoggingRecorder(const LoggingRecorder&) = delete;
-  LoggingRecorder& operator=(const LoggingRecorder&) = delete;
-
-  Recorder recorder;
-
- private:
-  LogTap& tap_;
-  AuditLog& audit_;
-};
 
 // Own ship as her sensors tell of her, and as recordings have told.
 TargetService::Sensed sensors_of(const RadarHost& host, const SensorErrors& errors) {
@@ -218,6 +123,74 @@ int run_playback(const Options& options, LogTap& tap) {
   return 0;
 }
 
+// Waits for a signal that ends the server, for so long.
+bool is_to_end(const Signals& signals, std::chrono::milliseconds time) {
+  const timespec most{.tv_sec = time.count() / 1000, .tv_nsec = time.count() % 1000 * 1'000'000};
+  const int signal = sigtimedwait(&signals.set(), nullptr, &most);
+  return signal == SIGINT || signal == SIGTERM;
+}
+
+// Until what consoles ask for can be passed up, but for a few seconds at most: then without. False:
+// a signal ends the server.
+bool await_upstream(const UpstreamHost& host, const Signals& signals) {
+  constexpr std::chrono::milliseconds kLook{20};
+  for (auto waited = kLook; waited < std::chrono::seconds(10); waited += kLook) {
+    if (host.hops().front().connected()) return true;
+    if (is_to_end(signals, kLook)) return false;
+  }
+  return true;
+}
+
+int run_relay(const Options& options, LogTap& tap) {
+  const UpstreamPlace& place = options.relay.place;
+  Gate({options.net.control_token, options.net.tokens, options.net.users});
+  Signals signals;
+  const ServiceManager manager = ServiceManager::of_environment();
+  const auto hello = first_hello(
+      place,
+      [&](std::chrono::milliseconds time) {
+        manager.starting("waits for " + place.name());
+        return options.check_only || is_to_end(signals, time);
+      },
+      [&](const std::string& why) {
+        spdlog::warn("relay: waiting for {}: {}", place.name(), why);
+      });
+  if (!hello) return options.check_only ? 2 : 0;
+  const std::string identity = new_run_identity();
+  UpstreamHost host(*hello, {place.name(), kServerName, identity, kNativeFormat});
+  const std::string what = fmt::format("relay of {}, {} radar{}", place.name(), host.radar_count(),
+                                       host.radar_count() == 1 ? "" : "s");
+  if (options.check_only) {
+    std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
+    return 0;
+  }
+  make_state_folder(options.state);
+  Audit audit(options, what);
+  signals.on_hang_up([&] { audit.log.reopen(); });
+  host.set_audit(&audit.log);
+  LoggingRecorder logging(host, options.recorder, tap, audit.log);
+  host.set_recording(&logging.recorder);
+  TargetService plotters(
+      host, kNativeFormat,
+      sensors_of(host, hello->playback() ? SensorErrors::none() : options.net.sensors));
+  host.set_targets(&plotters);
+  UpstreamLinks links(host, place, options.relay.token);
+  NetServer net(host, with_audit(options.net, audit, identity), web_files());
+  signals.on_hang_up([&] { net.read_certificate(); });
+  links.start();
+  if (!await_upstream(host, signals)) return 0;
+  net.start();
+  plotters.start();
+  logging.recorder.start();
+  greet(options, net, what);
+  await(signals, what, net, nullptr);
+  links.stop();
+  plotters.stop();
+  logging.recorder.stop();
+  net.stop();
+  return 0;
+}
+
 // Real radars beside the simulated ones.
 struct Live {
   Live(RadarServer& simulated, const std::vector<LiveSource>& sources)
@@ -249,6 +222,7 @@ int run(const Options& options, LogTap& tap) {
                    options.workers});
   }
   if (!options.playback.file.empty()) return run_playback(options, tap);
+  if (!options.relay.place.host.empty()) return run_relay(options, tap);
   // Its errors before all else takes time.
   Gate({options.net.control_token, options.net.tokens, options.net.users});
   const auto [yaml, scenario] = open_scenario(options.scenario);

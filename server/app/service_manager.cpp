@@ -96,6 +96,10 @@ void ServiceManager::ready(std::string_view status) const {
   // A line more would be an order of its own.
   send(fmt::format("READY=1\nSTATUS={}\n", status.substr(0, status.find('\n'))));
 }
+void ServiceManager::starting(std::string_view status) const {
+  send(fmt::format("STATUS={}\nEXTEND_TIMEOUT_USEC=30000000\n",
+                   status.substr(0, status.find('\n'))));
+}
 void ServiceManager::alive() const { send("WATCHDOG=1\n"); }
 // systemd 253 and later wait for this time as well.
 void ServiceManager::reloading() const {

@@ -29,6 +29,8 @@ class ServiceManager {
 
   // `status` is what `systemctl status` shows from then on.  Its first line.
   void ready(std::string_view status) const;
+  // Before that: it goes on being waited for.
+  void starting(std::string_view status) const;
   void alive() const;
   void reloading() const;  // until the next ready()
   void stopping() const;

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "protocol/quantity/result.hpp"
 #include "protocol/wire/radar.pb.h"
+#include "server/core/answered.hpp"
 #include "server/core/board_port.hpp"
 #include "server/core/chart_answer.hpp"
 #include "server/core/exercise_inputs.hpp"
@@ -41,6 +43,19 @@ class RadarHost {
   virtual std::optional<std::uint32_t> open_view(
       std::uint32_t radar, std::uint32_t like, bool follows,
       const std::function<void(VideoChannel&)>& prepare) = 0;
+  // The same of a view that follows nothing, for who can wait: nothing is returned where another
+  // server is asked, and `later` is then called once with its answer, from any thread.
+  // Error: why there is none, for people.
+  using OpenedView = Result<std::uint32_t, std::string>;
+  using ViewOpened = std::function<void(OpenedView)>;
+  virtual std::optional<OpenedView> open_view_or_ask(
+      std::uint32_t radar, std::uint32_t like, const std::function<void(VideoChannel&)>& prepare,
+      const ViewOpened& /*later*/) {
+    if (const auto view = open_view(radar, like, false, prepare)) return OpenedView(*view);
+    return OpenedView(Failure{"radar " + std::to_string(radar) +
+                              " has as many views as it may; close another console or share a "
+                              "view"});
+  }
   // No effect on view 0.
   virtual void close_view(std::uint32_t radar, std::uint32_t view) = 0;
 
@@ -70,6 +85,13 @@ class RadarHost {
   // which control the instructor has locked.  What changed goes to the log with `origin`: who
   // asked, as an operator would name them ("console 127.0.0.1:50714", "Navico display 192.0.2.7").
   virtual wire::Reply apply(const wire::Set& set, const std::string& origin) = 0;
+
+  // The same for who can wait: nothing is returned where another server decides, and `later` is
+  // then called once with its answer, from any thread.
+  virtual std::optional<wire::Reply> apply_or_ask(const wire::Set& set, const std::string& origin,
+                                                  const Answered& /*later*/) {
+    return apply(set, origin);
+  }
 
   // The connection that was `origin` has ended: a con that it had is free again.
   virtual void leave(const std::string& /*origin*/) {}
@@ -102,6 +124,8 @@ class RadarHost {
   virtual wire::Settings settings(std::uint32_t radar, std::uint32_t view) const = 0;
   virtual wire::OwnShip own_ship(std::uint32_t radar) const = 0;
   virtual wire::World world() const = 0;
+  // How a relay is connected to the servers before it, the nearest first; none: it is no relay.
+  virtual std::vector<wire::HopStatus> hops() const { return {}; }
   // One entry per radar; server/net adds the clients and its errors.
   virtual wire::Status status() const = 0;
 

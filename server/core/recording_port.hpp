@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "protocol/wire/radar.pb.h"
 #include "protocol/wire/recorder.pb.h"
+#include "server/core/answered.hpp"
 
 namespace skerry::server {
 
@@ -27,6 +29,12 @@ class PlaybackPort {
   virtual ~PlaybackPort() = default;
   // The token is not looked at.
   virtual wire::Reply control(const wire::Playback& playback, const std::string& origin) = 0;
+  // As RadarHost::apply_or_ask() has it.
+  virtual std::optional<wire::Reply> control_or_ask(const wire::Playback& playback,
+                                                    const std::string& origin,
+                                                    const Answered& /*later*/) {
+    return control(playback, origin);
+  }
   virtual wire::PlaybackState state() const = 0;
   // Grows whenever anything but the position of a running playback changes.
   virtual std::uint64_t version() const = 0;

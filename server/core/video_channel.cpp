@@ -121,6 +121,18 @@ void VideoChannel::publish(const Sector& sector) {
   for (const auto& [name, ring] : formats_) ring->publish(sector);
 }
 
+void VideoChannel::publish(const Sector& sector, const std::string& format,
+                           const EncodedSectorPtr& encoded) {
+  if (sector.spokes.empty()) return;
+  for (const auto& [name, ring] : formats_) {
+    if (name == format) {
+      ring->publish(sector.spokes.size(), [&] { return encoded; });
+    } else {
+      ring->publish(sector);
+    }
+  }
+}
+
 std::map<std::string, std::uint64_t> VideoChannel::spokes_encoded() const {
   std::map<std::string, std::uint64_t> encoded;
   for (const auto& [name, ring] : formats_) encoded[name] = ring->spokes_encoded();

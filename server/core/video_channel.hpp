@@ -140,6 +140,8 @@ class VideoChannel {
 
   // Thread: the radar thread only.  Never waits for a reader; a sector without spokes is ignored.
   void publish(const Sector& sector);
+  // The same of a sector that came in one of the formats: its readers get it as it is.
+  void publish(const Sector& sector, const std::string& format, const EncodedSectorPtr& encoded);
 
   std::map<std::string, std::uint64_t> spokes_encoded() const;
 

@@ -53,6 +53,8 @@ class RelayHost : public RadarHost {
   virtual UtcTime place() const = 0;
   virtual std::optional<UtcTime> present_utc() const { return std::nullopt; }
 
+  void views_changed() { views_version_.fetch_add(1); }
+
   // Adds uptime, memory, world and all radars.
   void tell_status(wire::Status& status) const;
 

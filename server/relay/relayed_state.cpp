@@ -140,6 +140,12 @@ void RelayedState::take(const SpokeHeader& header) {
   if (!told && (first || other)) ++settings_version_;
 }
 
+void RelayedState::forget(std::uint32_t radar, std::uint32_t view) {
+  const std::lock_guard lock(mutex_);
+  settings_.erase({radar, view});
+  spokes_.erase({radar, view});
+}
+
 wire::Settings RelayedState::settings(std::uint32_t radar, std::uint32_t view) const {
   const std::lock_guard lock(mutex_);
   wire::Settings settings;

@@ -31,6 +31,8 @@ class RelayedState {
   bool take(const recording::Topic& topic, UtcTime time, std::span<const std::uint8_t> bytes,
             const std::map<std::uint32_t, std::uint32_t>& radars);
   void take(const SpokeHeader& header);
+  // A view that has ended.
+  void forget(std::uint32_t radar, std::uint32_t view);
 
   wire::Settings settings(std::uint32_t radar, std::uint32_t view) const;
   // `now`: where the playback stands.  `utc`: what the ship's time is to be; nothing: her own.

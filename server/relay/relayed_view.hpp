@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "protocol/wire/radar.pb.h"
@@ -37,6 +38,8 @@ class RelayedView {
   // Spokes of the source, which nobody else has, with the header's times as they are to be; gives
   // them this view's number and numbers that grow.
   void publish(std::vector<std::shared_ptr<Spoke>> spokes);
+  // Spokes that keep all their numbers, and came in that format.
+  void pass_on(const Sector& sector, const std::string& format, const EncodedSectorPtr& encoded);
   // The playback has jumped.
   void begin_anew() { stamp_.begin_anew(); }
 
@@ -67,9 +70,10 @@ class RelayedViewList {
  public:
   static constexpr std::size_t kMaxViews = 32;  // besides those recorded
 
-  // `recorded`: ascending; `shared`: what number 0 shows.
+  // `recorded`: ascending; `shared`: what number 0 shows; `first_opened`: the least number that
+  // clients get, above those recorded.
   RelayedViewList(const std::vector<std::uint32_t>& recorded, std::uint32_t shared,
-                  std::size_t ring_sectors);
+                  std::size_t ring_sectors, std::uint32_t first_opened = 1);
 
   std::shared_ptr<const RelayedViews> get() const { return views_.get(); }
   RelayedViewPtr find(std::uint32_t number) const;
@@ -77,10 +81,19 @@ class RelayedViewList {
   RelayedViewPtr open(std::uint32_t like, const std::function<void(VideoChannel&)>& prepare);
   // No effect on what was recorded.
   void close(std::uint32_t number);
+  // A view that another server has opened, by its number there if that is free, else by one as
+  // clients get; nullptr if there is none.  And its end.
+  RelayedViewPtr add(std::uint32_t number, const std::function<void(VideoChannel&)>& prepare);
+  void take_away(std::uint32_t number);
   // VideoChannel::hold() of all that are there and all that come.
   void hold(std::size_t max_bytes);
 
  private:
+  // Under the mutex; nothing if there is none.
+  std::optional<std::uint32_t> next_number();
+  RelayedViewPtr put(std::uint32_t number, std::uint32_t source, bool opened,
+                     const std::function<void(VideoChannel&)>& prepare);
+
   const std::size_t ring_sectors_;
   std::mutex mutex_;  // of changes
   std::uint32_t first_opened_ = 1, last_number_ = 0;

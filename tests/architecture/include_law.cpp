@@ -193,6 +193,8 @@ const std::vector<Room>& table() {
       {"server/relay", {"protocol/", "server/core/"}},
       {"server/playback", {"protocol/", "server/core/", "server/relay/"}},
       {"server/live", {"protocol/", "server/core/", "server/relay/"}},
+      // Another server's: the one room of the server that is a client.
+      {"server/upstream", {"protocol/", "clients/common/", "server/core/", "server/relay/"}},
       // The plotters of all views at work, whatever the source of their spokes.
       {"server/tracking",
        {"protocol/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp", "server/core/",

@@ -1,6 +1,7 @@
 #include "tests/bench/child_server.hpp"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -68,6 +69,19 @@ ChildServer::ChildServer(const std::vector<std::string>& arguments, const std::s
 
 ChildServer::~ChildServer() {
   if (pid_ > 0) stop();
+}
+
+void ChildServer::pin_to(int core) const {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  CPU_SET(static_cast<std::size_t>(core), &cores);
+  for (const auto& thread :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task")) {
+    const pid_t id = std::stoi(thread.path().filename().string());
+    if (::sched_setaffinity(id, sizeof cores, &cores) != 0) {
+      throw std::runtime_error("skerryd cannot be put on core " + std::to_string(core));
+    }
+  }
 }
 
 int ChildServer::stop() {

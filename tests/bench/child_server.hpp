@@ -25,7 +25,9 @@ class ChildServer {
   std::uint16_t http_port() const { return http_port_; }
   double cpu_seconds() const;  // user and system, of all threads so far
   double thread_cpu_seconds(const std::string& name) const;  // 0 if it has no such thread
-  double resident_mib() const;                               // VmRSS
+  // All its threads run on that core from now on.  Error: std::runtime_error if it cannot be.
+  void pin_to(int core) const;
+  double resident_mib() const;  // VmRSS
   pid_t pid() const { return pid_; }
   // Asks it to stop and waits; its exit code, or 128 and the number of the signal that ended it.
   int stop();

@@ -238,6 +238,30 @@ std::string outputs(const wire::Status& status) {
   return out;
 }
 
+// How a relay is connected to the servers before it.
+std::string hops(const wire::Status& status) {
+  if (status.hops().empty()) return "";
+  std::string out =
+      fmt::format("\n{:<22} {:<18} {:<20} {:>12} {:>8} {:>10} {:>8} {:>7} {:>12}\n", "RELAY OF",
+                  "SERVER", "STATE", "SPOKES", "LOST", "ROUND TRIP", "MIB/S", "BACK", "ASKED");
+  for (const wire::HopStatus& hop : status.hops()) {
+    const std::string state = fmt::format("{} {}", hop.connected() ? "connected" : "GONE",
+                                          hours_minutes_seconds(hop.since_s()));
+    out +=
+        fmt::format("{:<22} {:<18} {:<20} {:>12} {:>8} {:>10} {:>8.2f} {:>7} {:>12}\n",
+                    hop.upstream().empty() ? "-" : printable(hop.upstream(), 40),
+                    hop.server().empty() ? "-" : printable(hop.server(), 18), state, hop.spokes(),
+                    hop.spokes_lost(),
+                    hop.has_round_trip_ms() ? fmt::format("{:.1f} ms", hop.round_trip_ms()) : "-",
+                    hop.bytes_per_second() / (1 << 20), hop.reconnects(),
+                    hop.requests_refused() == 0
+                        ? fmt::format("{}", hop.requests())
+                        : fmt::format("{} ({} no)", hop.requests(), hop.requests_refused()));
+    if (!hop.problem().empty()) out += fmt::format("{:>4}{}\n", "", printable(hop.problem(), 300));
+  }
+  return out;
+}
+
 std::string recorder(const wire::Status& status) {
   const wire::RecorderState& state = status.recorder();
   if (state.phase() == wire::RecorderState::OFF) return "";
@@ -263,8 +287,8 @@ std::string status_table(const wire::Status& status, const std::string& place) {
       hours_minutes_seconds(status.scenario_s()), hours_minutes_seconds(status.uptime_s()),
       status.resident_mib(), status.warning().empty() ? "" : printable(status.warning()) + "\n",
       own_ships(status), radars(status), controls(status) + special_controls(status),
-      boards(status), world(status), clients(status) + outputs(status) + recorder(status),
-      errors(status));
+      boards(status), world(status),
+      clients(status) + outputs(status) + hops(status) + recorder(status), errors(status));
 }
 
 int run_status(const ServerPlace& place, bool as_json) {

@@ -40,6 +40,7 @@ constexpr const char* kExamples = R"(Examples:
                                             a real HALO in place of radar 0, for a Garmin display
   skerryd --record --record-roll-minutes 60 --record-keep-gib 100
   skerryd --play exercise.mcap --play-loop  a recording in place of radars
+  skerryd --relay 192.0.2.7:7410            another server's radars, for consoles here
   skerryd --verify exercise.mcap            make its video again from what it was given, compare
   skerryd --config server.yaml              everything from a file; the command line wins
 
@@ -154,6 +155,7 @@ void add_options(CLI::App& cli, CommandLine& line) {
       "--check", line.check,
       "read configuration, scenario and charts, try its load for some seconds, serve nothing");
   add_playback_options(cli, *config.mutable_playback());
+  add_relay_options(cli, *config.mutable_relay());
   add_recorder_options(cli, *config.mutable_recorder());
   cli.add_option("--verify", line.verify,
                  "make the video of a recorded exercise again from its inputs, compare, and end")
@@ -179,6 +181,10 @@ void complete(CommandLine& line) {
   if (playback.has_file() && playback.file().empty()) {
     throw std::runtime_error("--play: its file has no name");
   }
+  if (config.relay().ByteSizeLong() == 0) config.clear_relay();
+  if (!line.verify.empty() && config.has_relay()) {
+    throw std::runtime_error("--verify and --relay exclude each other");
+  }
   if (config.has_scenario() && playback.has_file()) {
     throw std::runtime_error("--scenario and --play exclude each other: radars or a recording");
   }
@@ -188,7 +194,10 @@ void complete(CommandLine& line) {
 void put_over(const CommandLine& line, ServerConfig& file) {
   const app::Playback& playback = line.config.playback();
   // Options given for another file do not hold for this one.
-  if (playback.has_file() || line.config.has_scenario()) file.clear_playback();
+  const bool is_relay = line.config.relay().has_server();
+  if (playback.has_file() || line.config.has_scenario() || is_relay) file.clear_playback();
+  if (playback.has_file() || line.config.has_scenario() || is_relay) file.clear_relay();
+  if (is_relay) file.clear_scenario();
   if (line.no_udp) file.clear_udp();
   if (line.no_cat240) file.clear_cat240();
   std::vector<const google::protobuf::FieldDescriptor*> given;
@@ -197,6 +206,9 @@ void put_over(const CommandLine& line, ServerConfig& file) {
     if (field->is_repeated()) file.GetReflection()->ClearField(&file, field);
   }
   file.MergeFrom(line.config);
+  if (file.has_relay() && !file.relay().has_server()) {
+    throw std::runtime_error("--relay-token-file: of which server? give it with --relay HOST:PORT");
+  }
   if (file.playback().file().empty() && playback.ByteSizeLong() > 0) {
     throw std::runtime_error(
         "--play-rate, --play-loop, --play-from, --play-paused, --current-timestamps: of which "
@@ -263,6 +275,7 @@ Options options_of(const ServerConfig& config) {
   options.live = live_sources(config);
   net.sensors = config.exact_sensors() ? SensorErrors::none() : SensorErrors{};
   options.playback = playback_options(config.playback());
+  options.relay = relay_options(config, net);
   options.recorder = recorder_config(config.recorder());
   return options;
 }

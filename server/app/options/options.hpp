@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/app/options/playback_options.hpp"
+#include "server/app/options/relay_options.hpp"
 #include "server/live/live_source.hpp"
 #include "server/net/common/net_config.hpp"
 #include "server/recorder/recorder_config.hpp"
@@ -23,7 +24,8 @@ struct Options {
   NetConfig net;
   std::vector<LiveSource> live;  // real radars, in place of simulated ones
   RecorderConfig recorder;
-  PlaybackOptions playback;                  // its file is empty where radars run
+  PlaybackOptions playback;  // its file is empty where radars run
+  RelayOptions relay;
   std::size_t workers = 0;                   // helping threads per radar
   std::size_t board_ring_bytes = 16u << 20;  // of each board's ring in shared memory
   std::string log_level = "info";

@@ -19,6 +19,11 @@ void leave_out_for_strangers(wire::PlaybackState& state) {
   if (state.problem().find('/') != std::string::npos) state.set_problem(kProblem);
 }
 
+void leave_out_for_strangers(wire::HopStatus& hop) {
+  hop.clear_upstream();
+  if (!hop.problem().empty()) hop.set_problem(kProblem);
+}
+
 void leave_out_for_strangers(wire::Status& status) {
   for (wire::ClientStatus& client : *status.mutable_clients()) client.clear_peer();
   for (wire::OutputStatus& output : *status.mutable_outputs()) {
@@ -26,6 +31,7 @@ void leave_out_for_strangers(wire::Status& status) {
     output.clear_interface_address();
     output.clear_last_display();
   }
+  for (wire::HopStatus& hop : *status.mutable_hops()) leave_out_for_strangers(hop);
   if (status.has_recorder()) leave_out_for_strangers(*status.mutable_recorder());
   if (status.has_playback()) leave_out_for_strangers(*status.mutable_playback());
 }

@@ -9,6 +9,7 @@ namespace skerry::server {
 // That there is a problem stays known.
 void leave_out_for_strangers(wire::RecorderState& state);
 void leave_out_for_strangers(wire::PlaybackState& state);
+void leave_out_for_strangers(wire::HopStatus& hop);
 void leave_out_for_strangers(wire::Status& status);
 
 }  // namespace skerry::server

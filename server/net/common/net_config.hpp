@@ -34,6 +34,8 @@ struct SignalkConfig {
 };
 
 struct NetConfig {
+  // Of this run of the server, by which relays know it again; empty: it tells none.
+  std::string identity;
   std::string bind = "127.0.0.1";  // address for TCP and HTTP
   std::uint16_t tcp_port = 7410;   // native protocol; 0: any free port
   std::uint16_t http_port = 7480;  // HTTP and WebSocket; 0: any free port

@@ -121,8 +121,9 @@ SpokeFeed* NetContext::find_board_feed(std::uint32_t radar, const std::string& f
   return feed.get();
 }
 
-Result<std::uint32_t, std::string> NetContext::open_view(std::uint32_t radar, std::uint32_t like,
-                                                         const TcpPeer& peer) {
+std::optional<RadarHost::OpenedView> NetContext::open_view(std::uint32_t radar, std::uint32_t like,
+                                                           const TcpPeer& peer,
+                                                           const RadarHost::ViewOpened& later) {
   if (!peer.on_own_host) {
     std::size_t of_peer = 0, of_others = 0;
     for (const auto& [key, opened] : opened_) {
@@ -143,23 +144,44 @@ Result<std::uint32_t, std::string> NetContext::open_view(std::uint32_t radar, st
           of_others, radar)};
     }
   }
-  const auto view = host.open_view(radar, like, false, [](VideoChannel& channel) {
-    channel.add_format(kNativeFormat, native_encoder());
-  });
-  if (!view) {
-    return Failure{fmt::format(
-        "radar {} has as many views as it may; close another console or share a view", radar)};
-  }
-  opened_[{radar, *view}] = {std::chrono::steady_clock::now(), peer.net};
-  return *view;
+  const auto keep = [this, radar, net = peer.net](const RadarHost::OpenedView& view) {
+    if (view) opened_[{radar, *view}] = {std::chrono::steady_clock::now(), net};
+  };
+  auto view = host.open_view_or_ask(
+      radar, like,
+      [](VideoChannel& channel) { channel.add_format(kNativeFormat, native_encoder()); },
+      [this, keep, later](RadarHost::OpenedView opened) {
+        asio::post(io, [keep, later, opened = std::move(opened)] {
+          keep(opened);
+          later(opened);
+        });
+      });
+  if (view) keep(*view);
+  return view;
 }
 
 wire::Reply NetContext::apply(wire::Set set, const std::string& origin) {
   set.clear_token();
   wire::Reply reply = host.apply(set, origin);
-  if (reply.code() != wire::Reply::OK) {
-    audit({.kind = AuditEntry::Kind::refusal, .from = origin, .what = reply.text()});
-  }
+  tell_refused(origin, reply);
+  return reply;
+}
+
+void NetContext::tell_refused(const std::string& origin, const wire::Reply& reply) const {
+  if (reply.code() == wire::Reply::OK) return;
+  audit({.kind = AuditEntry::Kind::refusal, .from = origin, .what = reply.text()});
+}
+
+std::optional<wire::Reply> NetContext::apply_or_ask(wire::Set set, const std::string& origin,
+                                                    const Answered& later) {
+  set.clear_token();
+  auto reply = host.apply_or_ask(set, origin, [this, origin, later](wire::Reply answer) {
+    asio::post(io, [this, origin, later, answer = std::move(answer)] {
+      tell_refused(origin, answer);
+      later(answer);
+    });
+  });
+  if (reply) tell_refused(origin, *reply);
   return reply;
 }
 
@@ -296,6 +318,7 @@ wire::Hello NetContext::hello() const {
   hello.set_has_chart(host.has_chart());
   hello.set_warning(config.exposure);
   hello.set_has_classes(true);
+  hello.set_identity(config.identity);
   return hello;
 }
 
@@ -341,6 +364,7 @@ wire::Status NetContext::status() const {
   for (const auto& [kind, times] : errors.counts()) (*status.mutable_errors())[kind] += times;
   if (const RecordingPort* port = host.recording()) *status.mutable_recorder() = port->state();
   if (const PlaybackPort* port = host.playback()) *status.mutable_playback() = port->state();
+  for (wire::HopStatus& hop : host.hops()) *status.add_hops() = std::move(hop);
   status.set_resident_mib(resident_mib());
   status.set_warning(config.exposure);
   return status;

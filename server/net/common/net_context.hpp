@@ -112,6 +112,9 @@ class NetContext {
   // What the host does with a Set and the plotters with an order; the audit has what was refused,
   // and every order.  Tokens are taken out here.
   wire::Reply apply(wire::Set set, const std::string& origin);
+  // As RadarHost::apply_or_ask(), with `later` called on net-0.
+  std::optional<wire::Reply> apply_or_ask(wire::Set set, const std::string& origin,
+                                          const Answered& later);
   wire::Reply order(wire::TargetOrder order, const std::string& origin);
 
   // nullptr if there is no such view.  Lives as long as it has a reader; of view 0, as long as the
@@ -124,9 +127,11 @@ class NetContext {
 
   // A further view with the settings of view `like`, for native clients.  It ends when it has had
   // no reader for kViewGrace.  Requires that find_feed() knows the radar and view.
+  // Nothing is returned where another server is asked: then `later` is called on net-0.
   // Error: the radar, or this peer, has as many as it may; what to do.
-  Result<std::uint32_t, std::string> open_view(std::uint32_t radar, std::uint32_t like,
-                                               const TcpPeer& peer);
+  std::optional<RadarHost::OpenedView> open_view(std::uint32_t radar, std::uint32_t like,
+                                                 const TcpPeer& peer,
+                                                 const RadarHost::ViewOpened& later);
   static constexpr std::chrono::seconds kViewGrace{5};
   // Ends the views whose time has come.  Call it a few times a second.
   void end_views(std::chrono::steady_clock::time_point now);
@@ -170,6 +175,7 @@ class NetContext {
   using BoardKey = std::pair<std::uint32_t, std::string>;                 // radar, format
   using ViewKey = std::pair<std::uint32_t, std::uint32_t>;                // radar, view
   bool has_readers(const ViewKey& view) const;
+  void tell_refused(const std::string& origin, const wire::Reply& reply) const;
 
   std::map<FeedKey, std::unique_ptr<SpokeFeed>> feeds_;
   std::map<BoardKey, std::unique_ptr<SpokeFeed>> board_feeds_;

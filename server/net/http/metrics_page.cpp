@@ -189,6 +189,33 @@ constexpr auto kOutputColumns = std::to_array<OutputColumn>({
      [](const auto& output) { return std::optional(count_of(output.dropped)); }},
 });
 
+using HopColumn = MetricColumn<wire::HopStatus>;
+constexpr auto kHopColumns = std::to_array<HopColumn>({
+    {"skerry_relay_connected", kGauge, "1: the server that is relayed is there; 0: it is not.",
+     [](const auto& hop) { return std::optional(flag_of(hop.connected())); }},
+    {"skerry_relay_since_seconds", kGauge, "How long it has been there, or not.",
+     [](const auto& hop) { return std::optional<MetricValue>(hop.since_s()); }},
+    {"skerry_relay_spokes", kCounter, "Spokes that came from it.",
+     [](const auto& hop) { return std::optional(count_of(hop.spokes())); }},
+    {"skerry_relay_spokes_lost", kCounter, "Spokes missing between those that came.",
+     [](const auto& hop) { return std::optional(count_of(hop.spokes_lost())); }},
+    {"skerry_relay_received_bytes", kCounter, "Received from it.",
+     [](const auto& hop) { return std::optional(count_of(hop.bytes())); }},
+    {"skerry_relay_round_trip_seconds", kGauge,
+     "From a request to its answer, median of the last five; absent: not measured.",
+     [](const auto& hop) {
+       return hop.has_round_trip_ms() ? std::optional<MetricValue>(hop.round_trip_ms() * 1e-3)
+                                      : std::nullopt;
+     }},
+    {"skerry_relay_reconnects", kCounter, "How often it was there again.",
+     [](const auto& hop) { return std::optional(count_of(hop.reconnects())); }},
+    {"skerry_relay_requests", kCounter, "Requests of consoles passed on to it.",
+     [](const auto& hop) { return std::optional(count_of(hop.requests())); }},
+    {"skerry_relay_requests_refused", kCounter,
+     "Of these, refused by it, or because it was not there.",
+     [](const auto& hop) { return std::optional(count_of(hop.requests_refused())); }},
+});
+
 void add_errors(MetricsText& text, const wire::Status& status) {
   std::map<std::string, std::uint64_t> counts;
   for (const auto& [kind, times] : status.errors())
@@ -259,6 +286,17 @@ void add_outputs(MetricsText& text, const wire::Status& status) {
   add_columns(text, kOutputColumns, rows);
 }
 
+// Of a relay alone.
+void add_hops(MetricsText& text, const wire::Status& status) {
+  MetricRows<wire::HopStatus> rows;
+  for (const wire::HopStatus& hop : status.hops()) {
+    rows.emplace_back(
+        metric_labels({{"hop", fmt::to_string(rows.size() + 1)}, {"upstream", hop.upstream()}}),
+        &hop);
+  }
+  if (!rows.empty()) add_columns(text, kHopColumns, rows);
+}
+
 }  // namespace
 
 std::string metrics_page(const wire::Status& status, const ClientTotalsByTransport& clients,
@@ -278,6 +316,7 @@ std::string metrics_page(const wire::Status& status, const ClientTotalsByTranspo
   }
   add_columns(text, kClientColumns, rows);
   add_outputs(text, status);
+  add_hops(text, status);
   return std::move(text).finish();
 }
 

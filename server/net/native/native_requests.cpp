@@ -144,25 +144,10 @@ void NativeSession::order_targets(std::uint32_t request, const wire::TargetOrder
   reply(request, context_.order(order, origin()));
 }
 
-void NativeSession::set(std::uint32_t request, const wire::Set& set) {
-  const AuditedRequest audited(context_.config.audit, origin(), who_);
-  reply(request, context_.apply(set, origin()));
-  context_.tell_settings();
-}
-
 void NativeSession::record(std::uint32_t request, const wire::Record& record) {
   RecordingPort* port = context_.host.recording();
   if (port == nullptr) return reply(request, wire::Reply::REFUSED, "this server does not record");
   reply(request, port->record(record, "console " + client_->peer));
-}
-
-void NativeSession::control_playback(std::uint32_t request, const wire::Playback& playback) {
-  PlaybackPort* port = context_.host.playback();
-  if (port == nullptr) {
-    return reply(request, wire::Reply::REFUSED,
-                 "nothing is played back here; skerryd --play FILE does");
-  }
-  reply(request, port->control(playback, "console " + client_->peer));
 }
 
 void NativeSession::ask_board(const wire::ClientMessage& message) {

@@ -98,7 +98,7 @@ void NativeSession::sign_in(std::uint32_t request, const wire::SignIn& wanted) {
 }
 
 void NativeSession::sign_in_by(std::uint32_t request, Credentials credentials) {
-  signing_in_ = true;
+  answer_pending_ = true;
   server::sign_in(context_, slot_->peer(), origin(), std::move(credentials),
                   [self = shared_from_this(), request](SignInOutcome outcome) {
                     self->signed_in(request, std::move(outcome));
@@ -106,7 +106,7 @@ void NativeSession::sign_in_by(std::uint32_t request, Credentials credentials) {
 }
 
 void NativeSession::signed_in(std::uint32_t request, SignInOutcome outcome) {
-  signing_in_ = false;
+  answer_pending_ = false;
   if (closed_) {
     if (outcome.made) context_.gate.sign_out(outcome.made->token);
     return;

@@ -100,13 +100,13 @@ void NativeSession::on_read(error_code error, std::size_t size) {
 void NativeSession::process() {
   bool handled_all = false;
   do {
-    while (!failed_ && !signing_in_ && !handled_all && !replies_full()) {
+    while (!failed_ && !answer_pending_ && !handled_all && !replies_full()) {
       handled_all = !handle_next();
     }
     pump();  // makes room for more replies, unless a write is in flight
-  } while (!failed_ && !signing_in_ && !handled_all && !replies_full());
+  } while (!failed_ && !answer_pending_ && !handled_all && !replies_full());
 
-  if (signing_in_) return;  // goes on when the password was tried
+  if (answer_pending_) return;  // goes on when it is there
   if (failed_ || handled_all) {
     if (std::exchange(waiting_for_replies_, false) && !failed_) deadline_.cancel();
     read();
@@ -149,6 +149,8 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
       send(answer);
       return reply(message.request(), wire::Reply::OK, "");
     }
+    case wire::ClientMessage::kGetHops:
+      return get_hops(message.request());
     case wire::ClientMessage::kBoardAccess:
     case wire::ClientMessage::kBoardStream:
     case wire::ClientMessage::kBoardFifo:
@@ -171,75 +173,8 @@ void NativeSession::handle(std::span<const std::uint8_t> body) {
   }
   fail(wire::Reply::MALFORMED, "malformed request",
        "a ClientMessage without a kind this server knows; expected sign_in, subscribe, set, "
-       "get_status, record, playback, get_coastline, get_chart_objects, target_order, class_order "
-       "or one of a board's");
-}
-
-std::optional<std::uint32_t> NativeSession::view_for(std::uint32_t request,
-                                                     const wire::Subscribe& subscribe) {
-  if (context_.find_feed(subscribe.radar(), subscribe.view(), kNativeFormat) == nullptr) {
-    reply(request, wire::Reply::UNKNOWN,
-          fmt::format("no radar {} with view {}; Hello lists the radars, view 0 is always there",
-                      subscribe.radar(), subscribe.view()));
-    return std::nullopt;
-  }
-  if (!subscribe.new_view()) return subscribe.view();
-  auto opened = context_.open_view(subscribe.radar(), subscribe.view(), slot_->peer());
-  if (opened) return *opened;
-  context_.complain("view refused", client_->peer + ": " + opened.error());
-  reply(request, wire::Reply::REFUSED, opened.error());
-  return std::nullopt;
-}
-
-void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subscribe) {
-  if (subscribe.own_ship_hz() > kOwnShipMostHz) {
-    return reply(request, wire::Reply::OUT_OF_RANGE,
-                 fmt::format("own_ship_hz: {} is out of range; allowed: {} to {}",
-                             subscribe.own_ship_hz(), kOwnShipLeastHz, kOwnShipMostHz));
-  }
-  if (subscribe.exercise_hz() > kExerciseMostHz) {
-    return reply(request, wire::Reply::OUT_OF_RANGE,
-                 fmt::format("exercise_hz: {} is out of range; allowed: 0 to {}",
-                             subscribe.exercise_hz(), kExerciseMostHz));
-  }
-  if (subscribe.targets_hz() > kTargetsMostHz) {
-    return reply(request, wire::Reply::OUT_OF_RANGE,
-                 fmt::format("targets_hz: {} is out of range; allowed: 0 to {}",
-                             subscribe.targets_hz(), kTargetsMostHz));
-  }
-  const auto view = view_for(request, subscribe);
-  if (!view) return;
-  unsubscribe();
-  subscribed_ = asked_;
-  feed_ = context_.find_feed(subscribe.radar(), *view, kNativeFormat);
-  takes_spokes_ = !subscribe.no_spokes();
-  if (takes_spokes_) {
-    cursor_ = feed_->add(*this);
-  } else {
-    feed_->add_listener(*this);
-  }
-  own_ship_hz_ = std::max(subscribe.own_ship_hz(), kOwnShipLeastHz);
-  exercise_hz_ = subscribe.exercise_hz();
-  targets_hz_ = subscribe.targets_hz();
-  if (TargetPort* port = context_.host.targets(); port != nullptr && targets_hz_ > 0) {
-    wanted_targets_ = port->want(subscribe.radar(), *view);
-  }
-  client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
-  client_->view.store(*view, std::memory_order_relaxed);
-  spoke_buffer_ = takes_spokes_ ? context_.send_buffer_for(subscribe.radar()) : 0;
-  limit_send_buffer();
-  reply(request, wire::Reply::OK, "", *view);
-  RecordingNews::Frames recordings = context_.recording_frames();
-  RecordingNews::Pair& recording = is_trusted() ? recordings.whole : recordings.for_strangers;
-  news_ = {context_.settings_frame(subscribe.radar(), *view),
-           context_.own_ship_frame(subscribe.radar()),
-           context_.world_frame(),
-           std::move(recording.recorder),
-           std::move(recording.playback),
-           exercise_hz_ > 0 ? context_.exercise_frame() : nullptr,
-           targets_hz_ > 0 ? context_.targets_frame(subscribe.radar(), *view) : nullptr};
-  spdlog::debug("{} {} subscribed to radar {} view {}", client_->transport, client_->peer,
-                subscribe.radar(), *view);
+       "get_status, get_hops, record, playback, get_coastline, get_chart_objects, target_order, "
+       "class_order or one of a board's");
 }
 
 void NativeSession::unsubscribe() {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -77,9 +78,15 @@ class NativeSession final : public Connection,
   bool handle_next();  // false: no whole request is left
   void handle(std::span<const std::uint8_t> body);
   void subscribe(std::uint32_t request, const wire::Subscribe& subscribe);
-  // The view a subscription asks for, a new one among them; nothing if it has been refused.
-  std::optional<std::uint32_t> view_for(std::uint32_t request, const wire::Subscribe& subscribe);
+  // With the view it asks for, a new one among them.
+  void subscribe_to(std::uint32_t request, const wire::Subscribe& subscribe,
+                    const RadarHost::OpenedView& view);
+  // A callback on net-0: `then` with the answer, unless the session has ended meanwhile, and then
+  // the requests that have waited.
+  template <typename Answer, typename Then>
+  std::function<void(Answer)> when_answered(Then then);
   void set(std::uint32_t request, const wire::Set& set);
+  void get_hops(std::uint32_t request);
   void get_coastline(std::uint32_t request, const wire::GetCoastline& place);
   void get_chart_objects(std::uint32_t request, const wire::GetChartObjects& place);
   // A chart that came, or did not, as message and reply.
@@ -163,10 +170,11 @@ class NativeSession final : public Connection,
 
   std::string token_;            // signed in with
   bool has_made_token_ = false;  // it was made for this connection, and ends with it
-  bool signing_in_ = false;      // until then nothing is handled
-  std::string who_;              // asked for what is handled, for the audit
-  std::string audited_;          // what that is, until it is answered
-  Asked asked_;  // by the message that is handled; its token is the one it was allowed by
+  // A password is tried, or another server asked: until then nothing is handled.
+  bool answer_pending_ = false;
+  std::string who_;      // asked for what is handled, for the audit
+  std::string audited_;  // what that is, until it is answered
+  Asked asked_;          // by the message that is handled; its token is the one it was allowed by
   std::optional<Asked> subscribed_, streamed_;  // by the Subscribe and the BoardStream that hold
   std::uint64_t looked_at_ = 0;                 // Gate::generation() when these were looked at
 

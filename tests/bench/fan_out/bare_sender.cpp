@@ -63,6 +63,13 @@ BareSender::~BareSender() {
   for (const int fd : {listener_, epoll_, timer_}) ::close(fd);
 }
 
+void BareSender::pin_to(int core) {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  CPU_SET(static_cast<std::size_t>(core), &cores);
+  ::pthread_setaffinity_np(thread_.native_handle(), sizeof cores, &cores);
+}
+
 double BareSender::cpu_seconds() const {
   clockid_t clock{};
   ::pthread_getcpuclockid(const_cast<std::thread&>(thread_).native_handle(), &clock);

@@ -28,6 +28,8 @@ class BareSender {
   BareSender& operator=(const BareSender&) = delete;
 
   std::uint16_t port() const { return port_; }
+  // Its thread runs on that core from now on.
+  void pin_to(int core);
   double cpu_seconds() const;                   // of its thread so far
   std::uint64_t sent() const { return sent_; }  // pieces, to all consoles
   std::uint64_t lost() const { return lost_; }

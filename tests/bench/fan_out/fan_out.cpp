@@ -4,11 +4,16 @@
 //   fan_out                              100, 200, 400 and 600 consoles, three rounds (4 minutes)
 //   fan_out --consoles 400 --rounds 5 --seconds 10
 //   fan_out --tls --consoles 50 100 200  WebSockets, in the clear and by TLS, in turns
+//   fan_out --relay --core 0 --consoles 1000
+//                                        the consoles hang on a relay of the server, all of whose
+//                                        threads are on one core, as the bare loop is
+//   fan_out --relay --core 0 --ws --consoles 300
 //
 // The consoles are one process, which throws away what comes (MSG_TRUNC), so that they take little
 // from the sender, decrypting nothing.  For each: MB a second that came, CPU of the sending thread
 // for a MB, and what was lost: spokes for the server, and for the bare loop what a console was more
-// than half a second behind, as in the server's ring.
+// than half a second behind, as in the server's ring.  Of a relay the CPU is that of all its
+// threads.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -171,8 +176,27 @@ Run run_server(const Folder& folder, Way way, std::size_t count, std::chrono::se
   return run;
 }
 
-Run run_bare(const BareStream& stream, std::size_t count, std::chrono::seconds time) {
-  const BareSender sender(stream);
+// The same of a relay of such a server.  `core`: for all its threads; nothing: any.
+Run run_relay(const Folder& folder, Way way, std::size_t count, std::chrono::seconds time,
+              std::optional<int> core) {
+  const Served served(folder);
+  const ChildServer relay({"--config", folder.path("server.yaml"), "--no-signalk", "--relay",
+                           fmt::format("127.0.0.1:{}", served.server().tcp_port())});
+  if (core) relay.pin_to(*core);
+  auto watcher = connected(relay);
+  const ManyConsoles consoles(count, way,
+                              way == Way::native ? relay.tcp_port() : relay.http_port());
+  std::this_thread::sleep_for(kSettling);
+  const Counted before = counted(watcher);
+  Run run = measured(consoles, time, [&] { return relay.cpu_seconds(); });
+  run.lost_percent = percent(before, counted(watcher));
+  return run;
+}
+
+Run run_bare(const BareStream& stream, std::size_t count, std::chrono::seconds time,
+             std::optional<int> core = {}) {
+  BareSender sender(stream);
+  if (core) sender.pin_to(*core);
   const ManyConsoles consoles(count, Way::bare, sender.port());
   std::this_thread::sleep_for(kSettling);
   const Counted before{sender.sent(), sender.lost()};
@@ -222,19 +246,27 @@ void compare(std::size_t count, int rounds, const First& run_first, const Second
 int run_all(int argc, char** argv) {
   std::vector<std::size_t> counts = {100, 200, 400, 600};
   int rounds = 3, seconds = 6;
-  bool tls = false;
+  bool tls = false, relay = false, ws = false;
+  std::optional<int> core;
   CLI::App app{"What one thread can send to many consoles over TCP, beside a bare epoll loop"};
   app.add_option("--consoles", counts, "how many (100 200 400 600)");
   app.add_option("--rounds", rounds, "of which medians are told, and the worst loss (3)");
   app.add_option("--seconds", seconds, "measured of each (6)");
   app.add_flag("--tls", tls, "WebSockets by TLS beside such in the clear");
+  app.add_flag("--relay", relay, "the consoles hang on a relay of the server")->excludes("--tls");
+  app.add_flag("--ws", ws, "with --relay: by WebSocket")->needs("--relay");
+  app.add_option("--core", core, "with --relay: the core of all its threads, and of the bare loop")
+      ->needs("--relay");
   CLI11_PARSE(app, argc, argv);
   rlimit files{};
   ::getrlimit(RLIMIT_NOFILE, &files);
   files.rlim_cur = files.rlim_max;
   ::setrlimit(RLIMIT_NOFILE, &files);
   const Folder folder;
-  fmt::print("{:8} {:^39} {:^39}\n{:>8}", "", tls ? "wss" : "skerryd, native",
+  fmt::print("{:8} {:^39} {:^39}\n{:>8}", "",
+             tls     ? "wss"
+             : relay ? (ws ? "relay, ws" : "relay, native")
+                     : "skerryd, native",
              tls ? "ws" : "bare loop", "consoles");
   for (int i = 0; i < 2; ++i) {
     fmt::print(" {:>9} {:>9} {:>9} {:>9}", "MB/s", "ms/MB", "lost %", "p99 ms");
@@ -247,6 +279,11 @@ int run_all(int argc, char** argv) {
     };
     if (tls) {
       compare(count, rounds, served(Way::wss), served(Way::ws));
+    } else if (relay) {
+      compare(
+          count, rounds,
+          [&] { return run_relay(folder, ws ? Way::ws : Way::native, count, time, core); },
+          [&] { return run_bare(kStream, count, time, core); });
     } else {
       compare(count, rounds, served(Way::native), [&] { return run_bare(kStream, count, time); });
     }

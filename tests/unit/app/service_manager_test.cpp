@@ -35,13 +35,15 @@ class Variable {
 TEST(ServiceManager, IsToldEachStateInADatagram) {
   test::NotifySocket socket;
   const ServiceManager manager(socket.path());
+  manager.starting("waits for bridge:7410");
   manager.ready("3 radars on the air");
   manager.alive();
   manager.reloading();
   manager.ready("one line\nSTOPPING=1");
   manager.stopping();
   EXPECT_THAT(socket.told(),
-              ElementsAre("READY=1\nSTATUS=3 radars on the air\n", "WATCHDOG=1\n",
+              ElementsAre("STATUS=waits for bridge:7410\nEXTEND_TIMEOUT_USEC=30000000\n",
+                          "READY=1\nSTATUS=3 radars on the air\n", "WATCHDOG=1\n",
                           MatchesRegex("RELOADING=1\nMONOTONIC_USEC=[0-9]+\n"),
                           "READY=1\nSTATUS=one line\n", "STOPPING=1\nSTATUS=stopping\n"));
 }

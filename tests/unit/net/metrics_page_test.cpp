@@ -220,6 +220,25 @@ TEST(MetricsPage, HasOutputsAndThoseThatLookAlikeAsOne) {
   EXPECT_THAT(page, Not(HasSubstr("192.0.2.9"))) << "the last display";
 }
 
+TEST(MetricsPage, HasTheHopsOfARelay) {
+  wire::Status status;
+  EXPECT_THAT(page_of(status), Not(HasSubstr("skerry_relay")));
+  for (const char* upstream : {"192.0.2.7:7410", "192.0.2.8:7410"}) {
+    wire::HopStatus& hop = *status.add_hops();
+    hop.set_upstream(upstream);
+    hop.set_connected(true);
+    hop.set_spokes_lost(5);
+  }
+  status.mutable_hops(0)->set_round_trip_ms(12);
+  const std::string page = page_of(status);
+  const std::string near = "{hop=\"1\",upstream=\"192.0.2.7:7410\"}",
+                    far = "{hop=\"2\",upstream=\"192.0.2.8:7410\"}";
+  EXPECT_EQ(value_of(page, "skerry_relay_connected" + near), "1");
+  EXPECT_EQ(value_of(page, "skerry_relay_spokes_lost_total" + far), "5");
+  EXPECT_EQ(value_of(page, "skerry_relay_round_trip_seconds" + near), "0.012");
+  EXPECT_THAT(page, Not(HasSubstr("skerry_relay_round_trip_seconds" + far)));
+}
+
 // Both formats want all of a family in one place, and no sample twice.
 TEST(MetricsPage, FamiliesStandTogether) {
   wire::Status status = full_status();

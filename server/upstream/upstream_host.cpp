@@ -1,0 +1,350 @@
+#include "server/upstream/upstream_host.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "protocol/wire/schema.hpp"
+#include "server/relay/sendable_text.hpp"
+#include "server/upstream/radars_told.hpp"
+
+namespace skerry::server {
+namespace {
+
+constexpr std::size_t kRelayRing = 4096;  // sectors, which are as large as they came
+// Numbers that the other server would give after years.
+constexpr std::uint32_t kFirstOwnView = 65'000;
+constexpr std::chrono::seconds kChartPatience{30};
+constexpr std::chrono::seconds kTellEvery{1};
+
+RelayHost::RadarViews views_for(const std::vector<wire::RadarInfo>& radars) {
+  constexpr double kHeldSeconds = 0.5, kHeaderBytes = 100.0;
+  constexpr double kLeastHeld = 256.0 * 1024, kMostHeld = 8.0 * 1024 * 1024;
+  RelayHost::RadarViews views;
+  for (const wire::RadarInfo& radar : radars) {
+    views.push_back(std::make_unique<RelayedViewList>(std::vector<std::uint32_t>{0}, 0, kRelayRing,
+                                                      kFirstOwnView));
+    const double rate = radar.spokes_per_turn() * radar.rpm() / 60.0 *
+                        (radar.cells() * radar.bits() / 8.0 + kHeaderBytes);
+    views.back()->hold(
+        static_cast<std::size_t>(std::clamp(rate * kHeldSeconds, kLeastHeld, kMostHeld)));
+  }
+  return views;
+}
+
+const wire::Hello& relayable(const wire::Hello& hello, const UpstreamHost::Config& config) {
+  if (const auto why = why_not_relayed(hello, config.identity, config.upstream)) {
+    throw std::runtime_error("--relay: " + *why);
+  }
+  return hello;
+}
+
+// The answer to who does not wait for one.
+Answered told_in_log(const std::string& upstream, const std::string& origin) {
+  return [upstream, origin](const wire::Reply& reply) {
+    if (reply.code() == wire::Reply::OK) return;
+    spdlog::info("{} has refused {}: {}", upstream, origin, reply.text());
+  };
+}
+
+}  // namespace
+
+UpstreamHost::UpstreamHost(const wire::Hello& hello, Config config)
+    : RelayHost(views_for(radars_of(relayable(hello, config)))),
+      config_(std::move(config)),
+      is_playback_(hello.playback()),
+      meter_(config_.upstream, std::chrono::steady_clock::now()),
+      hello_(hello),
+      radars_(radars_of(hello)),
+      relayed_(radars_.size(), true),
+      gone_(fmt::format("no connection to {} yet", config_.upstream)) {}
+
+UtcTime UpstreamHost::place() const {
+  return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+}
+
+wire::RadarInfo UpstreamHost::info(std::uint32_t radar) const {
+  const std::lock_guard lock(mutex_);
+  return radars_.at(radar);
+}
+
+std::string UpstreamHost::ship_of(std::uint32_t radar) const {
+  const std::lock_guard lock(mutex_);
+  return radars_.at(radar).own_ship();
+}
+
+std::optional<std::string> UpstreamHost::why_gone() const {
+  const std::lock_guard lock(mutex_);
+  return gone_;
+}
+
+bool UpstreamHost::is_own_view(std::uint32_t radar, std::uint32_t view) const {
+  const RelayedViewPtr found = views_.at(radar)->find(view);
+  return found && found->opened;
+}
+
+wire::Hello UpstreamHost::hello() const {
+  wire::Hello hello;
+  hello.set_protocol_version(1);
+  hello.set_server(config_.server);
+  for (const double nm : RangeScale::kNauticalMiles) hello.add_range_scales_nm(nm);
+  const std::lock_guard lock(mutex_);
+  hello.set_scenario(sendable(hello_.scenario(), 256));
+  for (const wire::RadarInfo& radar : radars_) *hello.add_radars() = radar;
+  wire::Hop& nearest = *hello.add_relays();
+  nearest.set_identity(sendable(hello_.identity(), 64));
+  nearest.set_server(sendable(hello_.server(), 64));
+  for (const wire::Hop& hop : hello_.relays()) {
+    wire::Hop& further = *hello.add_relays();
+    further.set_identity(sendable(hop.identity(), 64));
+    further.set_server(sendable(hop.server(), 64));
+  }
+  return hello;
+}
+
+std::optional<RadarHost::OpenedView> UpstreamHost::open_view_or_ask(
+    std::uint32_t radar, std::uint32_t like, const std::function<void(VideoChannel&)>& prepare,
+    const ViewOpened& later) {
+  if (auto gone = why_gone()) return OpenedView(Failure{*std::move(gone)});
+  OpenUp order{.radar = radar, .like = like, .prepare = prepare, .later = later};
+  {
+    const std::lock_guard lock(mutex_);
+    const auto there = views_there_.find({radar, like});
+    if (there != views_there_.end()) order.like_there = there->second;
+  }
+  if (orders_.add(std::move(order))) return std::nullopt;
+  return OpenedView(Failure<std::string>{"too many requests at once; try again"});
+}
+
+void UpstreamHost::close_view(std::uint32_t radar, std::uint32_t view) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (views_there_.erase({radar, view}) == 0) return RelayHost::close_view(radar, view);
+  }
+  views_.at(radar)->take_away(view);
+  state_.forget(radar, view);
+  views_changed();
+  orders_.add(CloseUp{radar, view});
+}
+
+wire::OwnShip UpstreamHost::own_ship(std::uint32_t radar) const {
+  const std::lock_guard lock(mutex_);
+  wire::OwnShip ship;
+  const auto told = own_ships_.find(radar);
+  if (told != own_ships_.end()) ship = told->second;
+  ship.set_radar(radar);
+  if (ship.name().empty()) ship.set_name(radars_.at(radar).own_ship());
+  if (ship.has_con()) {
+    cons_.tell(radars_.at(radar).own_ship(), hello_.you(), std::chrono::steady_clock::now(),
+               *ship.mutable_con());
+  }
+  if (told != own_ships_.end() && !gone_ && relayed_[radar]) return ship;
+  // Nobody is to steer by what is old.
+  ship.set_no_position(true);
+  ship.set_no_motion(true);
+  ship.set_no_heading(true);
+  if (gone_ || !relayed_[radar]) {
+    ship.set_text(sendable("No picture: " + gone_.value_or("this radar is no longer there"), 256));
+    ship.set_texts(ship.texts() + 1);
+  }
+  return ship;
+}
+
+wire::Status UpstreamHost::status() const {
+  wire::Status status;
+  status.set_server(config_.server);
+  {
+    const std::lock_guard lock(mutex_);
+    status.set_scenario(sendable(hello_.scenario(), 256));
+  }
+  tell_status(status);
+  status.set_scenario_s(status.world().scenario_s());
+  return status;
+}
+
+std::vector<wire::HopStatus> UpstreamHost::hops() const {
+  return meter_.tell(std::chrono::steady_clock::now());
+}
+
+// --- what is asked of the other server
+
+wire::Set UpstreamHost::passed_up(const wire::Set& set) const {
+  wire::Set up = set;
+  up.clear_token();
+  const std::lock_guard lock(mutex_);
+  const auto there = views_there_.find({set.radar(), set.view()});
+  // An output's view shows the shared one.
+  up.set_view(there == views_there_.end() ? 0 : there->second);
+  return up;
+}
+
+bool UpstreamHost::ask(wire::ClientMessage message, std::string what, const std::string& origin,
+                       std::function<void(const wire::Reply&)> answered) {
+  meter_.asked();
+  std::string who = audit_ == nullptr ? std::string() : audit_->who_at(origin);
+  spdlog::debug("{} asks {} for {}", origin, config_.upstream, what);
+  auto tell = [this, what = std::move(what), who = std::move(who), origin,
+               answered = std::move(answered)](const wire::Reply& reply, wire::ServerMessage*) {
+    if (reply.code() == wire::Reply::OK) {
+      tell_done(what, origin, who);
+    } else {
+      meter_.refused();
+    }
+    answered(reply);
+  };
+  return orders_.add(AskUp{.message = std::move(message), .answered = std::move(tell)});
+}
+
+// A knob that is turned is one line a second.
+void UpstreamHost::tell_done(const std::string& what, const std::string& origin,
+                             const std::string& who) {
+  const auto now = std::chrono::steady_clock::now();
+  std::uint32_t times = 1;
+  {
+    const std::lock_guard lock(mutex_);
+    if (told_.origin == origin && now - told_.at < kTellEvery) {
+      ++told_.untold;
+      return;
+    }
+    times += std::exchange(told_.untold, 0);
+    told_.origin = origin;
+    told_.at = now;
+  }
+  spdlog::info("{} has done for {}: {}", config_.upstream, origin, what);
+  if (audit_ == nullptr) return;
+  audit_->add({.kind = AuditEntry::Kind::request,
+               .from = origin,
+               .who = who,
+               .what = "passed to " + config_.upstream + ": " + what,
+               .times = times,
+               .result = "ok"});
+}
+
+std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
+                                                      const std::string& origin,
+                                                      const Answered& later) {
+  // What names nothing that is here, and what concerns this server's own views, is answered here.
+  if (find_channel(set.radar(), set.view()) == nullptr || is_own_view(set.radar(), set.view())) {
+    return apply(set, origin);
+  }
+  if (auto gone = why_gone()) return reply_of(wire::Reply::REFUSED, *std::move(gone));
+  const std::string ship = ship_of(set.radar());
+  wire::ClientMessage message;
+  *message.mutable_set() = passed_up(set);
+  {
+    const std::lock_guard lock(mutex_);
+    if (!relayed_[set.radar()]) {
+      return reply_of(wire::Reply::REFUSED,
+                      fmt::format("{} has no longer that radar", config_.upstream));
+    }
+    if (auto held = cons_.refusal(ship, set, origin)) {
+      return reply_of(wire::Reply::REFUSED, *std::move(held));
+    }
+  }
+  const bool taken = ask(message, message.set().ShortDebugString(), origin,
+                         [this, set, ship, origin, later](const wire::Reply& reply) {
+                           if (reply.code() == wire::Reply::OK && set.has_con()) {
+                             const std::lock_guard lock(mutex_);
+                             cons_.granted(ship, set, origin, std::chrono::steady_clock::now());
+                           }
+                           later(reply_of(reply.code(), sendable(reply.text(), 1000)));
+                         });
+  if (taken) return std::nullopt;
+  return reply_of(wire::Reply::REFUSED, "too many requests at once; try again");
+}
+
+// For those who cannot wait: emulated displays, Signal K.  What can be told without the other
+// server is; what that refuses is in the log and counted.
+wire::Reply UpstreamHost::change(const wire::Set& set, const std::string& origin) {
+  const wire::Settings now = settings(set.radar(), set.view());
+  std::vector<const wire::FieldDescriptor*> given;
+  set.GetReflection()->ListFields(set, &given);
+  for (const wire::FieldDescriptor* field : given) {
+    const auto& locked = now.locked();
+    if (!set.instructor() &&
+        std::find(locked.begin(), locked.end(), field->name()) != locked.end()) {
+      return reply_of(wire::Reply::REFUSED,
+                      fmt::format("{}: locked by the instructor", wire::spoken_name(*field)));
+    }
+    const auto* control = wire::Controls::descriptor()->FindFieldByName(field->name());
+    if (control == nullptr || control->message_type() != nullptr) continue;
+    const auto value = wire::value_of(set, *control);
+    if (!value || wire::is_allowed(*control, *value)) continue;
+    return reply_of(wire::Reply::OUT_OF_RANGE,
+                    fmt::format("{}: {} is out of range; allowed: {}", wire::spoken_name(*control),
+                                *value, wire::allowed_by(wire::rule_of(*control))));
+  }
+  wire::Set wanted = set;
+  if (is_own_view(set.radar(), set.view())) wanted.set_view(0);
+  auto answer = apply_or_ask(wanted, origin, told_in_log(config_.upstream, origin));
+  return answer ? *std::move(answer) : reply_of(wire::Reply::OK);
+}
+
+void UpstreamHost::leave(const std::string& origin) {
+  const std::lock_guard lock(mutex_);
+  for (const std::string& ship : cons_.leave(origin)) {
+    const auto radar = std::find_if(radars_.begin(), radars_.end(),
+                                    [&](const auto& each) { return each.own_ship() == ship; });
+    if (radar == radars_.end() || gone_) continue;
+    wire::ClientMessage message;
+    message.mutable_set()->set_radar(radar->radar());
+    message.mutable_set()->mutable_con()->set_release(true);
+    ask(message, message.set().ShortDebugString(), origin, [](const wire::Reply&) {});
+  }
+}
+
+wire::Reply UpstreamHost::control(const wire::Playback& playback, const std::string& origin) {
+  auto answer = control_or_ask(playback, origin, told_in_log(config_.upstream, origin));
+  return answer ? *std::move(answer) : reply_of(wire::Reply::OK);
+}
+
+std::optional<wire::Reply> UpstreamHost::control_or_ask(const wire::Playback& playback,
+                                                        const std::string& origin,
+                                                        const Answered& later) {
+  if (auto gone = why_gone()) return reply_of(wire::Reply::REFUSED, *std::move(gone));
+  wire::ClientMessage message;
+  *message.mutable_playback() = playback;
+  message.mutable_playback()->clear_token();
+  const bool taken = ask(message, "playback { " + message.playback().ShortDebugString() + " }",
+                         origin, [later](const wire::Reply& reply) {
+                           later(reply_of(reply.code(), sendable(reply.text(), 1000)));
+                         });
+  if (taken) return std::nullopt;
+  return reply_of(wire::Reply::REFUSED, "too many requests at once; try again");
+}
+
+bool UpstreamHost::has_chart() const {
+  const std::lock_guard lock(mutex_);
+  return hello_.has_chart();
+}
+
+void UpstreamHost::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
+  if (why_gone()) return done(NoChart::none_here);
+  AskUp order{
+      .message = {}, .patience = kChartPatience, .answered = [done](const auto&, auto* told) {
+        if (told != nullptr && told->has_coastline()) {
+          return done(std::move(*told->mutable_coastline()));
+        }
+        done(NoChart::none_here);
+      }};
+  *order.message.mutable_get_coastline() = place;
+  if (!orders_.add(std::move(order))) done(NoChart::busy);
+}
+
+void UpstreamHost::find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) {
+  if (why_gone()) return done(NoChart::none_here);
+  AskUp order{
+      .message = {}, .patience = kChartPatience, .answered = [done](const auto&, auto* told) {
+        if (told != nullptr && told->has_chart_objects()) {
+          return done(std::move(*told->mutable_chart_objects()));
+        }
+        done(NoChart::none_here);
+      }};
+  *order.message.mutable_get_chart_objects() = place;
+  if (!orders_.add(std::move(order))) done(NoChart::busy);
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,33 @@
+// Where the server is that is relayed, and the wait for it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "protocol/quantity/result.hpp"
+#include "protocol/wire/radar.pb.h"
+
+namespace skerry::server {
+
+struct UpstreamPlace {
+  std::string host;  // "192.0.2.7", "tls://bridge"; empty: none
+  std::uint16_t port = 0;
+
+  std::string name() const;  // "192.0.2.7:7410"
+};
+
+// "HOST:PORT", "[2001:db8::7]:7410", "tls://HOST:PORT".
+// Error: what is wrong with it, and what was expected.
+Result<UpstreamPlace, std::string> upstream_place(std::string_view text);
+
+// Its Hello, for which this waits.  `pause` waits so long, or less, and is true if it is to be
+// given up; `tell` gets a line every few seconds.
+std::optional<wire::Hello> first_hello(const UpstreamPlace& place,
+                                       const std::function<bool(std::chrono::milliseconds)>& pause,
+                                       const std::function<void(const std::string&)>& tell);
+
+}  // namespace skerry::server

@@ -1,0 +1,71 @@
+#include "server/upstream/con_sharing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skerry::server {
+namespace {
+
+constexpr char kYou[] = "console 10.0.0.1:4711";
+const ConSharing::Time kNow{};
+
+wire::Set con(bool take, bool release) {
+  wire::Set set;
+  if (take) set.mutable_con()->set_take(true);
+  if (release) set.mutable_con()->set_release(true);
+  return set;
+}
+std::string holder(ConSharing& cons, const std::string& told, ConSharing::Time now = kNow) {
+  wire::ConState state;
+  state.set_con(told);
+  cons.tell("Tern", kYou, now, state);
+  return state.con();
+}
+
+TEST(ConSharing, WhoHasItIsNamedInPlaceOfTheRelay) {
+  ConSharing cons;
+  EXPECT_EQ(holder(cons, "console x"), "console x");
+  cons.granted("Tern", con(true, false), "console a", kNow);
+  EXPECT_EQ(holder(cons, kYou), "console a");
+  EXPECT_EQ(holder(cons, ""), "console a");  // from before it was granted
+  cons.granted("Tern", con(false, true), "console a", kNow);
+  EXPECT_EQ(holder(cons, ""), "");
+}
+
+TEST(ConSharing, ItIsGoneWhenTheOtherServerGivesItToSomebodyElse) {
+  ConSharing cons;
+  cons.granted("Tern", con(true, false), "console a", kNow);
+  EXPECT_EQ(holder(cons, "console x", kNow + std::chrono::seconds(10)), "console x");
+  EXPECT_FALSE(cons.refusal("Tern", con(true, false), "console b"));
+}
+
+TEST(ConSharing, OthersHereAreRefusedAllButTheInstructor) {
+  ConSharing cons;
+  cons.granted("Tern", con(true, false), "console a", kNow);
+  EXPECT_FALSE(cons.refusal("Tern", con(true, false), "console a"));
+  EXPECT_FALSE(cons.refusal("Gannet", con(true, false), "console b"));
+  wire::Set order = con(true, false);
+  EXPECT_TRUE(cons.refusal("Tern", order, "console b"));
+  order.set_instructor(true);
+  EXPECT_FALSE(cons.refusal("Tern", order, "console b"));
+  wire::Set gain;
+  gain.set_gain(3);
+  EXPECT_FALSE(cons.refusal("Tern", gain, "console b"));
+  wire::Set course;
+  course.set_course_deg(3);
+  EXPECT_TRUE(cons.refusal("Tern", course, "console b"));
+}
+
+TEST(ConSharing, WhoLeavesGivesItBack) {
+  ConSharing cons;
+  cons.granted("Tern", con(true, false), "console a", kNow);
+  cons.granted("Gannet", con(true, false), "console b", kNow);
+  EXPECT_THAT(cons.leave("console a"), testing::ElementsAre("Tern"));
+  EXPECT_THAT(cons.leave("console a"), testing::IsEmpty());
+  EXPECT_TRUE(cons.refusal("Gannet", con(true, false), "console a"));
+  cons.begin_anew();
+  EXPECT_FALSE(cons.refusal("Gannet", con(true, false), "console a"));
+}
+
+}  // namespace
+}  // namespace skerry::server
