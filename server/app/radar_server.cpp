@@ -129,10 +129,12 @@ BoardPortPtr RadarServer::find_board(std::uint32_t radar) {
 
 RadarServer::~RadarServer() { stop(); }
 
-void RadarServer::start() {
+void RadarServer::start(Duration ago) {
   for (auto& radar : radars_) radar->unit.warm_up();
-  const ClockReading zero = clocks_();
-  const Epoch epoch{zero.steady, zero.utc};
+  timeline_.make(static_cast<std::uint64_t>(ago / World::kTick));
+  const ClockReading now = clocks_();
+  const ClockReading zero{now.steady - ago, now.utc - ago};
+  const Epoch epoch{zero.steady, zero.utc, ScenarioTime(ago)};
   utc_.set(UtcClock{{}, epoch.utc});
   epoch_.set(epoch);
   inputs_.began(epoch.utc, kServerName);

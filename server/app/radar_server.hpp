@@ -51,8 +51,11 @@ class RadarServer : public RadarHost {
   // Before start().
   void set_clocks(ReadClocks clocks) { clocks_ = std::move(clocks); }
 
-  // Scenario time 0 is now.
-  void start();
+  // Scenario time 0 was `ago`, by default now.  An exercise that has run so long is taken up where
+  // it is by now: ships have sailed as ordered, and spokes go on as radars on another host have
+  // numbered them.  Land may be that of the start for the first second.
+  // Requires ago >= 0.
+  void start(Duration ago = {});
   void stop();
 
   // How far each radar has come.

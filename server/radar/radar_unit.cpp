@@ -164,6 +164,11 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
   for (std::uint64_t first = 0;; first += kSectorSpokes) {
     given_.radar = *radar_controls_.get();
     maker_.turn(first, given_.radar);
+    if (maker_.clock().time_of(first + kSectorSpokes) <= epoch.taken_up) {
+      if (inputs_ != nullptr) inputs_->skipped(config_.radar, first, given_.radar);
+      given_.numbered_from = first + kSectorSpokes;
+      continue;
+    }
     if (!sleeper.until(end_of(first), stop)) return;
     const auto begun = std::chrono::steady_clock::now();
     if (begun > end_of(first) + kGiveUp) {

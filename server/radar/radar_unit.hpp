@@ -23,6 +23,8 @@ namespace skerry::server {
 struct Epoch {
   std::chrono::steady_clock::time_point steady;
   UtcTime utc;
+  // Radars are taken up then: sectors that end before are not theirs to make, and not counted.
+  ScenarioTime taken_up = {};
 };
 
 struct RadarCounters {
@@ -56,7 +58,9 @@ class RadarUnit {
             std::size_t workers, InputSink* inputs = nullptr);
   ~RadarUnit() { stop(); }
 
-  // Once in a unit's life.
+  // Once in a unit's life.  Of an epoch that is taken up late, turns and the shared view's
+  // spokes are numbered as if the antenna had turned since time 0 as it does now.  Cost: some 50 ns
+  // for each sector until then.
   void start(const Epoch& epoch);
   // Spokes are stamped by it from the next sector on.  Thread: any.
   void set_utc(const UtcClock& clock) { utc_.set(clock); }

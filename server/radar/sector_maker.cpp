@@ -139,6 +139,9 @@ void SectorMaker::make(std::uint64_t first, const SectorInputs& inputs,
   renderer_.set_radar(inputs.on_air, inputs.radar, clock_);
   renderer_.set_faults(faults_of(inputs));
   take_views(inputs);
+  if (std::exchange(numbered_from_, inputs.numbered_from) != inputs.numbered_from) {
+    sequences_[0] = inputs.numbered_from;
+  }
   scenes_.set_rig(inputs.radar.blanked, inputs.radar.bearing_alignment_deg);
   renderer_.render(*scenes_.build(inputs.state, inputs.coast, inputs.emissions), first,
                    kSectorSpokes);

@@ -51,6 +51,10 @@ struct SectorInputs {
   CoastInSightPtr coast;
   EmissionsPtr emissions;  // with its own of this sector
   UtcClock utc;            // what spokes are stamped with
+  // The shared view's spokes count from there, where a radar is taken up that has turned before on
+  // another host: no number comes twice, as nobody has made more spokes than the antenna has
+  // passed.
+  std::uint64_t numbered_from = 0;
 };
 
 // The spokes of a sector in one view.
@@ -106,6 +110,7 @@ class SectorMaker {
   ViewRenderers renderer_;
   SceneBuilder scenes_;
   std::map<std::uint32_t, std::uint64_t> sequences_;  // of each view's next spoke
+  std::uint64_t numbered_from_ = 0;                   // that they heed
 };
 
 }  // namespace skerry::server

@@ -115,6 +115,11 @@ bool InputLog::tell_differences(Last& last, const SectorInputs& inputs,
     last.emissions = inputs.emissions->version;
     differs = true;
   }
+  if (last.numbered_from != inputs.numbered_from) {
+    taken.set_numbered_from(inputs.numbered_from);
+    last.numbered_from = inputs.numbered_from;
+    differs = true;
+  }
   if (last.utc != inputs.utc) {
     *taken.mutable_utc() = message_of(inputs.utc);
     last.utc = inputs.utc;

@@ -61,6 +61,7 @@ class InputLog final : public InputSink, public ExerciseInputs {
     std::optional<RangeScale> on_air;
     std::optional<PictureOrigin> coast;
     std::optional<std::uint64_t> emissions;
+    std::uint64_t numbered_from = 0;
     UtcClock utc;
     std::uint64_t skipped_first = 0;  // of the skipped sectors that are not yet in the log
     std::uint64_t skipped_sectors = 0;

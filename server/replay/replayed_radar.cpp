@@ -76,6 +76,7 @@ void ReplayedRadar::take(const recording::Input::Taken& taken) {
     coast_wanted_ = PictureOrigin{taken.coast().wish(), taken.coast().laid()};
   }
   if (taken.has_emissions()) emissions_wanted_ = taken.emissions();
+  if (taken.has_numbered_from()) given_.numbered_from = taken.numbered_from();
   if (taken.has_utc()) {
     utc_ = clock_of(taken.utc());
     if (!utc_) throw wrong("a clock");

@@ -23,13 +23,26 @@ WorldStatePtr Timeline::at(ScenarioTime t) {
 void Timeline::make_up_to(std::uint64_t tick) {
   const std::uint64_t most = std::max<std::uint64_t>(
       1, kMaxShipSteps / std::max<std::size_t>(1, world_.own_ship_count() * world_.ticks_ahead()));
-  const std::uint64_t last = std::min(tick, world_.tick() + most);
+  const std::uint64_t last = std::min({tick, last_, world_.tick() + most});
   while (world_.tick() < last) {
     world_.step();
     // Only the end of a long jump is ever read.
     if (last - world_.tick() < kKept) {
       kept_[world_.tick() % kKept] = std::make_shared<const WorldState>(world_.state());
     }
+  }
+}
+
+void Timeline::keep_to(std::uint64_t last) {
+  const std::lock_guard lock(mutex_);
+  last_ = last;
+}
+
+void Timeline::make(std::uint64_t tick) {
+  for (bool is_there = false; !is_there;) {
+    const std::lock_guard lock(mutex_);
+    make_up_to(tick);
+    is_there = world_.tick() >= std::min(tick, last_);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <optional>
 
@@ -33,6 +34,13 @@ class Timeline {
 
   // The newest state made; at first that of time 0.
   WorldStatePtr latest() const;
+
+  // For hosts that agree on the ticks at which orders hold.  From now on ticks beyond `last` are
+  // not made: at() then gives the newest made.  At first there is no last one.
+  void keep_to(std::uint64_t last);
+  // Makes all ticks up to `tick`, or to the last that may be made: what is ordered next holds from
+  // the tick behind it on.  Others wait as for at(), however far it is.
+  void make(std::uint64_t tick);
 
   // Takes effect with the next tick not yet made; returns its number, so that a run can be
   // repeated. Error: as World::order().
@@ -74,6 +82,7 @@ class Timeline {
 
   mutable std::mutex mutex_;
   World world_;
+  std::uint64_t last_ = std::numeric_limits<std::uint64_t>::max();
   std::array<WorldStatePtr, kKept> kept_;  // tick k at k % kKept
 };
 

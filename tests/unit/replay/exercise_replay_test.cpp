@@ -121,6 +121,22 @@ TEST_F(Replay, ShowsAnotherSeed) {
   EXPECT_FALSE(compared(other, false).is_identical());
 }
 
+TEST_F(Replay, OfAnExerciseThatWasTakenUpLateIsIdentical) {
+  constexpr std::chrono::seconds kAgo{100};
+  const RecordedParts late = run_exercise(12, 11, kAgo);
+  const ComparisonResult result = compared(late, false);
+  EXPECT_TRUE(result.is_identical()) << result.first_difference;
+  EXPECT_EQ(result.compared, late.spokes.size());
+  for (const SpokePtr& spoke : late.spokes) {
+    // The first sector may have begun before, 63 ms at most.
+    EXPECT_GE(spoke->header.scenario_time, ScenarioTime(kAgo) - std::chrono::milliseconds(63));
+    // A turn a second of 256 spokes: as its antenna would have turned since time 0.
+    if (spoke->header.radar == 0) {
+      EXPECT_GE(spoke->header.sequence, 100u * 256u - 16u);
+    }
+  }
+}
+
 TEST_F(Replay, MissesSpokesThatWereNeverMade) {
   const RecordedParts shorter = with([](recording::Input& input) {
     if (input.has_reached()) input.mutable_reached()->set_first(input.reached().first() / 32 * 16);

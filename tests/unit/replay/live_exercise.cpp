@@ -232,7 +232,7 @@ std::vector<SpokePtr> SpokeCollector::end() {
   return std::move(spokes_);
 }
 
-RecordedParts run_exercise(unsigned changes, unsigned seed) {
+RecordedParts run_exercise(unsigned changes, unsigned seed, Duration ago) {
   RecordedParts parts;
   parts.documents = exercise_documents(exercise_yaml(seed), {});
   SpokeCollector collector;
@@ -241,7 +241,7 @@ RecordedParts run_exercise(unsigned changes, unsigned seed) {
   for (std::uint32_t radar = 0; radar < 3; ++radar)
     collector.listen(*server.find_channel(radar, 0));
   Changer changer(server, collector);
-  server.start();
+  server.start(ago);
   for (unsigned i = 0; i < changes; ++i) {
     collector.await_more(64);
     changer.change(i);

@@ -43,8 +43,9 @@ struct RecordedParts {
   std::vector<SpokePtr> spokes;
 };
 
-// Runs the exercise with `changes` changes of controls, world and ships; some seconds.
-RecordedParts run_exercise(unsigned changes, unsigned seed = 11);
+// Runs the exercise with `changes` changes of controls, world and ships; some seconds.  `ago`: as
+// of RadarServer::start().
+RecordedParts run_exercise(unsigned changes, unsigned seed = 11, Duration ago = {});
 
 // Writes a file of its own in `folder`.  `checkpoints`: hashes of a hundred spokes each in the
 // place of the spokes.

@@ -93,6 +93,38 @@ TEST(Timeline, AnOrderTakesEffectInTheTickItNames) {
   EXPECT_THROW(timeline.order(2, 90.0, std::nullopt), std::invalid_argument);
 }
 
+TEST(Timeline, MakesNoTickBeyondTheLastThatItMay) {
+  Timeline timeline{World(default_scenario())};
+  timeline.keep_to(7);
+  EXPECT_EQ(timeline.at(ScenarioTime(20 * World::kTick))->time, ScenarioTime(7 * World::kTick));
+  EXPECT_EQ(timeline.order(0, 10.0, std::nullopt), 8u);
+  timeline.make(100);
+  EXPECT_EQ(timeline.latest()->time, ScenarioTime(7 * World::kTick));
+  timeline.keep_to(9);
+  EXPECT_EQ(timeline.at(ScenarioTime(8 * World::kTick))->time, ScenarioTime(8 * World::kTick));
+  EXPECT_EQ(timeline.at(ScenarioTime(20 * World::kTick))->time, ScenarioTime(9 * World::kTick));
+  timeline.keep_to(3);  // what is made is made
+  EXPECT_EQ(timeline.latest()->time, ScenarioTime(9 * World::kTick));
+  timeline.make(3);
+}
+
+TEST(Timeline, OrdersHoldBehindTheTicksThatWereMadeForThem) {
+  const auto run = [](std::uint64_t looks) {
+    Timeline timeline{World(default_scenario())};
+    timeline.keep_to(3 * Timeline::kMaxShipSteps);
+    for (std::uint64_t tick = 0; tick < looks; tick += 3) {
+      timeline.at(ScenarioTime(static_cast<std::int64_t>(tick) * World::kTick));
+    }
+    const std::uint64_t far = 2 * Timeline::kMaxShipSteps;  // in several steps
+    timeline.make(far);
+    EXPECT_EQ(timeline.order(0, 10.0, 3.0), far + 1);
+    timeline.make(far + 600);
+    return timeline.latest()->own_ships[0];
+  };
+  const ShipState seldom = run(0), often = run(5000);
+  EXPECT_EQ(seldom.position, often.position);
+}
+
 TEST(Timeline, AnOrderThatCannotBeGivenIsToldAndOrdersNothing) {
   scenario::Scenario scenario = default_scenario();
   scenario.mutable_own_ships(0)->set_ship_class("pilot");
