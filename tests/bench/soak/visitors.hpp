@@ -24,11 +24,9 @@ struct Visited {
 struct VisitCounts {
   std::uint64_t visits = 0, views = 0, orders = 0, resets = 0, stalls = 0;
   std::uint64_t spokes = 0;
-  // What the server says that it could not send, of those who read all the time and of those who
-  // did not.
+  // Missing in the numbers that came, of those who read all the time and of those who did not.
   std::uint64_t lost = 0, stalls_lost = 0;
-  // Gaps in the numbers besides, of those who read all the time: spokes that were never made.
-  std::uint64_t never_made = 0;
+  std::uint64_t untold = 0;  // of these, such as the server does not tell of
 };
 
 // At all times `count` of them, half on TCP and half on WebSocket.  What they do follows from the
