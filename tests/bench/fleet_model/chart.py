@@ -22,7 +22,7 @@ def curves(title, x_name, y_name, series):
     for e in range(lows[0], highs[0] + 1):
         x, y = place(10.0 ** e, 10.0 ** lows[1])
         out += [f'<path d="M{x:.1f} {y:.1f}V{TOP}" stroke="#ddd"/>',
-                f'<text x="{x:.1f}" y="{y + 16:.1f}" text-anchor="middle">{10.0 ** e:,g}</text>']
+                f'<text x="{x:.1f}" y="{y + 16:.1f}" text-anchor="middle">{10 ** e:,}</text>']
     for e in range(lows[1], highs[1] + 1):
         x, y = place(10.0 ** lows[0], 10.0 ** e)
         out += [f'<path d="M{x:.1f} {y:.1f}H{WIDTH - RIGHT}" stroke="#ddd"/>',

@@ -1,8 +1,12 @@
 """The model beside what was measured: rows of what, model, measured, and the ratio that the page allows."""
+import os
 from collections import namedtuple
 
+import constants
 import shape
 import simulate
+
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "server", "fleet", "MODEL.md")
 
 # bound: least and greatest model / measured that MODEL.md states; None: known to be off, and told.
 Row = namedtuple("Row", "what model measured unit bound note")
@@ -50,7 +54,8 @@ def log(c, seed):
     yield Row("grants in etcd's file, an hour", idle["mb_per_hour"], 3.5, "MB", THIRD, "calibrated on it")
     for watchers, rate, cost in [(200, 50, 11.25), (500, 50, 15.55), (100, 10, 12.25), (500, 10, 29.88), (1000, 10, 38.37)]:
         model = (c.store_idle_ms + rate * (c.store_grant_ms + watchers * c.store_event_us / 1000)) / rate
-        yield Row(f"{watchers} watching hosts, {rate} grants/s: CPU of the store", model, cost, "ms/grant", THIRD, "")
+        yield Row(f"{watchers} watching hosts, {rate} grants/s: CPU of the store", model, cost, "ms/grant", THIRD,
+                  "store_event_us chosen for all five")
     for watchers, late in [(100, 7.5), (200, 10.2), (500, 23.9), (1000, 38.7)]:
         model = shape.log_use(c, 0, watchers, 1)["watch_ms"]
         yield Row(f"{watchers} watching hosts: the last has a grant, p50", model, late, "ms", THIRD,
@@ -96,6 +101,17 @@ def invariants(c, seed):
     yield "what a fleet serves needs no more hosts than it has", some["hosts"] <= 100
 
 
+def page_rows():
+    """The table of constants as MODEL.md has it."""
+    return [f"| `{r.name}` | {r.value:.6g} | {r.unit} | {r.how} | {r.source} |" for r in constants.TABLE]
+
+
+def missing_in_page():
+    with open(PAGE, encoding="utf-8") as page:
+        lines = set(page.read().split("\n"))
+    return [row for row in page_rows() if row not in lines]
+
+
 def run(c, seed):
     """Prints the table; whether every stated bound and invariant holds."""
     good = True
@@ -110,7 +126,10 @@ def run(c, seed):
         said += [row.note] if row.note else []
         print(f"| {row.what} | {row.model:.3g} | {row.measured:.3g} | {row.unit} | {ratio:.2f} | {'; '.join(said)} |")
     print()
-    for sentence, holds in invariants(c, seed):
+    missing = missing_in_page()
+    for row in missing:
+        print(f"MODEL.md lacks {row}")
+    for sentence, holds in [*invariants(c, seed), ("the page has all constants, as they are here", not missing)]:
         print(f"{'holds ' if holds else 'BROKEN'}  {sentence}")
         good = good and holds
     return good

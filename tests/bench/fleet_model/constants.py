@@ -1,7 +1,8 @@
-"""The measured and assumed constants of the fleet model: one table.
+"""The measured and assumed constants of the fleet model: one table, which server/fleet/MODEL.md has too.
 
-RESULTS is tests/bench/RESULTS.md, FLEET server/fleet/README.md. `how`: measured (here, by the named command), code (a
-number of this project's code), known (of another program, from its documentation), assumed (nobody has measured it).
+RESULTS is tests/bench/RESULTS.md, FLEET server/fleet/README.md; class_check, etcd_cost.py and so on are commands. `how`:
+measured (here, by the named command), code (a number of this project's code), known (of another program, from its
+documentation), assumed (nobody has measured it).
 """
 from collections import namedtuple
 
@@ -19,7 +20,7 @@ TABLE = [Constant(*row) for row in [
     ("send_us_per_write", 2.8, "us", "measured",
      "what 0.282 ms/MB at 400 consoles (RESULTS 'Many consoles over TCP') leaves after send_ms_per_mb"),
     ("send_ms_per_mb", 0.124, "ms/MB", "measured",
-     "240,000 writes/s of a spoke against 2.7 GB/s in writes of 16 KiB, TCP on loopback (design figures, no page): "
+     "240,000 writes/s of a spoke against 2.7 GB/s in writes of 16 KiB, TCP on loopback (an early measurement, on no page): "
      "4.17 and 6.07 us a write, solved for both parts"),
     ("ws_us_per_write", 5.0, "us", "measured",
      "0.38 to 0.43 ms/MB of 200 and 400 WebSockets (RESULTS, table of TLS), less send_ms_per_mb"),
@@ -27,7 +28,7 @@ TABLE = [Constant(*row) for row in [
     ("net_ms_per_radar", 2.0, "ms/s", "measured",
      "class_check: 3.28 ms/s a ship for a native and a WS console (RESULTS 'A class on one host'), less these two"),
     ("relay_us_per_spoke", 0.26, "us", "measured",
-     "thread `upstream` of a relay (RESULTS, branch relay, 'Of a relay')"),
+     "thread `upstream` of a relay (RESULTS 'Many consoles over TCP', of a relay)"),
     # A radar and its ship.
     ("echo_ns_per_cell", 3.0, "ns", "measured", "full scene on AVX-512 (RESULTS 'Echo'); by turns 3.8 to 4.3"),
     ("echo_ns_per_cell_target", 0.006, "ns", "measured",
@@ -59,16 +60,16 @@ TABLE = [Constant(*row) for row in [
     ("retry_last_s", 1.6, "s", "code", "connection_retry.js"),
     ("silence_s", 6, "s", "code", "a console gives up a silent server: connection.js SILENCE_MS"),
     ("relay_retry_first_s", 0.25, "s", "code",
-     "doubled to relay_retry_last_s, not spread: server/upstream (branch relay)"),
-    ("relay_retry_last_s", 4, "s", "code", "server/upstream/README.md (branch relay)"),
-    ("relay_silence_s", 5, "s", "code", "server/upstream/README.md (branch relay)"),
+     "doubled to relay_retry_last_s, not spread: upstream_talk.hpp"),
+    ("relay_retry_last_s", 4, "s", "code", "upstream_talk.hpp"),
+    ("relay_silence_s", 5, "s", "code", "upstream_talk.hpp"),
     ("max_connections", 256, "", "code", "default of net_config.hpp; the model takes --connections"),
     # Hosts.
     ("use_limit", 0.7, "", "assumed", "of a core, link or memory that a plan may use"),
     ("hop_ms", 0.5, "ms", "assumed",
      "network within a site, wake-ups of `upstream` and net-0; without what waits in a queue"),
     ("stall_share", 0.001, "", "measured",
-     "of wake-ups that come late by stall_ms: timers 1 ms apart, p99.9 1.8 to 2.9 ms (house figures, no page)"),
+     "of wake-ups that come late by stall_ms: timers 1 ms apart, p99.9 1.8 to 2.9 ms (an early measurement, on no page)"),
     ("stall_ms", 2.5, "ms", "measured", "as stall_share"),
     ("cores_of_store", 2, "", "assumed", "of each of three members, for etcd alone"),
     # The log, over three etcd on two cores that other work shared: tests/bench/fleet_model/etcd_cost.py.

@@ -206,8 +206,7 @@ def main():
     told, c, fleet, one_fleet = options()
     if told.constants:
         head("constant", "value", "unit", "how", "source")
-        for one in constants.TABLE:
-            row(f"`{one.name}`", f"{one.value:.6g}", one.unit, one.how, one.source)
+        print("\n".join(check.page_rows()))
     elif told.check:
         sys.exit(0 if check.run(c, told.seed) else 1)
     elif told.svg:
