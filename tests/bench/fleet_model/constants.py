@@ -44,7 +44,7 @@ TABLE = [Constant(*row) for row in [
      "class_check steers each ship every 15 s (RESULTS); real classes: not counted"),
     # Memory.
     ("memory_base_mb", 74, "MB", "measured",
-     "class_check --open-sea: 5 ships in 103 MiB, less memory_radar_mb each (RESULTS)"),
+     "class_check --open-sea: 5 ships in 103 MiB, less memory_radar_mb each (RESULTS); also for a relay"),
     ("memory_radar_mb", 6.8, "MB", "measured", "RESULTS 'Radars by turns'"),
     ("memory_looker_mb", 0.4, "MB", "assumed",
      "send buffer of 0.1 s of the stream (net_context.cpp), which the kernel doubles, and 40 kB for session and TLS"),
@@ -67,7 +67,7 @@ TABLE = [Constant(*row) for row in [
     # Hosts.
     ("use_limit", 0.7, "", "assumed", "of a core, link or memory that a plan may use"),
     ("hop_ms", 0.5, "ms", "assumed",
-     "network within a site, wake-ups of `upstream` and net-0; without what waits in a queue"),
+     "network within a site and wake-ups, without what waits in a queue; on loopback half of 0.09 to 0.27 ms (MODEL.md)"),
     ("stall_share", 0.001, "", "measured",
      "of wake-ups that come late by stall_ms: timers 1 ms apart, p99.9 1.8 to 2.9 ms (an early measurement, on no page)"),
     ("stall_ms", 2.5, "ms", "measured", "as stall_share"),

@@ -15,7 +15,9 @@ Formulas, results, and what is left out: server/fleet/MODEL.md. Exit code 1: a b
 do not serve the lookers.
 """
 import argparse
+import contextlib
 import dataclasses
+import io
 import sys
 
 import chart
@@ -84,6 +86,12 @@ def overview(c, fleet):
     head("shared by all of an exercise", "own ships at most")
     for name, most in shape.ship_limits(c, dataclasses.replace(fleet, hosts=1, ships=SHIPS_A_HOST)):
         row(name, f"{most:,.0f}")
+
+
+def overview_lines(c, fleet):
+    with contextlib.redirect_stdout(io.StringIO()) as text:
+        overview(c, fleet)
+    return [line for line in text.getvalue().split("\n") if line.startswith("|")]
 
 
 def describe(c, f):
@@ -208,7 +216,10 @@ def main():
         head("constant", "value", "unit", "how", "source")
         print("\n".join(check.page_rows()))
     elif told.check:
-        sys.exit(0 if check.run(c, told.seed) else 1)
+        good = check.run(c, told.seed)
+        if not told.set and not one_fleet:
+            good = check.page_has("results", overview_lines(c, fleet)) and good
+        sys.exit(0 if good else 1)
     elif told.svg:
         svg(c, fleet, told.svg)
     elif told.simulate or told.needed or one_fleet:
