@@ -4,6 +4,7 @@
 #include <chrono>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace skerry::bench {
 
@@ -14,7 +15,11 @@ std::vector<fs::path> recordings_in(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".mcap") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  // "T.mcap", "T-002.mcap" ... "T-1000.mcap": a later file's name is longer, or behind in letters.
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string first = a.string(), second = b.string();
+    return std::pair(first.size(), first) < std::pair(second.size(), second);
+  });
   return files;
 }
 

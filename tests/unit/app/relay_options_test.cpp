@@ -19,7 +19,7 @@ Options read(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "skerryd");
   return *read_options(static_cast<int>(arguments.size()), arguments.data());
 }
-std::string refusal(const std::vector<const char*>& arguments) {
+std::string relay_refusal(const std::vector<const char*>& arguments) {
   try {
     read(arguments);
   } catch (const std::runtime_error& error) {
@@ -53,21 +53,24 @@ TEST(RelayOptions, TheTokenIsOfAFileOrOfTheEnvironment) {
   ::unsetenv("SKERRY_TOKEN");
   EXPECT_EQ(read({"--relay", "bridge:7411"}).relay.token, "");
   std::ofstream(file) << "\n";
-  EXPECT_THAT(refusal({"--relay", "bridge:7411", "--relay-token-file", file.c_str()}),
+  EXPECT_THAT(relay_refusal({"--relay", "bridge:7411", "--relay-token-file", file.c_str()}),
               HasSubstr("expected a token"));
-  EXPECT_THAT(refusal({"--relay-token-file", file.c_str()}), HasSubstr("of which server?"));
+  EXPECT_THAT(relay_refusal({"--relay-token-file", file.c_str()}), HasSubstr("of which server?"));
 }
 
 TEST(RelayOptions, WhatARelayCannotDoIsRefused) {
-  EXPECT_THAT(refusal({"--relay", "bridge"}), HasSubstr("expected HOST:PORT"));
-  EXPECT_THAT(refusal({"--relay", "b:1", "--scenario", "x"}), HasSubstr("--scenario and --relay"));
-  EXPECT_THAT(refusal({"--relay", "b:1", "--play", "x"}), HasSubstr("--play and --relay"));
-  EXPECT_THAT(refusal({"--relay", "b:1", "--verify", "x"}), HasSubstr("--verify and --relay"));
-  EXPECT_THAT(refusal({"--relay", "b:1", "--workers", "2"}), HasSubstr("a relay makes no video"));
-  EXPECT_THAT(refusal({"--relay", "localhost:7410"}), HasSubstr("own port"));
-  EXPECT_THAT(refusal({"--relay", "127.0.0.1:7410"}), HasSubstr("own port"));
-  EXPECT_EQ(refusal({"--relay", "127.0.0.1:7410", "--tcp-port", "7411"}), "");
-  EXPECT_EQ(refusal({"--relay", "192.0.2.7:7410"}), "");
+  EXPECT_THAT(relay_refusal({"--relay", "bridge"}), HasSubstr("expected HOST:PORT"));
+  EXPECT_THAT(relay_refusal({"--relay", "b:1", "--scenario", "x"}),
+              HasSubstr("--scenario and --relay"));
+  EXPECT_THAT(relay_refusal({"--relay", "b:1", "--play", "x"}), HasSubstr("--play and --relay"));
+  EXPECT_THAT(relay_refusal({"--relay", "b:1", "--verify", "x"}),
+              HasSubstr("--verify and --relay"));
+  EXPECT_THAT(relay_refusal({"--relay", "b:1", "--workers", "2"}),
+              HasSubstr("a relay makes no video"));
+  EXPECT_THAT(relay_refusal({"--relay", "localhost:7410"}), HasSubstr("own port"));
+  EXPECT_THAT(relay_refusal({"--relay", "127.0.0.1:7410"}), HasSubstr("own port"));
+  EXPECT_EQ(relay_refusal({"--relay", "127.0.0.1:7410", "--tcp-port", "7411"}), "");
+  EXPECT_EQ(relay_refusal({"--relay", "192.0.2.7:7410"}), "");
 }
 
 }  // namespace
