@@ -164,6 +164,10 @@ int run_relay(const Options& options, LogTap& tap) {
     std::fprintf(stderr, "%s: %s\n", kServerName, what.c_str());
     return 0;
   }
+  if (!options.relay.token.empty() && !place.host.starts_with("tls://")) {
+    spdlog::warn("relay: its token goes to {} in the clear; --relay tls://{} encrypts it",
+                 place.name(), place.name());
+  }
   make_state_folder(options.state);
   Audit audit(options, what);
   signals.on_hang_up([&] { audit.log.reopen(); });

@@ -107,7 +107,7 @@ std::vector<EncodedSectorPtr> FormatRing::make_room() {
 FormatRing& VideoChannel::add_format(const std::string& name, SectorEncoder encoder) {
   const auto [position, added] = formats_.try_emplace(name);
   if (!added) throw std::logic_error("the video channel already has a format '" + name + "'");
-  position->second = std::make_unique<FormatRing>(std::move(encoder), ring_sectors_);
+  position->second = std::make_unique<FormatRing>(std::move(encoder), ring_sectors_, max_bytes_);
   return *position->second;
 }
 
@@ -140,6 +140,7 @@ std::map<std::string, std::uint64_t> VideoChannel::spokes_encoded() const {
 }
 
 void VideoChannel::hold(std::size_t max_bytes) {
+  max_bytes_ = max_bytes;
   for (const auto& [name, ring] : formats_) ring->hold(max_bytes);
 }
 

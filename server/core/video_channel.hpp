@@ -145,12 +145,13 @@ class VideoChannel {
 
   std::map<std::string, std::uint64_t> spokes_encoded() const;
 
-  // For every format: FormatRing::hold(), and the sum of joins().
+  // For every format, also those added later: FormatRing::hold(); and the sum of joins().
   void hold(std::size_t max_bytes);
   std::uint64_t joins() const;
 
  private:
   std::size_t ring_sectors_;
+  std::size_t max_bytes_ = std::numeric_limits<std::size_t>::max();
   std::map<std::string, std::unique_ptr<FormatRing>> formats_;
 };
 

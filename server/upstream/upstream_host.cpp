@@ -50,6 +50,19 @@ Answered told_in_log(const std::string& upstream, const std::string& origin) {
   };
 }
 
+// A newer server may know them, and this one does not know whose right they are.
+template <typename Message>
+bool has_unknown_fields(Message message) {
+  const std::size_t size = message.ByteSizeLong();
+  message.DiscardUnknownFields();
+  return message.ByteSizeLong() != size;
+}
+
+wire::Reply refusal_of_unknown() {
+  return reply_of(wire::Reply::UNKNOWN,
+                  "it has a field that this relay does not know; ask the other server itself");
+}
+
 }  // namespace
 
 UpstreamHost::UpstreamHost(const wire::Hello& hello, Config config)
@@ -226,6 +239,7 @@ void UpstreamHost::tell_done(const std::string& what, const std::string& origin,
 std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
                                                       const std::string& origin,
                                                       const Answered& later) {
+  if (has_unknown_fields(set)) return refusal_of_unknown();
   // What names nothing that is here, and what concerns this server's own views, is answered here.
   if (find_channel(set.radar(), set.view()) == nullptr || is_own_view(set.radar(), set.view())) {
     return apply(set, origin);
@@ -304,6 +318,7 @@ wire::Reply UpstreamHost::control(const wire::Playback& playback, const std::str
 std::optional<wire::Reply> UpstreamHost::control_or_ask(const wire::Playback& playback,
                                                         const std::string& origin,
                                                         const Answered& later) {
+  if (has_unknown_fields(playback)) return refusal_of_unknown();
   if (auto gone = why_gone()) return reply_of(wire::Reply::REFUSED, *std::move(gone));
   wire::ClientMessage message;
   *message.mutable_playback() = playback;

@@ -310,5 +310,22 @@ TEST(VideoChannel, ASectorWithoutSpokesIsIgnored) {
   EXPECT_EQ(publisher.encodes, 0);
 }
 
+TEST(VideoChannel, HoldsNoMoreOfAFormatThatIsAddedLater) {
+  constexpr std::size_t kSectors = 1000;
+  Publisher publisher(kSectors);
+  publisher.channel.hold(64);
+  FormatRing& later = publisher.channel.add_format("later", [](const Sector& sector) {
+    auto encoded = std::make_shared<EncodedSector>();
+    encoded->bytes.resize(16);
+    encoded->spoke_ends.assign(sector.spokes.size(), 16);
+    return encoded;
+  });
+  const auto reader = later.on_publish([] {}, FormatRing::Reader::recorder);
+  Cursor cursor = later.cursor_at_end();
+  for (int i = 0; i < 100; ++i) publisher.publish(1);
+  ASSERT_NE(later.take(cursor, FormatRing::Overtaken::to_oldest), nullptr);
+  EXPECT_EQ(cursor.spokes_lost, 96u);  // four sectors are 64 bytes
+}
+
 }  // namespace
 }  // namespace skerry::server

@@ -64,6 +64,25 @@ TEST(PassedUp, NoTokenOfAConsoleGoesUp) {
   EXPECT_TRUE(relay.said(1).at(0).set().token().empty());
 }
 
+// It would go up as the relay's own, which may do more than who asked.
+TEST(PassedUp, WhatThisVersionDoesNotKnowDoesNotGoUp) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  constexpr int kOfANewerVersion = 900;
+  wire::Set set = gain_of(70);
+  set.GetReflection()->MutableUnknownFields(&set)->AddVarint(kOfANewerVersion, 1);
+  wire::Set within = gain_of(70);
+  wire::ExerciseOrder& order = *within.mutable_exercise();
+  order.GetReflection()->MutableUnknownFields(&order)->AddVarint(kOfANewerVersion, 1);
+  for (const wire::Set& asked : {set, within}) {
+    Answer answer;
+    ask(relay, answer, asked, "console a");
+    ASSERT_TRUE(answer.now);
+    EXPECT_EQ(answer.now->code(), wire::Reply::UNKNOWN);
+  }
+  EXPECT_TRUE(relay.said(1).empty());
+}
+
 TEST(PassedUp, WhatNamesNothingHereDoesNotGoUp) {
   RelayUnderTest relay;
   relay.accept_all();
