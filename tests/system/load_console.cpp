@@ -142,7 +142,10 @@ void LoadConsole::take(std::span<const std::uint8_t> bytes) {
     if (message_.has_spoke()) spokes_.take(message_.spoke().sequence());
     if (message_.has_own_ship()) ++own_ships_;
     if (message_.has_exercise()) ++exercise_states_;
-    if (message_.has_status()) status_ = std::move(*message_.mutable_status());
+    if (message_.has_status()) {
+      status_ = std::move(*message_.mutable_status());
+      lost_before_status_ = spokes_.losses().lost();
+    }
     if (message_.has_reply() && message_.reply().code() != wire::Reply::OK) {
       throw std::runtime_error(name_ + " was refused: " + message_.reply().text());
     }

@@ -70,6 +70,8 @@ class LoadConsole : public LoadReceiver {
   // The answer is status() once it has come; all that came before it has then been counted.
   void ask_status();
   const std::optional<wire::Status>& status() const { return status_; }
+  // What was missing of the spokes that came before it.
+  std::uint64_t lost_before_status() const { return lost_before_status_; }
   // The name of this connection in the server's Status.
   const std::string& name() const { return name_; }
 
@@ -88,6 +90,7 @@ class LoadConsole : public LoadReceiver {
   std::uint64_t own_ships_ = 0, exercise_states_ = 0;
   wire::ServerMessage message_;
   std::optional<wire::Status> status_;
+  std::uint64_t lost_before_status_ = 0;
   std::uint32_t requests_ = 0;
   std::string name_;
 };

@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 
 SERVER = "10.99.0.1"
 PROTOCOLS = {"tls1": False, "tls1_1": False, "tls1_2": True, "tls1_3": True}
@@ -53,17 +54,21 @@ def ask(port, *options):
 
 
 def renegotiates(port):
-    """At a line "R" s_client asks for another handshake; where it is refused one, it ends."""
-    with subprocess.Popen(s_client(port, "-tls1_2"), stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                          stderr=subprocess.PIPE) as asking:
+    """At a line "R" s_client asks for another handshake; where it is refused one, it ends and says so."""
+    with subprocess.Popen(s_client(port, "-tls1_2"), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT) as asking:
+        for line in asking.stdout:
+            if b"Extended master secret" in line:  # the last of what it tells of the first handshake
+                break
         asking.stdin.write(b"R\n")
         asking.stdin.flush()
-        try:
-            asking.wait(timeout=60)
-        except subprocess.TimeoutExpired:
-            asking.kill()
-            return True
-        return b"no renegotiation" not in asking.stderr.read()
+        killer = threading.Timer(60, asking.kill)
+        killer.start()
+        told = asking.stdout.read()
+        killer.cancel()
+    if b"RENEGOTIATING" not in told:
+        sys.exit("tls_offers.py: s_client has not asked for another handshake")
+    return b"no renegotiation" not in told
 
 
 class Server:

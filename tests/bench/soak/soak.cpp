@@ -295,7 +295,9 @@ class Soak {
     expect(spokes > 0 && (lost == 0 || skipped > 0),
            fmt::format("consoles that read all the time: {} spokes, {} lost{}", spokes, lost,
                        lost > 0 ? excuse : ""));
-    expect(at_live.untold + at_player.untold == 0, "of every loss the server tells");
+    expect(at_live.untold + at_player.untold == 0,
+           fmt::format("losses that the servers do not tell of: {} at the radars, {} at the player",
+                       at_live.untold, at_player.untold));
     expect(live_.stop() == 0, "the server with radars ended well");
     expect(player_.stop() == 0, "the server that plays ended well");
     series_.finish();

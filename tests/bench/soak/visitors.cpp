@@ -89,7 +89,8 @@ void Visitors::depart(Visitor& visitor) {
   if (itself == clients.end()) throw std::runtime_error("a console is not in the server's status");
   counts_.spokes += losses.received();
   (visitor.stalled ? counts_.stalls_lost : counts_.lost) += losses.lost();
-  counts_.untold += losses.lost() - std::min(losses.lost(), itself->spokes_lost());
+  const std::uint64_t seen = visitor.console->lost_before_status();
+  counts_.untold += seen - std::min<std::uint64_t>(seen, itself->spokes_lost());
   if (!visitor.resets) return;
   make_abrupt(visitor.console->socket());
   ++counts_.resets;
