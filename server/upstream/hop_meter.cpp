@@ -1,6 +1,7 @@
 #include "server/upstream/hop_meter.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "server/relay/sendable_text.hpp"
 
@@ -72,6 +73,10 @@ void HopMeter::set_before(const wire::Hops& before) {
     if (before_.size() == kMostBefore) break;
     before_.push_back(hop);
     wire::HopStatus& kept = before_.back();
+    kept.DiscardUnknownFields();
+    if (!std::isfinite(kept.since_s())) kept.clear_since_s();
+    if (!std::isfinite(kept.bytes_per_second())) kept.clear_bytes_per_second();
+    if (!std::isfinite(kept.round_trip_ms())) kept.clear_round_trip_ms();
     kept.set_upstream(sendable(kept.upstream(), kLongestHopText));
     kept.set_server(sendable(kept.server(), kLongestHopText));
     kept.set_problem(sendable(kept.problem(), kLongestHopText));

@@ -18,7 +18,8 @@ constexpr std::size_t kRelayRing = 4096;  // sectors, which are as large as they
 // Numbers that the other server would give after years.
 constexpr std::uint32_t kFirstOwnView = 65'000;
 constexpr std::chrono::seconds kChartPatience{30};
-constexpr std::chrono::seconds kTellEvery{1};
+const std::string kOpenedAgain =
+    "the view is being opened again at the server behind this relay; try again in a moment";
 
 RelayHost::RadarViews views_for(const std::vector<wire::RadarInfo>& radars) {
   constexpr double kHeldSeconds = 0.5, kHeaderBytes = 100.0;
@@ -69,6 +70,7 @@ UpstreamHost::UpstreamHost(const wire::Hello& hello, Config config)
     : RelayHost(views_for(radars_of(relayable(hello, config)))),
       config_(std::move(config)),
       is_playback_(hello.playback()),
+      done_(config_.upstream),
       meter_(config_.upstream, std::chrono::steady_clock::now()),
       hello_(hello),
       radars_(radars_of(hello)),
@@ -125,8 +127,9 @@ std::optional<RadarHost::OpenedView> UpstreamHost::open_view_or_ask(
   OpenUp order{.radar = radar, .like = like, .prepare = prepare, .later = later};
   {
     const std::lock_guard lock(mutex_);
-    const auto there = views_there_.find({radar, like});
-    if (there != views_there_.end()) order.like_there = there->second;
+    const auto there = number_there(radar, like);
+    if (!there) return OpenedView(Failure<std::string>{kOpenedAgain});
+    order.like_there = *there;
   }
   if (orders_.add(std::move(order))) return std::nullopt;
   return OpenedView(Failure<std::string>{"too many requests at once; try again"});
@@ -184,56 +187,29 @@ std::vector<wire::HopStatus> UpstreamHost::hops() const {
 
 // --- what is asked of the other server
 
-wire::Set UpstreamHost::passed_up(const wire::Set& set) const {
-  wire::Set up = set;
-  up.clear_token();
-  const std::lock_guard lock(mutex_);
-  const auto there = views_there_.find({set.radar(), set.view()});
-  // An output's view shows the shared one.
-  up.set_view(there == views_there_.end() ? 0 : there->second);
-  return up;
+std::optional<std::uint32_t> UpstreamHost::number_there(std::uint32_t radar,
+                                                        std::uint32_t view) const {
+  const auto there = views_there_.find({radar, view});
+  if (there != views_there_.end()) return there->second;
+  // An output's view shows the shared one.  Any other is just being added.
+  return view == 0 || is_own_view(radar, view) ? std::optional(0u) : std::nullopt;
 }
 
-bool UpstreamHost::ask(wire::ClientMessage message, std::string what, const std::string& origin,
+bool UpstreamHost::ask(wire::ClientMessage message, PassedUp done,
                        std::function<void(const wire::Reply&)> answered) {
   meter_.asked();
-  std::string who = audit_ == nullptr ? std::string() : audit_->who_at(origin);
-  spdlog::debug("{} asks {} for {}", origin, config_.upstream, what);
-  auto tell = [this, what = std::move(what), who = std::move(who), origin,
-               answered = std::move(answered)](const wire::Reply& reply, wire::ServerMessage*) {
+  done.who = done_.who_at(done.origin);
+  spdlog::debug("{} asks {} for {}", done.origin, config_.upstream, done.what);
+  auto tell = [this, done = std::move(done), answered = std::move(answered)](
+                  const wire::Reply& reply, wire::ServerMessage*) {
     if (reply.code() == wire::Reply::OK) {
-      tell_done(what, origin, who);
+      done_.tell(done, std::chrono::steady_clock::now());
     } else {
       meter_.refused();
     }
     answered(reply);
   };
   return orders_.add(AskUp{.message = std::move(message), .answered = std::move(tell)});
-}
-
-// A knob that is turned is one line a second.
-void UpstreamHost::tell_done(const std::string& what, const std::string& origin,
-                             const std::string& who) {
-  const auto now = std::chrono::steady_clock::now();
-  std::uint32_t times = 1;
-  {
-    const std::lock_guard lock(mutex_);
-    if (told_.origin == origin && now - told_.at < kTellEvery) {
-      ++told_.untold;
-      return;
-    }
-    times += std::exchange(told_.untold, 0);
-    told_.origin = origin;
-    told_.at = now;
-  }
-  spdlog::info("{} has done for {}: {}", config_.upstream, origin, what);
-  if (audit_ == nullptr) return;
-  audit_->add({.kind = AuditEntry::Kind::request,
-               .from = origin,
-               .who = who,
-               .what = "passed to " + config_.upstream + ": " + what,
-               .times = times,
-               .result = "ok"});
 }
 
 std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
@@ -247,9 +223,13 @@ std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
   if (auto gone = why_gone()) return reply_of(wire::Reply::REFUSED, *std::move(gone));
   const std::string ship = ship_of(set.radar());
   wire::ClientMessage message;
-  *message.mutable_set() = passed_up(set);
+  *message.mutable_set() = set;
+  message.mutable_set()->clear_token();
   {
     const std::lock_guard lock(mutex_);
+    const auto there = number_there(set.radar(), set.view());
+    if (!there) return reply_of(wire::Reply::REFUSED, kOpenedAgain);
+    message.mutable_set()->set_view(*there);
     if (!relayed_[set.radar()]) {
       return reply_of(wire::Reply::REFUSED,
                       fmt::format("{} has no longer that radar", config_.upstream));
@@ -257,16 +237,21 @@ std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
     if (auto held = cons_.refusal(ship, set, origin)) {
       return reply_of(wire::Reply::REFUSED, *std::move(held));
     }
+    cons_.asked(ship, set, origin);
   }
-  const bool taken = ask(message, message.set().ShortDebugString(), origin,
-                         [this, set, ship, origin, later](const wire::Reply& reply) {
-                           if (reply.code() == wire::Reply::OK && set.has_con()) {
-                             const std::lock_guard lock(mutex_);
-                             cons_.granted(ship, set, origin, std::chrono::steady_clock::now());
-                           }
+  const auto answered = [this, set, ship, origin](const wire::Reply& reply) {
+    if (!set.has_con()) return;
+    const std::lock_guard lock(mutex_);
+    cons_.answered(ship, set, origin, reply.code() == wire::Reply::OK,
+                   std::chrono::steady_clock::now());
+  };
+  const bool taken = ask(message, {message.set().ShortDebugString(), origin, {}, knob_of(set)},
+                         [answered, later](const wire::Reply& reply) {
+                           answered(reply);
                            later(reply_of(reply.code(), sendable(reply.text(), 1000)));
                          });
   if (taken) return std::nullopt;
+  answered(reply_of(wire::Reply::REFUSED));
   return reply_of(wire::Reply::REFUSED, "too many requests at once; try again");
 }
 
@@ -306,7 +291,7 @@ void UpstreamHost::leave(const std::string& origin) {
     wire::ClientMessage message;
     message.mutable_set()->set_radar(radar->radar());
     message.mutable_set()->mutable_con()->set_release(true);
-    ask(message, message.set().ShortDebugString(), origin, [](const wire::Reply&) {});
+    ask(message, {message.set().ShortDebugString(), origin, {}, {}}, [](const wire::Reply&) {});
   }
 }
 
@@ -323,10 +308,11 @@ std::optional<wire::Reply> UpstreamHost::control_or_ask(const wire::Playback& pl
   wire::ClientMessage message;
   *message.mutable_playback() = playback;
   message.mutable_playback()->clear_token();
-  const bool taken = ask(message, "playback { " + message.playback().ShortDebugString() + " }",
-                         origin, [later](const wire::Reply& reply) {
-                           later(reply_of(reply.code(), sendable(reply.text(), 1000)));
-                         });
+  const bool taken =
+      ask(message, {"playback { " + message.playback().ShortDebugString() + " }", origin, {}, {}},
+          [later](const wire::Reply& reply) {
+            later(reply_of(reply.code(), sendable(reply.text(), 1000)));
+          });
   if (taken) return std::nullopt;
   return reply_of(wire::Reply::REFUSED, "too many requests at once; try again");
 }

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "server/core/audit_port.hpp"
 #include "server/relay/relay_host.hpp"
 #include "server/upstream/con_sharing.hpp"
 #include "server/upstream/hop_meter.hpp"
+#include "server/upstream/passed_log.hpp"
 #include "server/upstream/upstream_orders.hpp"
 
 namespace skerry::server {
@@ -41,7 +41,7 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
   RecordingPort* recording() override { return recording_; }
   void set_targets(TargetPort* plotters) { plotters_ = plotters; }
   TargetPort* targets() override { return plotters_; }
-  void set_audit(AuditPort* audit) { audit_ = audit; }
+  void set_audit(AuditPort* audit) { done_.set_audit(audit); }
   PlaybackPort* playback() override { return is_playback_ ? this : nullptr; }
 
   wire::Hello hello() const override;
@@ -70,7 +70,7 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
   HopMeter& meter() { return meter_; }
   const Config& config() const { return config_; }
   // Of each connection that is to bring view 0.  Error: why it is not wanted.
-  std::optional<std::string> take_hello(const wire::Hello& hello);
+  std::optional<std::string> take_hello(const wire::Hello& told);
   // Whether the other server still has that radar.
   bool is_relayed(std::uint32_t radar) const;
   void set_connected();
@@ -82,8 +82,9 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
   // the number it has here.
   std::optional<std::uint32_t> add_view(std::uint32_t radar, std::uint32_t view, std::uint32_t like,
                                         const std::function<void(VideoChannel&)>& prepare);
-  // It has been opened again there, by that number.
-  void renumber_view(std::uint32_t radar, std::uint32_t view, std::uint32_t there);
+  // It has been opened again there, by that number; or is not there now, until it has been.
+  void renumber_view(std::uint32_t radar, std::uint32_t view, std::optional<std::uint32_t> there);
+  PassedLog& done() { return done_; }
   // Whether somebody has wanted the exercise lately.
   bool wants_truth(SteadyTime now) const;
 
@@ -103,20 +104,19 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
   bool is_own_view(std::uint32_t radar, std::uint32_t view) const;
   std::string ship_of(std::uint32_t radar) const;
   std::optional<std::string> why_gone() const;
-  // The Set as the other server is to have it.
-  wire::Set passed_up(const wire::Set& set) const;
-  // Sends it; what becomes of it is counted, and what is done kept with the audit, a line a second.
+  // The view's number there; nothing: it is being opened again.  Under the mutex.
+  std::optional<std::uint32_t> number_there(std::uint32_t radar, std::uint32_t view) const;
+  // Sends it; what becomes of it is counted, and what is done kept with the audit.
   // False: nobody takes it.
-  bool ask(wire::ClientMessage message, std::string what, const std::string& origin,
+  bool ask(wire::ClientMessage message, PassedUp done,
            std::function<void(const wire::Reply&)> answered);
-  void tell_done(const std::string& what, const std::string& origin, const std::string& who);
 
   const Config config_;
   const bool is_playback_;
   RecordingPort* recording_ = nullptr;
   TargetPort* plotters_ = nullptr;
-  AuditPort* audit_ = nullptr;
   UpstreamOrders orders_;
+  PassedLog done_;
   HopMeter meter_;
   std::atomic<std::uint64_t> playback_version_{1};
   mutable std::atomic<std::int64_t> truth_wanted_{0};  // steady, ns; 0: never
@@ -132,15 +132,9 @@ class UpstreamHost final : public RelayHost, private PlaybackPort {
   std::map<std::uint32_t, wire::OwnShip> own_ships_;
   std::optional<wire::ExerciseState> exercise_;
   wire::PlaybackState playback_;
-  using ViewKey = std::pair<std::uint32_t, std::uint32_t>;  // radar, view here
-  std::map<ViewKey, std::uint32_t> views_there_;
+  using ViewKey = std::pair<std::uint32_t, std::uint32_t>;       // radar, view here
+  std::map<ViewKey, std::optional<std::uint32_t>> views_there_;  // nothing: no line has it now
   mutable ConSharing cons_;
-  struct Told {
-    std::string origin;
-    std::chrono::steady_clock::time_point at{};
-    std::uint32_t untold = 0;  // requests since
-  };
-  Told told_;
 };
 
 }  // namespace skerry::server

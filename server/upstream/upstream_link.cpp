@@ -15,6 +15,8 @@ std::optional<LineEnd> UpstreamTalk::Link::on_hello(const wire::Hello& hello, Li
       return LineEnd{LineEnd::Kind::refused, *std::move(why)};
     }
     talk_.has_identity_ = !hello.identity().empty();
+  } else if (hello.identity() != talk_.main().greeted_by_) {
+    return LineEnd{LineEnd::Kind::lost, "another run of the server than radar 0's"};
   }
   if (greeted_by_ != hello.identity()) number_anew();
   greeted_by_ = hello.identity();
@@ -29,6 +31,7 @@ std::optional<LineEnd> UpstreamTalk::Link::on_hello(const wire::Hello& hello, Li
 
 std::uint32_t UpstreamTalk::Link::on_subscribed(std::uint32_t there) {
   failures = 0;
+  subscribed_at = talk_.now_;
   if (this == &talk_.main()) talk_.tell_back(talk_.now_);
   if (what != Purpose::own_view) return 0;
   const bool is_new = wish.new_view;
@@ -45,8 +48,10 @@ std::uint32_t UpstreamTalk::Link::on_subscribed(std::uint32_t there) {
       return there;
     }
     order.later(*view);
-  } else if (is_new) {
-    talk_.host_.renumber_view(wish.radar, *view, there);
+    return *view;
+  }
+  talk_.host_.renumber_view(wish.radar, *view, there);
+  if (is_new) {
     line->ask(settings_again(), talk_.now_, kOpenPatience, [this](const auto& reply, auto*) {
       if (reply.code() == wire::Reply::OK) return;
       spdlog::warn("relay: view {} of radar {} has not its settings again: {}", *view, wish.radar,
@@ -73,6 +78,8 @@ wire::ClientMessage UpstreamTalk::Link::settings_again() const {
 
 void UpstreamTalk::Link::on_spokes(SpokeBatch::Spokes spokes) {
   for (const SpokePtr& spoke : spokes.sector.spokes) losses_.take(spoke->header.sequence);
+  // A radar that has become another ship's is not shown to those who may see the former.
+  if (!talk_.host_.is_relayed(wish.radar)) return;
   talk_.host_.publish(wish.radar, view.value_or(0), spokes);
 }
 
@@ -82,6 +89,7 @@ void UpstreamTalk::Link::on_news(wire::ServerMessage& message) {
   if (what == Purpose::own_view && !message.has_settings()) return;
   if (what == Purpose::truth && !message.has_exercise()) return;
   if (!is_main && (message.has_world() || message.has_playback())) return;
+  if (!is_main && !talk_.host_.is_relayed(wish.radar)) return;
   talk_.host_.take(wish.radar, view.value_or(0), message);
 }
 
@@ -109,8 +117,14 @@ void UpstreamTalk::Link::number_anew() {
   received_counted_ = lost_counted_ = 0;
 }
 
+bool UpstreamTalk::Link::is_stray() const {
+  return line && !greeted_by_.empty() && greeted_by_ != talk_.main().greeted_by_;
+}
+
 std::chrono::milliseconds UpstreamTalk::Link::pause() const {
-  const auto doubled = kFirstRetry * (1 << std::min(failures, 10u));
+  // The first that does not last may be a cut like any other.
+  const unsigned in_vain = std::max(failures, short_lives > 0 ? short_lives - 1 : 0);
+  const auto doubled = kFirstRetry * (1 << std::min(in_vain, 10u));
   return std::min<std::chrono::milliseconds>(doubled, kLastRetry);
 }
 

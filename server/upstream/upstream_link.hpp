@@ -23,6 +23,8 @@ class UpstreamTalk::Link final : public LineUser {
   // Counts what has come since it was last called.
   void count(SteadyTime now);
   void end_line();
+  // Greeted by another run of the server than the main line was.
+  bool is_stray() const;
   // The wait before the next attempt.
   std::chrono::milliseconds pause() const;
   // Refuses who has asked for the view, if it has not been opened yet.
@@ -34,7 +36,9 @@ class UpstreamTalk::Link final : public LineUser {
   std::optional<UpstreamLine> line;  // while it is connected
   bool under_way = false;            // connected, or about to be
   bool is_unwanted = false;          // to be dropped once its line has been left
-  unsigned failures = 0;             // in a row
+  unsigned failures = 0;             // to be subscribed, in a row
+  unsigned short_lives = 0;          // subscribed for less than kProven, in a row
+  SteadyTime subscribed_at{};
   SteadyTime next_try{};
   // Of a console's view.
   std::optional<OpenUp> opening;  // until it has been opened

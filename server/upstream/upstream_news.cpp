@@ -46,8 +46,10 @@ TrafficItem item_of(const wire::ExerciseShip& ship, std::uint32_t own_ships) {
 
 }  // namespace
 
-std::optional<std::string> UpstreamHost::take_hello(const wire::Hello& hello) {
-  if (auto why = why_not_relayed(hello, config_.identity, config_.upstream)) return why;
+std::optional<std::string> UpstreamHost::take_hello(const wire::Hello& told) {
+  if (auto why = why_not_relayed(told, config_.identity, config_.upstream)) return why;
+  wire::Hello hello = told;
+  hello.DiscardUnknownFields();  // consoles here are told what this version knows
   const std::lock_guard lock(mutex_);
   const std::vector<wire::RadarInfo> now = radars_of(hello);
   changes_ = changes_told(radars_, now);
@@ -56,8 +58,8 @@ std::optional<std::string> UpstreamHost::take_hello(const wire::Hello& hello) {
   for (std::size_t i = 0; i < radars_.size(); ++i) {
     if (relayed_[i]) radars_[i] = now[i];
   }
-  if (hello.identity() != hello_.identity()) cons_.begin_anew();
-  hello_ = hello;
+  if (hello.identity().empty() || hello.identity() != hello_.identity()) cons_.begin_anew();
+  hello_ = std::move(hello);
   return std::nullopt;
 }
 
@@ -83,6 +85,7 @@ void UpstreamHost::set_gone(const std::string& why) {
 }
 
 void UpstreamHost::take(std::uint32_t radar, std::uint32_t view, wire::ServerMessage& message) {
+  message.DiscardUnknownFields();
   if (message.has_settings()) {
     state_.take({recording::Kind::settings, radar, view}, {}, octets_of(message.settings()), {});
   } else if (message.has_world()) {
@@ -140,7 +143,8 @@ std::optional<std::uint32_t> UpstreamHost::add_view(
   return added->number;
 }
 
-void UpstreamHost::renumber_view(std::uint32_t radar, std::uint32_t view, std::uint32_t there) {
+void UpstreamHost::renumber_view(std::uint32_t radar, std::uint32_t view,
+                                 std::optional<std::uint32_t> there) {
   const std::lock_guard lock(mutex_);
   const auto known = views_there_.find({radar, view});
   if (known != views_there_.end()) known->second = there;

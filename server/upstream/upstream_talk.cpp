@@ -101,10 +101,15 @@ void UpstreamTalk::end(Link& link, const LineEnd& why, SteadyTime now) {
 
 void UpstreamTalk::after_end(Link& link, const LineEnd& why, SteadyTime now) {
   if (link.line) {
+    if (link.line->is_subscribed()) {
+      link.short_lives = now - link.subscribed_at < kProven ? link.short_lives + 1 : 0;
+    }
     link.line->flush();
     link.line->end(why.text);
     link.end_line();
   }
+  // Its number may be somebody else's view by the time that the line is there again.
+  if (link.view) host_.renumber_view(link.wish.radar, *link.view, std::nullopt);
   link.under_way = false;
   link.next_try = now + link.pause();
   ++link.failures;
@@ -140,6 +145,7 @@ void UpstreamTalk::tell_gone(const LineEnd& why, SteadyTime now) {
 }
 
 void UpstreamTalk::tell_back(SteadyTime now) {
+  end_strays(now);
   host_.set_connected();
   const std::string& upstream = host_.config().upstream;
   if (was_there_ && gone_since_) {
@@ -153,6 +159,18 @@ void UpstreamTalk::tell_back(SteadyTime now) {
   told_.clear();
   pinged_ = now - kPingEvery;
   for (const LinkPtr& link : links_) link->next_try = now;
+}
+
+void UpstreamTalk::end_strays(SteadyTime now) {
+  std::vector<LineId> strays;
+  for (const LinkPtr& link : links_) {
+    if (link->is_stray()) strays.push_back(link->id);
+  }
+  for (const LineId id : strays) {
+    if (Link* link = find(id)) {
+      end(*link, {LineEnd::Kind::lost, "another run of the server than radar 0's"}, now);
+    }
+  }
 }
 
 void UpstreamTalk::drop(LineId id) {
@@ -254,6 +272,7 @@ void UpstreamTalk::tick(SteadyTime now) {
   begin_chart(now);
   ping(now);
   look_at_truth(now);
+  host_.done().tell_late(now);
 }
 
 void UpstreamTalk::ping(SteadyTime now) {

@@ -26,6 +26,8 @@ class UpstreamTalk {
   using LineId = std::uint64_t;
   static constexpr std::chrono::milliseconds kFirstRetry{250}, kLastRetry{4000};
   static constexpr std::chrono::seconds kPingEvery{2};
+  // A line that was subscribed for less, twice in a row, is begun again the later the oftener.
+  static constexpr std::chrono::seconds kProven{10};
   // For a view to be opened, and for who has been refused the exercise to ask again.
   static constexpr std::chrono::seconds kOpenPatience{5}, kTruthRetry{60};
 
@@ -63,6 +65,8 @@ class UpstreamTalk {
   void after_end(Link& link, const LineEnd& why, SteadyTime now);
   void tell_gone(const LineEnd& why, SteadyTime now);
   void tell_back(SteadyTime now);
+  // Ends lines to another run of the server than the main one's.
+  void end_strays(SteadyTime now);
   void drop(LineId id);
   void carry_out(AskUp& order, SteadyTime now);
   void carry_out(OpenUp& order);

@@ -32,6 +32,8 @@ bool is_change(const wire::ClientMessage& message) {
     case wire::ClientMessage::kRecord:
     case wire::ClientMessage::kPlayback:
       return true;
+    case wire::ClientMessage::kSubscribe:
+      return message.subscribe().new_view();
     case wire::ClientMessage::kClassOrder:
       return message.class_order().order_case() != wire::ClassOrder::ORDER_NOT_SET;
     default:

@@ -160,8 +160,7 @@ void NativeSession::look_at_rights() {
     refused = why_not_allowed(context_.who(slot_->peer(), asked.token), asked);
   }
   if (!refused) return;
-  // Posted, because the feed may be going through its readers, and fail() takes this session off
-  // them.
+  // Posted, because the feed may be going through its readers, and fail() takes this one off them.
   asio::post(context_.io, [weak = weak_from_this(), text = *std::move(refused)] {
     const auto self = weak.lock();
     if (self == nullptr || self->failed_ || self->closed_) return;

@@ -95,7 +95,8 @@ std::function<void(Answer)> NativeSession::when_answered(Then then) {
   // Held: nothing is read meanwhile.
   return [self = shared_from_this(), then = std::move(then)](const Answer& answer) {
     self->answer_pending_ = false;
-    if (self->closed_) return;
+    // What it was granted nobody has.
+    if (self->closed_) return self->context_.host.leave(self->origin());
     if (!self->failed_) then(*self, answer);
     self->process();
   };

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <mutex>
 #include <utility>
 
@@ -28,6 +29,8 @@ class AskingHost final : public FakeHost {
     opening_.push_back([view, later] { later(*view); });
     return std::nullopt;
   }
+  void leave(const std::string&) override { ++leaves_; }
+  int leaves() const { return leaves_; }
   std::vector<wire::HopStatus> hops() const override {
     wire::HopStatus hop;
     hop.set_upstream("192.0.2.7:7410");
@@ -52,6 +55,7 @@ class AskingHost final : public FakeHost {
   }
 
  private:
+  std::atomic<int> leaves_{0};
   std::mutex mutex_;
   std::vector<Answered> asked_;
   std::vector<std::function<void()>> opening_;
@@ -117,6 +121,24 @@ TEST_F(LaterAnswers, OfAClientThatHasGoneDoNoHarm) {
   host_.open(0);
   // Nobody reads it: it ends as any other.
   EXPECT_TRUE(wait_until([&] { return host_.view_count(0) == 1; }));
+}
+
+TEST_F(LaterAnswers, WhatAClientThatHasGoneIsGrantedIsGivenBack) {
+  {
+    TestClient gone = client();
+    gone.send(subscribe_message(1, 0));
+    EXPECT_EQ(gone.receive_reply().code(), wire::Reply::OK);
+    gone.send(set_gain_message(2, 0, 70));
+    host_.await_asked(1);
+    gone.socket().reset();
+  }
+  // It is found gone as spokes cannot be sent to it.
+  EXPECT_TRUE(wait_until([&] {
+    host_.publish();
+    return host_.leaves() == 1;
+  }));
+  host_.answer(0, wire::Reply::OK);
+  EXPECT_TRUE(wait_until([&] { return host_.leaves() == 2; }));
 }
 
 TEST_F(LaterAnswers, HopsAreTold) {

@@ -22,26 +22,32 @@ std::string holder(ConSharing& cons, const std::string& told, ConSharing::Time n
   return state.con();
 }
 
+void grant(ConSharing& cons, const std::string& ship, const wire::Set& set,
+           const std::string& origin) {
+  cons.asked(ship, set, origin);
+  cons.answered(ship, set, origin, true, kNow);
+}
+
 TEST(ConSharing, WhoHasItIsNamedInPlaceOfTheRelay) {
   ConSharing cons;
   EXPECT_EQ(holder(cons, "console x"), "console x");
-  cons.granted("Tern", con(true, false), "console a", kNow);
+  grant(cons, "Tern", con(true, false), "console a");
   EXPECT_EQ(holder(cons, kYou), "console a");
   EXPECT_EQ(holder(cons, ""), "console a");  // from before it was granted
-  cons.granted("Tern", con(false, true), "console a", kNow);
+  grant(cons, "Tern", con(false, true), "console a");
   EXPECT_EQ(holder(cons, ""), "");
 }
 
 TEST(ConSharing, ItIsGoneWhenTheOtherServerGivesItToSomebodyElse) {
   ConSharing cons;
-  cons.granted("Tern", con(true, false), "console a", kNow);
+  grant(cons, "Tern", con(true, false), "console a");
   EXPECT_EQ(holder(cons, "console x", kNow + std::chrono::seconds(10)), "console x");
   EXPECT_FALSE(cons.refusal("Tern", con(true, false), "console b"));
 }
 
 TEST(ConSharing, OthersHereAreRefusedAllButTheInstructor) {
   ConSharing cons;
-  cons.granted("Tern", con(true, false), "console a", kNow);
+  grant(cons, "Tern", con(true, false), "console a");
   EXPECT_FALSE(cons.refusal("Tern", con(true, false), "console a"));
   EXPECT_FALSE(cons.refusal("Gannet", con(true, false), "console b"));
   wire::Set order = con(true, false);
@@ -58,13 +64,26 @@ TEST(ConSharing, OthersHereAreRefusedAllButTheInstructor) {
 
 TEST(ConSharing, WhoLeavesGivesItBack) {
   ConSharing cons;
-  cons.granted("Tern", con(true, false), "console a", kNow);
-  cons.granted("Gannet", con(true, false), "console b", kNow);
+  grant(cons, "Tern", con(true, false), "console a");
+  grant(cons, "Gannet", con(true, false), "console b");
   EXPECT_THAT(cons.leave("console a"), testing::ElementsAre("Tern"));
   EXPECT_THAT(cons.leave("console a"), testing::IsEmpty());
   EXPECT_TRUE(cons.refusal("Gannet", con(true, false), "console a"));
   cons.begin_anew();
   EXPECT_FALSE(cons.refusal("Gannet", con(true, false), "console a"));
+}
+
+// To the other server both are one client, to whom it would grant it twice.
+TEST(ConSharing, ItIsTakenByOneAtATime) {
+  ConSharing cons;
+  const wire::Set take = con(true, false);
+  cons.asked("Tern", take, "console a");
+  EXPECT_TRUE(cons.refusal("Tern", take, "console b"));
+  EXPECT_TRUE(cons.refusal("Tern", take, "console a"));
+  EXPECT_FALSE(cons.refusal("Gannet", take, "console b"));
+  cons.answered("Tern", take, "console a", false, kNow);
+  EXPECT_FALSE(cons.refusal("Tern", take, "console b"));
+  EXPECT_EQ(holder(cons, ""), "");
 }
 
 }  // namespace

@@ -130,6 +130,18 @@ TEST(OwnView, IsOpenedAgainWithItsSettingsAtAServerThatHasStartedAgain) {
   relay.pass(std::chrono::seconds(1));
   relay.accept(1);
   relay.step();
+  // Until it is there, its number is nobody's or somebody else's.
+  wire::Set early;
+  early.set_view(5);
+  early.set_gain(1);
+  const auto refused = relay.host.apply_or_ask(early, "console a", [](const auto&) {});
+  ASSERT_TRUE(refused);
+  EXPECT_THAT(refused->text(), HasSubstr("being opened again"));
+  Opened like;
+  open(relay, like, 5);
+  ASSERT_TRUE(like.now);
+  EXPECT_THAT(like.now->error(), HasSubstr("being opened again"));
+  EXPECT_TRUE(relay.said(1).empty());
   const auto again = relay.accept(2, 1);
   EXPECT_TRUE(again.new_view());
   EXPECT_EQ(again.view(), 0u);

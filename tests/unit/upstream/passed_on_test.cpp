@@ -254,5 +254,20 @@ TEST(PassedOn, TruthThatIsRefusedIsNotAskedForAtOnceAgain) {
   EXPECT_EQ(relay.begun.size(), 1u);
 }
 
+// They would go into every console's stream, however many there are.
+TEST(PassedOn, WhatThisVersionDoesNotKnowOfAShipIsLeftOut) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  wire::ServerMessage message;
+  wire::OwnShip& ship = *message.mutable_own_ship();
+  ship.set_ordered_course_deg(17);
+  ship.GetReflection()->MutableUnknownFields(&ship)->AddLengthDelimited(900,
+                                                                        std::string(1000, 'x'));
+  relay.say(1, message);
+  const wire::OwnShip told = relay.host.own_ship(0);
+  EXPECT_EQ(told.ordered_course_deg(), 17);
+  EXPECT_LT(told.ByteSizeLong(), 500u);
+}
+
 }  // namespace
 }  // namespace skerry::server

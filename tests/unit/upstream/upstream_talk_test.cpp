@@ -199,5 +199,50 @@ TEST(UpstreamTalk, AnOlderServerIsNotAskedForHops) {
   EXPECT_FALSE(relay.host.hops().at(0).has_round_trip_ms());
 }
 
+TEST(UpstreamTalk, LinesToAnotherRunOfTheServerAreEnded) {
+  RelayUnderTest relay(hello_of(2));
+  relay.accept_all();
+  // Radar 0's line is with a server that has started again, the other still with the one before.
+  relay.cut(1, "gone");
+  relay.greeting = hello_of(2, "second run");
+  relay.pass(std::chrono::seconds(1));
+  relay.accept(1);
+  EXPECT_THAT(relay.ended, testing::ElementsAre(2));
+  // It may come back to that one.
+  relay.pass(std::chrono::seconds(1));
+  ASSERT_EQ(relay.begun.count(2), 1u);
+  relay.greeting = hello_of(2, "first run");
+  relay.talk.connected(2, relay.now);
+  relay.say_hello(2);
+  EXPECT_THAT(relay.ended, testing::ElementsAre(2, 2));
+}
+
+TEST(UpstreamTalk, ALineThatFailsOnceItIsThereIsTriedLaterEachTime) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  const auto tries_in_half_a_minute = [&] {
+    const std::size_t before = relay.attempts.size();
+    for (const auto until = relay.now + std::chrono::seconds(30); relay.now < until;) {
+      relay.pass(std::chrono::milliseconds(50));
+      if (relay.begun.count(1) == 0) continue;
+      relay.accept(1);
+      relay.cut(1, "what came is no message");
+    }
+    return relay.attempts.size() - before;
+  };
+  relay.cut(1, "what came is no message");
+  EXPECT_LT(tries_in_half_a_minute(), 16u);
+  // One that has lasted is as good as new.
+  while (relay.begun.count(1) == 0) relay.pass(std::chrono::milliseconds(50));
+  relay.accept(1);
+  for (int i = 0; i < 30; ++i) {
+    relay.settings_from(1, 0, 0, i);
+    relay.pass(std::chrono::milliseconds(500));
+  }
+  relay.cut(1, "gone");
+  relay.pass(std::chrono::milliseconds(300));
+  EXPECT_EQ(relay.begun.count(1), 1u);
+}
+
 }  // namespace
 }  // namespace skerry::server
