@@ -14,7 +14,7 @@
 #include "protocol/wire/utf8.hpp"
 #include "server/app/chart_lines.hpp"
 #include "server/app/contour_join.hpp"
-#include "server/relay/sendable_text.hpp"
+#include "server/relayed/sendable_text.hpp"
 
 namespace skerry::server {
 namespace {

@@ -41,8 +41,8 @@
 #include "server/net/net_server.hpp"
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
+#include "server/relay/upstream_links.hpp"
 #include "server/tracking/target_service.hpp"
-#include "server/upstream/upstream_links.hpp"
 #include "server/world/scenario.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "server/debrief/orders_told.hpp"
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/values_in_range.hpp"
 #include "server/tracking/watch/alert_list.hpp"
 
 namespace skerry::server {

@@ -25,8 +25,8 @@ constexpr char kSimulatedSuffix[] = " + simulated";
 constexpr std::uint32_t kUsualSpokes = 2048, kUsualCells = 1024, kUsualBits = 4;
 constexpr double kUsualRpm = 24.0;
 
-RelayHost::RadarViews views_of(const std::vector<LiveSource>& sources) {
-  RelayHost::RadarViews views;
+RelayedHost::RadarViews views_of(const std::vector<LiveSource>& sources) {
+  RelayedHost::RadarViews views;
   for (const LiveSource& source : sources) {
     if (views.size() <= source.radar) views.resize(source.radar + 1);
     if (views[source.radar]) throw std::logic_error("two sources of one radar");
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> octets_of(const google::protobuf::MessageLite& message
 }  // namespace
 
 LiveHost::LiveHost(const std::vector<LiveSource>& sources, std::string server)
-    : RelayHost(views_of(sources)), server_(std::move(server)) {
+    : RelayedHost(views_of(sources)), server_(std::move(server)) {
   for (const LiveSource& source : sources) {
     inputs_.push_back(std::make_unique<Input>(source));
     inputs_.back()->model = source.kind->model;

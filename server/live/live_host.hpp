@@ -12,7 +12,7 @@
 
 #include "server/core/audit_port.hpp"
 #include "server/live/live_radar.hpp"
-#include "server/relay/relay_host.hpp"
+#include "server/relayed/relayed_host.hpp"
 
 namespace skerry::server {
 
@@ -23,7 +23,7 @@ namespace skerry::server {
 // for another value is refused, but for the instrumented range of a view that was opened here.
 // Thread: take() and look() are one thread's, which gets the encoders' work too; the rest is any
 // thread's.
-class LiveHost final : public RelayHost {
+class LiveHost final : public RelayedHost {
  public:
   // Spokes of a sector at most, as those of simulated radars.
   static constexpr std::size_t kMostSpokes = 16;

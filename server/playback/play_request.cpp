@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/relay/sendable_text.hpp"
+#include "server/relayed/sendable_text.hpp"
 
 namespace skerry::server {
 namespace {

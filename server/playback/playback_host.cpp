@@ -14,9 +14,9 @@
 #include "protocol/wire/spoke_message.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/playback/play_request.hpp"
-#include "server/relay/relayed_exercise.hpp"
-#include "server/relay/sendable_text.hpp"
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/relayed_exercise.hpp"
+#include "server/relayed/sendable_text.hpp"
+#include "server/relayed/values_in_range.hpp"
 
 namespace skerry::server {
 namespace {
@@ -50,7 +50,7 @@ PlaybackHost::PlaybackHost(recording::RecordingReader reader, const PlayerOption
 
 PlaybackHost::PlaybackHost(RecordedRadars radars, recording::RecordingReader&& reader,
                            const PlayerOptions& options, std::string server)
-    : RelayHost(views_of(radars)),
+    : RelayedHost(views_of(radars)),
       reader_(std::move(reader)),
       radars_(std::move(radars)),
       server_(std::move(server)),

@@ -15,7 +15,7 @@
 #include "protocol/recording/reader.hpp"
 #include "server/playback/player.hpp"
 #include "server/playback/recorded_radars.hpp"
-#include "server/relay/relay_host.hpp"
+#include "server/relayed/relayed_host.hpp"
 
 namespace skerry::server {
 
@@ -23,7 +23,7 @@ namespace skerry::server {
 // A recording cannot be changed: a Set is refused unless it asks for values that already hold.  One
 // exception: the instrumented range of a view that was opened here, which an output sets for
 // itself.
-class PlaybackHost final : public RelayHost, private PlaybackPort {
+class PlaybackHost final : public RelayedHost, private PlaybackPort {
  public:
   // `server`: what Hello says of it.
   // Error: std::runtime_error if there is nothing in it to play.

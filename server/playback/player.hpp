@@ -19,8 +19,8 @@
 #include "server/playback/play_clock.hpp"
 #include "server/playback/recorded_radars.hpp"
 #include "server/playback/turn_finder.hpp"
-#include "server/relay/relayed_state.hpp"
-#include "server/relay/relayed_view.hpp"
+#include "server/relayed/relayed_state.hpp"
+#include "server/relayed/relayed_view.hpp"
 
 namespace skerry::server {
 

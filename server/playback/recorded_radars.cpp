@@ -9,8 +9,8 @@
 #include "protocol/recording/topics.hpp"
 #include "protocol/video/scan_geometry.hpp"
 #include "protocol/wire/spoke_message.hpp"
-#include "server/relay/sendable_text.hpp"
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/sendable_text.hpp"
+#include "server/relayed/values_in_range.hpp"
 
 namespace skerry::server {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/values_in_range.hpp"
 
 namespace skerry::server {
 namespace {

@@ -190,11 +190,11 @@ const std::vector<Room>& table() {
       // Video and all that belongs to it, to the disk.
       {"server/recorder", {"protocol/", "server/core/"}},
       // Radars whose spokes were made elsewhere: what is common, a recording, real radars.
-      {"server/relay", {"protocol/", "server/core/"}},
-      {"server/playback", {"protocol/", "server/core/", "server/relay/"}},
-      {"server/live", {"protocol/", "server/core/", "server/relay/"}},
+      {"server/relayed", {"protocol/", "server/core/"}},
+      {"server/playback", {"protocol/", "server/core/", "server/relayed/"}},
+      {"server/live", {"protocol/", "server/core/", "server/relayed/"}},
       // Another server's: the one room of the server that is a client.
-      {"server/upstream", {"protocol/", "clients/common/", "server/core/", "server/relay/"}},
+      {"server/relay", {"protocol/", "clients/common/", "server/core/", "server/relayed/"}},
       // The plotters of all views at work, whatever the source of their spokes.
       {"server/tracking",
        {"protocol/", "echo/kernel/exact_math.hpp", "echo/chart/local_plane.hpp", "server/core/",
@@ -207,7 +207,7 @@ const std::vector<Room>& table() {
       // What happened in a recorded exercise, as values, a page and tables.
       {"server/debrief",
        {"protocol/", "server/page/", "server/world/", "server/replay/",
-        "server/app/control/control_change.hpp", "server/relay/values_in_range.hpp",
+        "server/app/control/control_change.hpp", "server/relayed/values_in_range.hpp",
         "server/tracking/watch/alert_list.hpp"}},
       // Pages with tables and figures, as one file.
       {"server/page", {"protocol/quantity/"}},
@@ -216,7 +216,7 @@ const std::vector<Room>& table() {
       // The tool that tracks targets in recordings: it knows spokes, never how they were made.
       {"server/track_tool",
        {"protocol/", "echo/tool_console/", "echo/chart/local_plane.hpp", "server/plotter/",
-        "server/playback/play_request.hpp", "server/relay/values_in_range.hpp",
+        "server/playback/play_request.hpp", "server/relayed/values_in_range.hpp",
         "server/tracking/watch/told_target.hpp", "server/tracking/watch/vectors.hpp"}},
       // Targets out of the video of any source: it knows spokes, neither radar model nor truth.
       {"server/plotter",

@@ -1,6 +1,8 @@
-// What the fleet's store costs, over three etcd of this machine: fleet_bench [APPENDS] [KILLS].
+// What the fleet's store costs, over three etcd of this machine: fleet_bench --appends N --kills N.
 // Prints a line for each figure: p50, p99 and the largest, in ms.
 #include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -158,8 +160,22 @@ void takeovers(EtcdCluster& etcd, int count, bool with_store) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::stoi(argv[1]) : 2000;
-  const int kills = argc > 2 ? std::stoi(argv[2]) : 10;
+  CLI::App app(
+      "What the fleet's store costs, over three etcd of this machine: p50, p99 and the largest, in "
+      "ms.");
+  int count = 2000, kills = 10;
+  double seconds_each = 0.5;
+  app.add_option("--appends", count, "orders that are appended")->check(CLI::Range(1, 1000000));
+  app.add_option("--kills", kills, "kills of the store's leader, of a holder, and of both")
+      ->check(CLI::Range(0, 1000));
+  app.add_option("--benchmark_min_time", seconds_each,
+                 "as of all benches; below 0.1 s: 100 appends and 1 kill");
+  app.footer("Example:\n  fleet_bench --appends 2000 --kills 10");
+  CLI11_PARSE(app, argc, argv);
+  if (seconds_each < 0.1) {
+    count = std::min(count, 100);
+    kills = std::min(kills, 1);
+  }
   EtcdCluster etcd;
   appends(etcd, count);
   outages(etcd, kills);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "server/upstream/upstream_place.hpp"
+#include "server/relay/upstream_place.hpp"
 
 namespace CLI {
 class App;

@@ -46,7 +46,7 @@ TEST(RelayOptions, OfTheCommandLineAndTheFile) {
 TEST(RelayOptions, TheTokenIsOfAFileOrOfTheEnvironment) {
   ::setenv("SKERRY_TOKEN", "of the environment", 1);
   EXPECT_EQ(read({"--relay", "bridge:7411"}).relay.token, "of the environment");
-  const std::string file = testing::TempDir() + "/skerry_relay.token";
+  const std::string file = testing::TempDir() + "/skerry_relayed.token";
   std::ofstream(file) << "of the file\r\nmore\n";
   EXPECT_EQ(read({"--relay", "bridge:7411", "--relay-token-file", file.c_str()}).relay.token,
             "of the file");

@@ -7,7 +7,7 @@
 
 #include "protocol/quantity/angle.hpp"
 #include "server/app/traffic_list.hpp"
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/values_in_range.hpp"
 #include "server/world/scenario.hpp"
 #include "server/world/ship_reading.hpp"
 #include "server/world/world.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "server/debrief/words.hpp"
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/values_in_range.hpp"
 
 namespace skerry::server {
 namespace {

@@ -416,8 +416,7 @@ class Simulation {
       if (count != 1) violated(fmt::format("order {} is in the log {} times", id, count));
     }
     for (const auto& [id, told] : acknowledged_) {
-      const auto there =
-          std::find_if(truth_.begin(), truth_.end(), [&](const Applied& a) { return a.id == id; });
+      const auto there = std::ranges::find(truth_, id, &Applied::id);
       if (there == truth_.end() || there->tick != told.first)
         violated(fmt::format("order {} was acknowledged for tick {} and is not in the log", id,
                              told.first));

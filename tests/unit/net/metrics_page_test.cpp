@@ -222,7 +222,7 @@ TEST(MetricsPage, HasOutputsAndThoseThatLookAlikeAsOne) {
 
 TEST(MetricsPage, HasTheHopsOfARelay) {
   wire::Status status;
-  EXPECT_THAT(page_of(status), Not(HasSubstr("skerry_relay")));
+  EXPECT_THAT(page_of(status), Not(HasSubstr("skerry_relayed")));
   for (const char* upstream : {"192.0.2.7:7410", "192.0.2.8:7410"}) {
     wire::HopStatus& hop = *status.add_hops();
     hop.set_upstream(upstream);

@@ -10,7 +10,7 @@
 
 #include "protocol/wire/frame.hpp"
 #include "server/playback/playback_host.hpp"
-#include "server/relay/relayed_exercise.hpp"
+#include "server/relayed/relayed_exercise.hpp"
 #include "tests/unit/playback/recorded_file.hpp"
 
 namespace skerry::server {

@@ -14,8 +14,8 @@
 #include "server/playback/play_request.hpp"
 #include "server/playback/recorded_radars.hpp"
 #include "server/playback/turn_finder.hpp"
-#include "server/relay/relayed_state.hpp"
-#include "server/relay/values_in_range.hpp"
+#include "server/relayed/relayed_state.hpp"
+#include "server/relayed/values_in_range.hpp"
 #include "tests/unit/playback/recorded_file.hpp"
 
 namespace skerry::server {

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "server/playback/play_clock.hpp"
-#include "server/relay/relayed_view.hpp"
-#include "server/relay/sendable_text.hpp"
-#include "server/relay/spoke_reach.hpp"
-#include "server/relay/spoke_stamp.hpp"
+#include "server/relayed/relayed_view.hpp"
+#include "server/relayed/sendable_text.hpp"
+#include "server/relayed/spoke_reach.hpp"
+#include "server/relayed/spoke_stamp.hpp"
 
 namespace skerry::server {
 namespace {

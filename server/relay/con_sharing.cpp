@@ -1,0 +1,57 @@
+#include "server/relay/con_sharing.hpp"
+
+#include <fmt/format.h>
+
+namespace skerry::server {
+
+std::optional<std::string> ConSharing::refusal(const std::string& ship, const wire::Set& set,
+                                               const std::string& origin) const {
+  const bool is_order = set.has_con() || set.has_course_deg() || set.has_speed_kn();
+  const auto holder = holders_.find(ship);
+  if (!is_order || set.instructor()) return std::nullopt;
+  if (const auto taker = takers_.find(ship); taker != takers_.end() && set.con().take()) {
+    return fmt::format("{} is just taking the con of {}; try again", taker->second, ship);
+  }
+  if (holder == holders_.end() || holder->second.origin == origin) return std::nullopt;
+  return fmt::format("{} has the con of {}; ask for it to be given away, or take it as instructor",
+                     holder->second.origin, ship);
+}
+
+void ConSharing::asked(const std::string& ship, const wire::Set& set, const std::string& origin) {
+  if (set.con().take()) takers_[ship] = origin;
+}
+
+void ConSharing::answered(const std::string& ship, const wire::Set& set, const std::string& origin,
+                          bool is_granted, Time now) {
+  const auto taker = takers_.find(ship);
+  if (set.con().take() && taker != takers_.end() && taker->second == origin) takers_.erase(taker);
+  if (!is_granted) return;
+  if (set.con().take()) holders_[ship] = {origin, now};
+  if (set.con().release()) holders_.erase(ship);
+}
+
+std::vector<std::string> ConSharing::leave(const std::string& origin) {
+  std::vector<std::string> freed;
+  for (auto each = holders_.begin(); each != holders_.end();) {
+    if (each->second.origin != origin) {
+      ++each;
+      continue;
+    }
+    freed.push_back(each->first);
+    each = holders_.erase(each);
+  }
+  return freed;
+}
+
+void ConSharing::tell(const std::string& ship, const std::string& you, Time now,
+                      wire::ConState& con) {
+  const auto holder = holders_.find(ship);
+  if (holder == holders_.end()) return;
+  if (con.con() != you && now - holder->second.since > kSettling) {
+    holders_.erase(holder);
+    return;
+  }
+  con.set_con(holder->second.origin);
+}
+
+}  // namespace skerry::server

@@ -1,0 +1,30 @@
+// UpstreamLinks: the connections of an UpstreamTalk, on a thread of its own.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "server/relay/upstream_host.hpp"
+#include "server/relay/upstream_place.hpp"
+
+namespace skerry::server {
+
+// Construct before the host's NetServer starts; start(); stop() before that stops.
+// The host must outlive it.
+class UpstreamLinks {
+ public:
+  // `token`: of the other server; empty: none.
+  UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token);
+  ~UpstreamLinks();
+  UpstreamLinks(const UpstreamLinks&) = delete;
+  UpstreamLinks& operator=(const UpstreamLinks&) = delete;
+
+  void start();
+  void stop();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace skerry::server
