@@ -96,6 +96,7 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
     case wire::ServerMessage::kChartObjects:
     case wire::ServerMessage::kClasses:  // order_class() waits for it
     case wire::ServerMessage::kHops:     // relays ask for these
+    case wire::ServerMessage::kThinSpokes:
     case wire::ServerMessage::KIND_NOT_SET:
       return Event{};
   }

@@ -178,7 +178,7 @@ int run_relay(const Options& options, LogTap& tap) {
       host, kNativeFormat,
       sensors_of(host, hello->playback() ? SensorErrors::none() : options.net.sensors));
   host.set_targets(&plotters);
-  UpstreamLinks links(host, place, options.relay.token);
+  UpstreamLinks links(host, place, options.relay.token, options.relay.thin);
   NetServer net(host, with_audit(options.net, audit, identity), web_files());
   signals.on_hang_up([&] { net.read_certificate(); });
   links.start();

@@ -166,7 +166,7 @@ class NetServer::Impl {
     google::protobuf::SetLogHandler(nullptr);
     for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
       for (const RadarHost::View& view : host.views(radar)) {
-        view.channel->add_format(kNativeFormat, native_encoder());
+        add_native_formats(*view.channel);
       }
     }
     for (std::size_t i = 0; i < context_.config.streams.size(); ++i) {

@@ -50,6 +50,11 @@ void HopMeter::received(std::uint64_t spokes, std::uint64_t lost, std::uint64_t 
   while (bytes_.size() > 2 && now - bytes_[1].first >= kRateOver) bytes_.pop_front();
 }
 
+void HopMeter::set_thin(std::uint32_t level) {
+  const std::lock_guard lock(mutex_);
+  status_.set_thin(level);
+}
+
 void HopMeter::round_trip(std::chrono::steady_clock::duration time) {
   const std::lock_guard lock(mutex_);
   round_trips_ms_.push_back(1000.0 * seconds_of(time));

@@ -28,6 +28,7 @@ class HopMeter {
   // A connection that is there has something to complain of; empty: nothing any more.
   void set_problem(const std::string& problem);
   void received(std::uint64_t spokes, std::uint64_t lost, std::uint64_t bytes, Time now);
+  void set_thin(std::uint32_t level);
   void round_trip(std::chrono::steady_clock::duration time);
   void asked();
   void refused();

@@ -28,7 +28,9 @@ class SpokeBatch {
   // them first (follows()).
   // Error: what is wrong with it.
   std::optional<std::string> add(const wire::Spoke& spoke, std::span<const std::uint8_t> body);
-  bool follows(const wire::Spoke& spoke) const;
+  // One that came in another form: it leaves as a message of its own.
+  std::optional<std::string> add(Spoke spoke);
+  bool follows(std::uint64_t sequence, std::uint32_t scan) const;
   bool is_empty() const { return sector_.spokes.empty(); }
   bool is_full() const {
     return sector_.spokes.size() >= kMostSpokes ||
@@ -43,9 +45,16 @@ class SpokeBatch {
   Spokes take();
 
  private:
+  std::optional<std::string> fault_of(std::uint32_t radar, std::uint32_t view) const;
+  void begin(std::uint64_t sequence, std::uint32_t scan, std::size_t bytes);
+  void end_spoke(std::shared_ptr<const Spoke> spoke);
+
   std::uint32_t radar_, view_, local_view_;
   Sector sector_;
   std::shared_ptr<EncodedSector> encoded_;  // nullptr: empty
 };
+
+// The same with numbers that are larger by `shift`, modulo 2^64.
+SpokeBatch::Spokes renumbered(const SpokeBatch::Spokes& spokes, std::uint64_t shift);
 
 }  // namespace skerry::server

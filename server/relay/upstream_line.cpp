@@ -2,13 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "protocol/thin/thin_decoder.hpp"
 #include "protocol/wire/printable_text.hpp"
 #include "server/relayed/relayed_host.hpp"
 
 namespace skerry::server {
+namespace {
+
+constexpr std::uint32_t kSlowLinkLevel = 3;
+
+}  // namespace
+
 LineEnd UpstreamLine::malformed(const std::string& what) const {
   return {LineEnd::Kind::malformed,
           fmt::format("{} sent what is not the native protocol: {}", name_, printable(what))};
@@ -47,6 +55,8 @@ std::optional<LineEnd> UpstreamLine::take_body(std::span<const std::uint8_t> bod
       return take_reply();
     case wire::ServerMessage::kSpoke:
       return take_spoke(body);
+    case wire::ServerMessage::kThinSpokes:
+      return take_thin_spokes();
     case wire::ServerMessage::kSettings:
     case wire::ServerMessage::kOwnShip:
     case wire::ServerMessage::kWorld:
@@ -83,17 +93,37 @@ std::optional<LineEnd> UpstreamLine::take_hello() {
   return std::nullopt;
 }
 
-void UpstreamLine::subscribe() {
-  state_ = State::subscribing;
+wire::ClientMessage UpstreamLine::subscription() const {
   wire::ClientMessage message;
   wire::Subscribe& subscribe = *message.mutable_subscribe();
   subscribe.set_radar(wish_.radar);
   subscribe.set_view(wish_.view);
   subscribe.set_new_view(wish_.new_view);
-  subscribe.set_own_ship_hz(wish_.own_ship_hz);
+  // Ten times a second it would be a tenth of what a link has that needs these.
+  const bool is_slow = wish_.thin >= kSlowLinkLevel;
+  subscribe.set_own_ship_hz(is_slow ? std::min(wish_.own_ship_hz, 2u) : wish_.own_ship_hz);
   subscribe.set_no_spokes(!wish_.spokes);
   subscribe.set_exercise_hz(wish_.exercise_hz);
+  subscribe.set_thin(wish_.thin);
+  return message;
+}
+
+void UpstreamLine::subscribe() {
+  state_ = State::subscribing;
+  wire::ClientMessage message = subscription();
   send(message);
+}
+
+void UpstreamLine::change_thin(std::uint32_t thin, SteadyTime now, std::chrono::seconds patience,
+                               AnsweredUp answered) {
+  wish_.thin = thin;
+  wish_.new_view = false;  // it is there
+  ask(subscription(), now, patience,
+      [this, answered = std::move(answered)](const wire::Reply& reply, wire::ServerMessage* told) {
+        flush();
+        losses_ = LossCounter();
+        answered(reply, told);
+      });
 }
 
 std::optional<LineEnd> UpstreamLine::take_reply() {
@@ -133,9 +163,22 @@ std::optional<LineEnd> UpstreamLine::take_reply() {
 std::optional<LineEnd> UpstreamLine::take_spoke(std::span<const std::uint8_t> body) {
   if (!batch_ || !wish_.spokes) return malformed("a spoke that nobody has subscribed to");
   const wire::Spoke& spoke = message_.spoke();
-  if (!batch_->follows(spoke) || batch_->is_full()) flush();
+  if (!batch_->follows(spoke.sequence(), spoke.scan()) || batch_->is_full()) flush();
   if (const auto wrong = batch_->add(spoke, body)) return malformed(*wrong);
   losses_.take(spoke.sequence());
+  return std::nullopt;
+}
+
+std::optional<LineEnd> UpstreamLine::take_thin_spokes() {
+  if (!batch_ || !wish_.spokes) return malformed("thin spokes that nobody has subscribed to");
+  auto spokes = from_message(message_.thin_spokes());
+  if (!spokes) return malformed(spokes.error().text);
+  for (Spoke& spoke : spokes.value()) {
+    const std::uint64_t sequence = spoke.header.sequence;
+    if (!batch_->follows(sequence, spoke.header.scan) || batch_->is_full()) flush();
+    if (const auto wrong = batch_->add(std::move(spoke))) return malformed(*wrong);
+    losses_.take(sequence);
+  }
   return std::nullopt;
 }
 

@@ -24,6 +24,7 @@ struct LineWish {
   bool new_view = false;  // one like `view`
   bool spokes = true;
   std::uint32_t own_ship_hz = 1, exercise_hz = 0;
+  std::uint32_t thin = 0;  // as in Subscribe
 };
 
 // Why a connection ends.
@@ -71,10 +72,15 @@ class UpstreamLine {
   // What is to be sent now.
   Bytes take_output() { return std::exchange(output_, {}); }
 
+  std::uint32_t thin() const { return wish_.thin; }
   bool is_subscribed() const { return state_ == State::subscribed; }
   // `answered` is called once.  Requires is_subscribed().
   void ask(wire::ClientMessage message, SteadyTime now, std::chrono::seconds patience,
            AnsweredUp answered);
+  // The same spokes at another level of thinness; they are numbered anew.  `answered` is called
+  // once. Requires is_subscribed().
+  void change_thin(std::uint32_t thin, SteadyTime now, std::chrono::seconds patience,
+                   AnsweredUp answered);
   std::size_t unanswered() const { return asked_.size(); }
   // Answers in place of the server what it was asked for too long ago.
   // Error: as take(), when nothing has come for kSilence.
@@ -92,6 +98,8 @@ class UpstreamLine {
   std::optional<LineEnd> take_hello();
   std::optional<LineEnd> take_reply();
   std::optional<LineEnd> take_spoke(std::span<const std::uint8_t> body);
+  std::optional<LineEnd> take_thin_spokes();
+  wire::ClientMessage subscription() const;
   void subscribe();
   void send(wire::ClientMessage& message);
   LineEnd malformed(const std::string& what) const;

@@ -33,6 +33,8 @@ std::uint32_t UpstreamTalk::Link::on_subscribed(std::uint32_t there) {
   failures = 0;
   subscribed_at = talk_.now_;
   if (this == &talk_.main()) talk_.tell_back(talk_.now_);
+  joins_ = wish.thin != 0 || shift_ != 0;
+  if (line->thin() != wish.thin) change_thin(wish.thin);
   if (what != Purpose::own_view) return 0;
   const bool is_new = wish.new_view;
   if (is_new) number_anew();
@@ -78,9 +80,25 @@ wire::ClientMessage UpstreamTalk::Link::settings_again() const {
 
 void UpstreamTalk::Link::on_spokes(SpokeBatch::Spokes spokes) {
   for (const SpokePtr& spoke : spokes.sector.spokes) losses_.take(spoke->header.sequence);
+  const std::uint64_t first = spokes.sector.spokes.front()->header.sequence;
+  if (std::exchange(joins_, false) && last_number_) shift_ = *last_number_ + 1 - first;
+  if (shift_ != 0) spokes = renumbered(spokes, shift_);
+  const SpokeHeader& last = spokes.sector.spokes.back()->header;
+  last_number_ = last.sequence;
+  note_pace(last.scenario_time);
   // A radar that has become another ship's is not shown to those who may see the former.
   if (!talk_.host_.is_relayed(wish.radar)) return;
   talk_.host_.publish(wish.radar, view.value_or(0), spokes);
+}
+
+void UpstreamTalk::Link::note_pace(ScenarioTime made) {
+  const Paced before =
+      std::exchange(paced_, Paced{talk_.now_, made}).value_or(Paced{talk_.now_, made});
+  const Duration step = made - before.made;
+  // Neither a gap nor another clock; and a pause, as in standby, is none of the link's.
+  if (step <= Duration{0} || step > std::chrono::milliseconds(500)) return;
+  came.made += step;
+  came.took += talk_.now_ - before.came;
 }
 
 void UpstreamTalk::Link::on_news(wire::ServerMessage& message) {
@@ -97,8 +115,12 @@ void UpstreamTalk::Link::count(SteadyTime now) {
   const std::uint64_t bytes = line ? line->bytes() : 0;
   // What comes late is taken back from the lost; what was told stays told.
   const std::uint64_t lost = std::max(losses_.lost(), lost_counted_);
-  talk_.host_.meter().received(losses_.received() - received_counted_, lost - lost_counted_,
-                               bytes - bytes_counted_, now);
+  const ThinChoice::Came news{losses_.received() - received_counted_, lost - lost_counted_,
+                              bytes - bytes_counted_};
+  talk_.host_.meter().received(news.spokes, news.lost, news.bytes, now);
+  came.spokes += news.spokes;
+  came.lost += news.lost;
+  came.bytes += news.bytes;
   received_counted_ = losses_.received();
   lost_counted_ = lost;
   bytes_counted_ = bytes;
@@ -126,6 +148,20 @@ std::chrono::milliseconds UpstreamTalk::Link::pause() const {
   const unsigned in_vain = std::max(failures, short_lives > 0 ? short_lives - 1 : 0);
   const auto doubled = kFirstRetry * (1 << std::min(in_vain, 10u));
   return std::min<std::chrono::milliseconds>(doubled, kLastRetry);
+}
+
+void UpstreamTalk::Link::change_thin(std::uint32_t level) {
+  wish.thin = level;
+  if (!line || !line->is_subscribed()) return;
+  line->change_thin(level, talk_.now_, kThinPatience, [this](const auto& reply, auto*) {
+    if (reply.code() != wire::Reply::OK) {
+      spdlog::warn("relay: radar {} view {}: no thin spokes: {}", wish.radar, view.value_or(0),
+                   reply.text());
+      return;
+    }
+    number_anew();
+    joins_ = true;
+  });
 }
 
 void UpstreamTalk::Link::refuse_opening(const std::string& why) {

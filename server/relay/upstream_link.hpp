@@ -27,6 +27,8 @@ class UpstreamTalk::Link final : public LineUser {
   bool is_stray() const;
   // The wait before the next attempt.
   std::chrono::milliseconds pause() const;
+  // Another level of thin spokes from now on.
+  void change_thin(std::uint32_t level);
   // Refuses who has asked for the view, if it has not been opened yet.
   void refuse_opening(const std::string& why);
 
@@ -45,8 +47,10 @@ class UpstreamTalk::Link final : public LineUser {
   SteadyTime open_until{};
   std::optional<std::uint32_t> view;  // its number here
   std::string identity;               // of the run of the server that has opened it
+  ThinChoice::Came came;              // and not yet looked at
 
  private:
+  void note_pace(ScenarioTime made);
   wire::ClientMessage settings_again() const;
   void number_anew();
 
@@ -54,6 +58,16 @@ class UpstreamTalk::Link final : public LineUser {
   std::string greeted_by_;  // identity
   std::uint64_t bytes_counted_ = 0, received_counted_ = 0, lost_counted_ = 0;
   LossCounter losses_;  // over connections
+  // Thin spokes have numbers of their own, in which those here go on.
+  std::uint64_t shift_ = 0;
+  std::optional<std::uint64_t> last_number_;  // here
+  bool joins_ = false;                        // the next spoke follows the last one
+  // When the last one came and was made.
+  struct Paced {
+    SteadyTime came{};
+    ScenarioTime made{};
+  };
+  std::optional<Paced> paced_;
 };
 
 }  // namespace skerry::server

@@ -29,10 +29,11 @@ SteadyTime steady_now() { return std::chrono::steady_clock::now(); }
 
 class UpstreamLinks::Impl {
  public:
-  Impl(UpstreamHost& host, UpstreamPlace place, std::string token)
+  Impl(UpstreamHost& host, UpstreamPlace place, std::string token,
+       std::optional<std::uint32_t> thin)
       : place_(std::move(place)),
         name_(place_.host),
-        talk_(host, std::move(token), steady_now()),
+        talk_(host, std::move(token), steady_now(), thin),
         tick_(io_) {
     host.orders().on_order([this] {
       if (woken_.exchange(true)) return;
@@ -232,8 +233,9 @@ class UpstreamLinks::Impl {
   std::thread thread_;
 };
 
-UpstreamLinks::UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token)
-    : impl_(std::make_unique<Impl>(host, std::move(place), std::move(token))) {}
+UpstreamLinks::UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token,
+                             std::optional<std::uint32_t> thin)
+    : impl_(std::make_unique<Impl>(host, std::move(place), std::move(token), thin)) {}
 UpstreamLinks::~UpstreamLinks() = default;
 void UpstreamLinks::start() { impl_->start(); }
 void UpstreamLinks::stop() { impl_->stop(); }

@@ -14,7 +14,9 @@ namespace skerry::server {
 class UpstreamLinks {
  public:
   // `token`: of the other server; empty: none.
-  UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token);
+  // `thin`: as UpstreamTalk has it.
+  UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token,
+                std::optional<std::uint32_t> thin = 0);
   ~UpstreamLinks();
   UpstreamLinks(const UpstreamLinks&) = delete;
   UpstreamLinks& operator=(const UpstreamLinks&) = delete;

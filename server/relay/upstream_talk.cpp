@@ -23,16 +23,20 @@ bool asks_for_chart(const wire::ClientMessage& message) {
 
 }  // namespace
 
-UpstreamTalk::UpstreamTalk(UpstreamHost& host, std::string token, SteadyTime now)
+UpstreamTalk::UpstreamTalk(UpstreamHost& host, std::string token, SteadyTime now,
+                           std::optional<std::uint32_t> thin)
     : host_(host),
       token_(std::move(token)),
+      thin_(thin, now),
       now_(now),
       pinged_(now - kPingEvery),
       truth_refused_(now - kTruthRetry) {
   for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
-    links_.push_back(std::make_unique<Link>(*this, ++last_id_, Purpose::shared,
-                                            LineWish{.radar = radar, .own_ship_hz = kOwnShipHz}));
+    links_.push_back(std::make_unique<Link>(
+        *this, ++last_id_, Purpose::shared,
+        LineWish{.radar = radar, .own_ship_hz = kOwnShipHz, .thin = thin_.level()}));
   }
+  host.meter().set_thin(thin_.level());
 }
 
 UpstreamTalk::~UpstreamTalk() = default;
@@ -234,7 +238,8 @@ void UpstreamTalk::begin_chart(SteadyTime now) {
 void UpstreamTalk::carry_out(OpenUp& order) {
   auto link = std::make_unique<Link>(
       *this, ++last_id_, Purpose::own_view,
-      LineWish{.radar = order.radar, .view = order.like_there, .new_view = true});
+      LineWish{
+          .radar = order.radar, .view = order.like_there, .new_view = true, .thin = thin_.level()});
   link->opening = std::move(order);
   link->open_until = now_ + kOpenPatience;
   links_.push_back(std::move(link));
@@ -272,6 +277,7 @@ void UpstreamTalk::tick(SteadyTime now) {
   begin_chart(now);
   ping(now);
   look_at_truth(now);
+  look_at_thin(now);
   host_.done().tell_late(now);
 }
 
@@ -299,6 +305,30 @@ void UpstreamTalk::look_at_truth(SteadyTime now) {
     links_.push_back(
         std::make_unique<Link>(*this, ++last_id_, Purpose::truth,
                                LineWish{.radar = 0, .spokes = false, .exercise_hz = kTruthHz}));
+  }
+}
+
+void UpstreamTalk::look_at_thin(SteadyTime now) {
+  ThinChoice::Came came;
+  for (const LinkPtr& link : links_) {
+    const ThinChoice::Came of_link = std::exchange(link->came, {});
+    came.spokes += of_link.spokes;
+    came.lost += of_link.lost;
+    came.bytes += of_link.bytes;
+    came.made += of_link.made;
+    came.took += of_link.took;
+  }
+  // A playback's pace is its own.
+  if (host_.playback() != nullptr) came.took = Duration{0};
+  const std::uint32_t before = thin_.level();
+  if (!is_there() || !thin_.look(came, now)) return;
+  spdlog::info("relay: {}: thin spokes of level {}, {} before",
+               thin_.level() > before ? "the link carries less than there is"
+                                      : "the link has carried all for a while",
+               thin_.level(), before);
+  host_.meter().set_thin(thin_.level());
+  for (const LinkPtr& link : links_) {
+    if (link->wish.spokes) link->change_thin(thin_.level());
   }
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "server/relay/thin_choice.hpp"
 #include "server/relay/upstream_host.hpp"
 #include "server/relay/upstream_line.hpp"
 
@@ -30,9 +31,13 @@ class UpstreamTalk {
   static constexpr std::chrono::seconds kProven{10};
   // For a view to be opened, and for who has been refused the exercise to ask again.
   static constexpr std::chrono::seconds kOpenPatience{5}, kTruthRetry{60};
+  // For other spokes: what waits before the answer may fill a slow link for long.
+  static constexpr std::chrono::seconds kThinPatience{60};
 
-  // `token`: of the other server; empty: none.
-  UpstreamTalk(UpstreamHost& host, std::string token, SteadyTime now);
+  // `token`: of the other server; empty: none.  `thin`: level of thin spokes, 0: as they are;
+  // nothing: as the link needs.
+  UpstreamTalk(UpstreamHost& host, std::string token, SteadyTime now,
+               std::optional<std::uint32_t> thin = 0);
   ~UpstreamTalk();
 
   // Connections that are to be begun now, and such as are to be ended; each is told once.
@@ -74,9 +79,12 @@ class UpstreamTalk {
   void begin_chart(SteadyTime now);
   void ping(SteadyTime now);
   void look_at_truth(SteadyTime now);
+  // Asks for other spokes where the link carries more or less than now.
+  void look_at_thin(SteadyTime now);
 
   UpstreamHost& host_;
   const std::string token_;
+  ThinChoice thin_;
   std::vector<LinkPtr> links_;  // the main one first
   LineId last_id_ = 0;
   std::vector<LineId> to_end_;

@@ -54,6 +54,7 @@ const std::vector<Room>& table() {
       {"protocol/nmea",
        {"protocol/quantity/", "protocol/wire/wire_error.hpp", "protocol/wire/ipv4_endpoint.hpp"}},
       {"protocol/recording", {"protocol/quantity/", "protocol/video/", "protocol/wire/"}},
+      {"protocol/thin", {"protocol/quantity/", "protocol/video/", "protocol/wire/"}},
       // Captures of real radars into recordings: all protocols meet here.
       {"protocol/captures", {"protocol/"}},
       {"protocol/board",

@@ -49,6 +49,50 @@ class Relay : public testing::Test {
   }
 };
 
+// By turn and index, from the next that comes on.
+std::map<std::pair<std::uint32_t, std::uint32_t>, Spoke> cells_from(client::SpokeClient& client,
+                                                                    std::size_t count) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Spoke> spokes;
+  while (spokes.size() < count) {
+    Spoke spoke = next_spoke(client);
+    spokes[{spoke.header.scan, spoke.header.index}] = std::move(spoke);
+  }
+  return spokes;
+}
+
+TEST_F(Relay, ThinSpokesHaveThePeaksOfTheWholeOnes) {
+  const RunningServer thin({"--relay", place_of(origin_.tcp_port()), "--relay-thin", "4"});
+  const RunningServer behind({"--relay", place_of(thin.tcp_port())});
+  client::SpokeClient at_origin = subscribed(origin_, 0), at_thin = subscribed(thin, 0),
+                      at_behind = subscribed(behind, 0);
+  const auto begin = [](client::SpokeClient& client) {
+    return std::async(std::launch::async, [&] { return cells_from(client, 3 * kSmallSpokes); });
+  };
+  auto of_origin = begin(at_origin), of_thin = begin(at_thin), of_behind = begin(at_behind);
+  const auto whole = of_origin.get();
+  for (auto* relayed : {&of_thin, &of_behind}) {
+    std::size_t compared = 0, echoes = 0;
+    std::uint64_t next = 0;
+    for (const auto& [place, spoke] : relayed->get()) {
+      EXPECT_TRUE(next == 0 || spoke.header.sequence == next) << spoke.header.sequence;
+      next = spoke.header.sequence + 1;
+      ASSERT_EQ(spoke.header.geometry, (ScanGeometry{512, 256, 4}));
+      const auto there = whole.find(place);
+      if (there == whole.end()) continue;
+      for (std::size_t c = 0; c < 256; ++c) {
+        const auto& cells = there->second.cells;
+        const int peak = std::max(cells[2 * c], cells[2 * c + 1]) >> 4;
+        ASSERT_EQ(spoke.cells[c], peak < 3 ? 0 : peak) << place.second << " " << c;
+        echoes += peak >= 3;
+      }
+      ++compared;
+    }
+    EXPECT_GT(compared, kSmallSpokes);
+    EXPECT_GT(echoes, 1000u);
+  }
+  EXPECT_THAT(thin.skerry("status").out, HasSubstr("thin spokes of level 4"));
+}
+
 TEST_F(Relay, SpokesAreTheOriginsWhicheverServerTheyComeFrom) {
   for (const std::uint32_t radar : {0u, 1u, 2u}) {
     client::SpokeClient at_origin = subscribed(origin_, radar), at_near = subscribed(near_, radar),

@@ -257,6 +257,7 @@ std::string hops(const wire::Status& status) {
                     hop.requests_refused() == 0
                         ? fmt::format("{}", hop.requests())
                         : fmt::format("{} ({} no)", hop.requests(), hop.requests_refused()));
+    if (hop.thin() > 0) out += fmt::format("{:>4}thin spokes of level {}\n", "", hop.thin());
     if (!hop.problem().empty()) out += fmt::format("{:>4}{}\n", "", printable(hop.problem(), 300));
   }
   return out;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "protocol/thin/thin_shape.hpp"
 #include "server/app/config.pb.h"
 #include "server/app/options/field_options.hpp"
 #include "server/net/common/net_config.hpp"
@@ -41,6 +42,16 @@ void refuse(bool given, const char* what, const char* why) {
     throw std::runtime_error(fmt::format("{} and --relay exclude each other: {}", what, why));
 }
 
+std::optional<std::uint32_t> thin_of(const std::string& text) {
+  if (text.empty() || text == "off") return 0;
+  if (text == "auto") return std::nullopt;
+  if (text.size() == 1 && text[0] >= '1' && text[0] <= static_cast<char>('0' + kThinLevels)) {
+    return text[0] - '0';
+  }
+  throw std::runtime_error(
+      fmt::format("--relay-thin {}: expected off, auto, or a level of 1 to {}", text, kThinLevels));
+}
+
 // Whether the other server's port would be this one's own.
 bool is_own_port(const UpstreamPlace& place, const NetConfig& net) {
   if (net.tcp_port == 0 || place.port != net.tcp_port) return false;
@@ -61,6 +72,10 @@ void add_relay_options(CLI::App& cli, app::Relay& line) {
            "file whose first line is the token that the other server knows this one by "
            "(SKERRY_TOKEN of the environment)")
       ->type_name("FILE");
+  add.text("--relay-thin", line, &app::Relay::mutable_thin,
+           "fewer spokes and cells for a slow link: off, 1 .. 4 (the thinnest), or auto, as the "
+           "link needs (off)")
+      ->type_name("LEVEL");
 }
 
 RelayOptions relay_options(const app::ServerConfig& config, const NetConfig& net) {
@@ -81,6 +96,7 @@ RelayOptions relay_options(const app::ServerConfig& config, const NetConfig& net
   refuse(has_sweeps, "--sweeps", "interface boards are not relayed; have them of the other server");
   refuse(config.workers() > 0, "--workers", "a relay makes no video");
   options.place = *place;
+  options.thin = thin_of(config.relay().thin());
   if (is_own_port(options.place, net)) {
     throw std::runtime_error(fmt::format(
         "--relay {}: that is this server's own port; give --tcp-port another number, or --relay "

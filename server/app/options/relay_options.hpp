@@ -1,6 +1,8 @@
 // Options of a relay.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "server/relay/upstream_place.hpp"
@@ -20,6 +22,8 @@ struct NetConfig;
 struct RelayOptions {
   UpstreamPlace place;  // its host is empty: this server is no relay
   std::string token;    // of the other server; empty: none
+  // Level of thin spokes, 0: none; nothing: as the link needs.
+  std::optional<std::uint32_t> thin = 0;
 };
 
 // --relay and what belongs to it; `line` must outlive the parsing.

@@ -1,9 +1,11 @@
 #include "server/net/common/encoders.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 
+#include "protocol/thin/thin_encoder.hpp"
 #include "protocol/video/spoke_resampler.hpp"
 #include "protocol/wire/frame.hpp"
 
@@ -38,6 +40,36 @@ SectorEncoder native_encoder() {
     }
     return encoded;
   };
+}
+
+std::string thin_format(std::uint32_t level) { return "thin-" + std::to_string(level); }
+
+SectorEncoder thin_encoder(std::uint32_t level) {
+  // Shared: a std::function is copyable.
+  return [stream = std::make_shared<ThinEncoder>(level),
+          message = wire::ServerMessage()](const Sector& sector) mutable -> EncodedSectorPtr {
+    const auto encoded = begin_sector(sector);
+    encoded->first_sequence = stream->next();
+    for (const SpokePtr& spoke : sector.spokes) {
+      stream->add(*spoke, [&](const wire::ThinSpokes& block) {
+        *message.mutable_thin_spokes() = block;
+        append_frame(encoded->bytes, message);
+      });
+      end_spoke(*encoded);
+    }
+    return encoded;
+  };
+}
+
+std::string native_format(std::uint32_t thin) {
+  return thin == 0 ? kNativeFormat : thin_format(thin);
+}
+
+void add_native_formats(VideoChannel& channel) {
+  channel.add_format(kNativeFormat, native_encoder());
+  for (std::uint32_t level = 1; level <= kThinLevels; ++level) {
+    channel.add_format(thin_format(level), thin_encoder(level));
+  }
 }
 
 namespace {

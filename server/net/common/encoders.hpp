@@ -1,6 +1,7 @@
 // The formats in which sectors leave the server, each encoded once whatever the number of readers.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "protocol/asterix/cat240_stream.hpp"
@@ -14,6 +15,14 @@ namespace skerry::server {
 inline const std::string kNativeFormat = "native";
 
 SectorEncoder native_encoder();
+// ThinSpokes of that level, 1 .. kThinLevels: a message is with the last of its spokes.
+std::string thin_format(std::uint32_t level);
+SectorEncoder thin_encoder(std::uint32_t level);
+// Whatever a client of the native protocol may ask for: spokes as they are, and all thin levels.
+// Error: std::logic_error if the channel has one of them.
+void add_native_formats(VideoChannel& channel);
+// The one of them for Subscribe.thin, 0 .. kThinLevels.
+std::string native_format(std::uint32_t thin);
 // The same in another shape.  Spokes are numbered from 0 without a gap.
 SectorEncoder native_encoder(const NativeShape& shape);
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "protocol/thin/thin_shape.hpp"
 #include "protocol/wire/frame.hpp"
 #include "server/core/process_memory.hpp"
 #include "server/net/common/encoders.hpp"
@@ -18,6 +19,7 @@ namespace skerry::server {
 namespace {
 
 constexpr std::size_t kMinSendBuffer = 32 * 1024;
+constexpr std::size_t kThinSendBuffer = 8 * 1024;        // a quarter of a second of level 3
 constexpr std::size_t kMaxSendBuffer = 4 * 1024 * 1024;  // Debian's tcp_wmem maximum
 constexpr std::size_t kUnknownSendBuffer = 1024 * 1024;  // of a board that has yet to send
 constexpr double kSpokeOverhead = 100;                   // bytes besides the cells
@@ -148,8 +150,7 @@ std::optional<RadarHost::OpenedView> NetContext::open_view(std::uint32_t radar, 
     if (view) opened_[{radar, *view}] = {std::chrono::steady_clock::now(), net};
   };
   auto view = host.open_view_or_ask(
-      radar, like,
-      [](VideoChannel& channel) { channel.add_format(kNativeFormat, native_encoder()); },
+      radar, like, [](VideoChannel& channel) { add_native_formats(channel); },
       [this, keep, later](RadarHost::OpenedView opened) {
         asio::post(io, [keep, later, opened = std::move(opened)] {
           keep(opened);
@@ -202,8 +203,11 @@ wire::Reply NetContext::order(wire::TargetOrder order, const std::string& origin
 }
 
 bool NetContext::has_readers(const ViewKey& view) const {
-  const auto feed = feeds_.find(FeedKey(view.first, view.second, kNativeFormat));
-  return feed != feeds_.end() && !feed->second->readers().empty();
+  for (std::uint32_t thin = 0; thin <= kThinLevels; ++thin) {
+    const auto feed = feeds_.find(FeedKey(view.first, view.second, native_format(thin)));
+    if (feed != feeds_.end() && !feed->second->readers().empty()) return true;
+  }
+  return false;
 }
 
 void NetContext::end_views(std::chrono::steady_clock::time_point now) {
@@ -215,8 +219,9 @@ void NetContext::end_views(std::chrono::steady_clock::time_point now) {
       continue;
     }
     host.close_view(key.first, key.second);
-    const auto feed = feeds_.find(FeedKey(key.first, key.second, kNativeFormat));
-    if (feed != feeds_.end()) {
+    for (std::uint32_t thin = 0; thin <= kThinLevels; ++thin) {
+      const auto feed = feeds_.find(FeedKey(key.first, key.second, native_format(thin)));
+      if (feed == feeds_.end()) continue;
       SpokeFeed::retire(std::move(feed->second));
       feeds_.erase(feed);
     }
@@ -224,13 +229,15 @@ void NetContext::end_views(std::chrono::steady_clock::time_point now) {
   }
 }
 
-std::size_t NetContext::send_buffer_for(std::uint32_t radar) const {
+std::size_t NetContext::send_buffer_for(std::uint32_t radar, std::uint32_t thin) const {
   const wire::Hello hello = host.hello();
   for (const wire::RadarInfo& info : hello.radars()) {
     if (info.radar() != radar) continue;
     const double spokes_per_second = info.spokes_per_turn() * info.rpm() / 60.0;
     const double bytes_per_spoke = info.cells() * info.bits() / 8.0 + kSpokeOverhead;
     const double bytes = spokes_per_second * bytes_per_spoke * kSendBufferSeconds;
+    // Of a link that is slow a smaller one waits as long.
+    if (thin > 0) return kThinSendBuffer;
     return static_cast<std::size_t>(
         std::clamp(bytes, double{kMinSendBuffer}, double{kMaxSendBuffer}));
   }

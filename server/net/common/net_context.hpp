@@ -137,8 +137,8 @@ class NetContext {
   void end_views(std::chrono::steady_clock::time_point now);
 
   // About 100 ms of the radar's spokes, in bytes: what may wait in the kernel for a slow console,
-  // which so sees a picture at most that old.
-  std::size_t send_buffer_for(std::uint32_t radar) const;
+  // which so sees a picture at most that old.  `thin`: as in Subscribe.
+  std::size_t send_buffer_for(std::uint32_t radar, std::uint32_t thin = 0) const;
   // The same of a board's records, by what was sent lately.  Requires a radar with a board.
   std::size_t board_send_buffer_for(std::uint32_t radar) const;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/thin/thin_shape.hpp"
 #include "server/net/common/encoders.hpp"
 #include "server/net/common/for_strangers.hpp"
 #include "server/net/native/native_session.hpp"
@@ -27,7 +28,13 @@ void NativeSession::subscribe(std::uint32_t request, const wire::Subscribe& subs
                  fmt::format("targets_hz: {} is out of range; allowed: 0 to {}",
                              subscribe.targets_hz(), kTargetsMostHz));
   }
-  if (context_.find_feed(subscribe.radar(), subscribe.view(), kNativeFormat) == nullptr) {
+  if (subscribe.thin() > kThinLevels) {
+    return reply(
+        request, wire::Reply::OUT_OF_RANGE,
+        fmt::format("thin: {} is out of range; allowed: 0 to {}", subscribe.thin(), kThinLevels));
+  }
+  if (context_.find_feed(subscribe.radar(), subscribe.view(), native_format(subscribe.thin())) ==
+      nullptr) {
     return reply(
         request, wire::Reply::UNKNOWN,
         fmt::format("no radar {} with view {}; Hello lists the radars, view 0 is always there",
@@ -52,7 +59,8 @@ void NativeSession::subscribe_to(std::uint32_t request, const wire::Subscribe& s
     context_.complain("view refused", client_->peer + ": " + view.error());
     return reply(request, wire::Reply::REFUSED, view.error());
   }
-  SpokeFeed* const feed = context_.find_feed(subscribe.radar(), *view, kNativeFormat);
+  SpokeFeed* const feed =
+      context_.find_feed(subscribe.radar(), *view, native_format(subscribe.thin()));
   if (feed == nullptr) {
     return reply(request, wire::Reply::UNKNOWN,
                  fmt::format("view {} of radar {} has ended meanwhile", *view, subscribe.radar()));
@@ -74,7 +82,7 @@ void NativeSession::subscribe_to(std::uint32_t request, const wire::Subscribe& s
   }
   client_->radar.store(subscribe.radar(), std::memory_order_relaxed);
   client_->view.store(*view, std::memory_order_relaxed);
-  spoke_buffer_ = takes_spokes_ ? context_.send_buffer_for(subscribe.radar()) : 0;
+  spoke_buffer_ = takes_spokes_ ? context_.send_buffer_for(subscribe.radar(), subscribe.thin()) : 0;
   limit_send_buffer();
   reply(request, wire::Reply::OK, "", *view);
   RecordingNews::Frames recordings = context_.recording_frames();

@@ -63,10 +63,11 @@ class RelayUnderTest {
  public:
   using LineId = UpstreamTalk::LineId;
 
-  explicit RelayUnderTest(const wire::Hello& hello = hello_of(1), std::string token = {})
+  explicit RelayUnderTest(const wire::Hello& hello = hello_of(1), std::string token = {},
+                          std::optional<std::uint32_t> thin = 0)
       : greeting(hello),
         host(hello, {"192.0.2.7:7410", "skerryd relay", "the relay", kNativeFormat}),
-        talk(host, std::move(token), now) {
+        talk(host, std::move(token), now, thin) {
     for (std::uint32_t radar = 0; radar < host.radar_count(); ++radar) {
       prepare(*host.find_channel(radar, 0));
     }
