@@ -1,4 +1,5 @@
 // A client reads any bytes of a server, down to the spoke.
+#include "protocol/thin/thin_decoder.hpp"
 #include "protocol/wire/spoke_message.hpp"
 #include "tests/fuzz/frame_properties.hpp"
 #include "tests/unit/wire/test_spoke.hpp"
@@ -29,12 +30,28 @@ void check_spoke(const wire::Spoke& message) {
   fuzz::require(difference(*spoke, *back).empty(), "a spoke comes back the same");
 }
 
+void check_thin_spokes(const wire::ThinSpokes& message) {
+  const auto spokes = from_message(message);
+  if (!spokes.ok()) {
+    fuzz::require(!spokes.error().text.empty(), "a refusal says why");
+    return;
+  }
+  fuzz::require(spokes->size() == message.count(), "there are as many spokes as it says");
+  for (const Spoke& spoke : *spokes) {
+    wire::Spoke again;
+    to_message(spoke, again);
+    check_spoke(again);
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::check_stream<wire::ServerMessage>({data, size}, kMaxServerFrame,
                                           [](const wire::ServerMessage& message) {
                                             if (message.has_spoke()) check_spoke(message.spoke());
+                                            if (message.has_thin_spokes())
+                                              check_thin_spokes(message.thin_spokes());
                                           });
   return 0;
 }

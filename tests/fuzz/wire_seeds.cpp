@@ -6,6 +6,7 @@
 
 #include "protocol/asterix/cat240.hpp"
 #include "protocol/board/sweep_record.hpp"
+#include "protocol/thin/thin_encoder.hpp"
 #include "protocol/wire/byte_order.hpp"
 #include "protocol/wire/datagram.hpp"
 #include "protocol/wire/frame.hpp"
@@ -102,6 +103,14 @@ void write_server_frames(const Corpus& corpus) {
   to_message(small_spoke(4), *wrong.mutable_spoke());
   wrong.mutable_spoke()->set_cell_count(4096);
   corpus.write("spoke_with_too_few_bytes", framed(wrong));
+  ThinEncoder encoder(4);
+  wire::ServerMessage thin;
+  for (std::uint32_t i = 0; !thin.has_thin_spokes(); ++i) {
+    Spoke spoke = small_spoke(8);
+    spoke.header.index = i;
+    encoder.add(spoke, [&](const wire::ThinSpokes& block) { *thin.mutable_thin_spokes() = block; });
+  }
+  corpus.write("thin_spokes", framed(thin));
 }
 
 void append_counted(Bytes& line, std::span<const std::uint8_t> datagram) {
