@@ -219,7 +219,7 @@ TEST(ExerciseLog, SaysThatTheLogContradictsItself) {
   EXPECT_THAT(text(host.grant(milliseconds(100), 2)), HasSubstr("and 3 was granted before"));
   EXPECT_THAT(text(host.grant(milliseconds(100), 1'000'000)), HasSubstr("more than 10 s ahead"));
   EXPECT_THAT(text(host.grant(-milliseconds(1), 4)), HasSubstr("the exercise's time is -0 s"));
-  EXPECT_THAT(text(host.grant(Duration::max(), 4)), HasSubstr("the exercise's time is"));
+  EXPECT_THAT(text(host.grant(Duration::max() / 2, 4)), HasSubstr("the exercise's time is"));
   EXPECT_EQ(text(host.order("o3", 9, milliseconds(10))), "");
   EXPECT_THAT(text(host.grant(milliseconds(100), 4)), HasSubstr("behind an order for tick 9"));
   // What was heard is not heard again.
