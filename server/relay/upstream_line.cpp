@@ -14,6 +14,10 @@ LineEnd UpstreamLine::malformed(const std::string& what) const {
           fmt::format("{} sent what is not the native protocol: {}", name_, printable(what))};
 }
 
+std::string UpstreamLine::does_not_read() const {
+  return fmt::format("{} does not read what it is asked", name_);
+}
+
 std::optional<LineEnd> UpstreamLine::take(std::span<const std::uint8_t> bytes, SteadyTime now) {
   heard_ = now;
   bytes_ += bytes.size();
@@ -155,6 +159,12 @@ void UpstreamLine::ask(wire::ClientMessage message, SteadyTime now, std::chrono:
              nullptr);
     return;
   }
+  // What is there already waits until the server reads or the line ends.
+  is_full_ = is_full_ || output_.size() + message.ByteSizeLong() > kMostOutput;
+  if (is_full_) {
+    return answered(reply_of(wire::Reply::REFUSED, does_not_read() + "; try again in a moment"),
+                    nullptr);
+  }
   send(message);
   asked_[request_] = {std::move(answered), now + patience};
 }
@@ -175,6 +185,7 @@ std::optional<LineEnd> UpstreamLine::tick(SteadyTime now) {
                                   name_)),
              nullptr);
   }
+  if (is_full_) return LineEnd{LineEnd::Kind::lost, does_not_read()};
   if (!heard_) heard_ = now;
   if (now - *heard_ <= kSilence) return std::nullopt;
   return LineEnd{LineEnd::Kind::lost,

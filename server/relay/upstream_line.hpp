@@ -59,6 +59,9 @@ class LineUser {
 class UpstreamLine {
  public:
   static constexpr std::chrono::seconds kSilence{5};  // then the connection is given up
+  // Bytes that wait to be sent: twice what a server that reads can be asked at once (UpstreamTalk's
+  // orders, of kMaxClientFrame each).  Then nothing more is asked and the connection is given up.
+  static constexpr std::size_t kMostOutput = 4 * 1024 * 1024;
 
   // `token`: of the other server; empty: none.  `name`: of the other server, in errors.
   UpstreamLine(LineUser& user, LineWish wish, std::string token, std::string name)
@@ -72,12 +75,13 @@ class UpstreamLine {
   Bytes take_output() { return std::exchange(output_, {}); }
 
   bool is_subscribed() const { return state_ == State::subscribed; }
-  // `answered` is called once.  Requires is_subscribed().
+  // `answered` is called once: refused at once if the request is too long, or if the server does
+  // not read.  Requires is_subscribed().
   void ask(wire::ClientMessage message, SteadyTime now, std::chrono::seconds patience,
            AnsweredUp answered);
   std::size_t unanswered() const { return asked_.size(); }
   // Answers in place of the server what it was asked for too long ago.
-  // Error: as take(), when nothing has come for kSilence.
+  // Error: as take(), when nothing has come for kSilence, or kMostOutput waits to be sent.
   std::optional<LineEnd> tick(SteadyTime now);
   // The connection has ended: what is still unanswered is answered with this.
   void end(const std::string& why);
@@ -95,6 +99,7 @@ class UpstreamLine {
   void subscribe();
   void send(wire::ClientMessage& message);
   LineEnd malformed(const std::string& what) const;
+  std::string does_not_read() const;
 
   LineUser& user_;
   LineWish wish_;
@@ -103,6 +108,7 @@ class UpstreamLine {
   FrameReader frames_{kMaxServerFrame};
   wire::ServerMessage message_;  // kept for its memory
   Bytes output_;
+  bool is_full_ = false;  // it was to be asked more than kMostOutput
   std::uint32_t request_ = 0;
   std::optional<SpokeBatch> batch_;
   LossCounter losses_;
