@@ -147,10 +147,10 @@ int run_relay(const Options& options, LogTap& tap) {
   Signals signals;
   const ServiceManager manager = ServiceManager::of_environment();
   const auto hello = first_hello(
-      place,
+      place, options.check_only ? Tries::one : Tries::until_it_is_there,
       [&](std::chrono::milliseconds time) {
         manager.starting("waits for " + place.name());
-        return options.check_only || is_to_end(signals, time);
+        return is_to_end(signals, time);
       },
       [&](const std::string& why) {
         spdlog::warn("relay: waiting for {}: {}", place.name(), why);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "server/relay/host_lookup.hpp"
 #include "server/relay/upstream_host.hpp"
 #include "server/relay/upstream_place.hpp"
 
@@ -13,13 +14,15 @@ namespace skerry::server {
 // The host must outlive it.
 class UpstreamLinks {
  public:
-  // `token`: of the other server; empty: none.
-  UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token);
+  // `token`: of the other server; empty: none.  `resolve`: as HostLookup has it.
+  UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token,
+                HostLookup::Resolve resolve = HostLookup::resolve_by_system);
   ~UpstreamLinks();
   UpstreamLinks(const UpstreamLinks&) = delete;
   UpstreamLinks& operator=(const UpstreamLinks&) = delete;
 
   void start();
+  // At once, whatever is under way.
   void stop();
 
  private:

@@ -7,6 +7,8 @@
 #include "clients/common/client_socket.hpp"
 #include "clients/common/message_stream.hpp"
 #include "protocol/wire/host_and_port.hpp"
+#include "protocol/wire/printable_text.hpp"
+#include "server/relay/host_lookup.hpp"
 
 namespace skerry::server {
 namespace {
@@ -46,20 +48,30 @@ Result<UpstreamPlace, std::string> upstream_place(std::string_view text) {
                        static_cast<std::uint16_t>(port)};
 }
 
-std::optional<wire::Hello> first_hello(const UpstreamPlace& place,
+std::optional<wire::Hello> first_hello(const UpstreamPlace& place, Tries tries,
                                        const std::function<bool(std::chrono::milliseconds)>& pause,
                                        const std::function<void(const std::string&)>& tell) {
   std::optional<std::chrono::steady_clock::time_point> told;
   for (;;) {
-    client::MessageStream stream(place.host, place.port);
-    const auto hello = stream.open(place.host, place.port, kHelloPatience);
-    if (hello) return *hello;
+    std::string why;
+    // Opening looks the name up again, which nothing can end: not before it is known to be found.
+    const auto found =
+        find_host(client::HostName(place.host).name, place.port, kHelloPatience, pause);
+    if (found.error == boost::asio::error::operation_aborted) return std::nullopt;
+    if (found.error) {
+      why = fmt::format("cannot connect to {}: {}", place.name(), printable(found.error.message()));
+    } else {
+      client::MessageStream stream(place.host, place.port);
+      const auto hello = stream.open(place.host, place.port, kHelloPatience);
+      if (hello) return *hello;
+      why = hello.error().text;
+    }
     const auto now = std::chrono::steady_clock::now();
     if (!told || now - *told >= kBetweenLines) {
       told = now;
-      tell(hello.error().text);
+      tell(why);
     }
-    if (pause(kBetweenTries)) return std::nullopt;
+    if (tries == Tries::one || pause(kBetweenTries)) return std::nullopt;
   }
 }
 

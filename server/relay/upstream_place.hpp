@@ -25,8 +25,10 @@ struct UpstreamPlace {
 Result<UpstreamPlace, std::string> upstream_place(std::string_view text);
 
 // Its Hello, for which this waits.  `pause` waits so long, or less, and is true if it is to be
-// given up; `tell` gets a line every few seconds.
-std::optional<wire::Hello> first_hello(const UpstreamPlace& place,
+// given up, which it then is at once, whatever name servers do; `tell` gets a line every few
+// seconds.
+enum class Tries : std::uint8_t { one, until_it_is_there };
+std::optional<wire::Hello> first_hello(const UpstreamPlace& place, Tries tries,
                                        const std::function<bool(std::chrono::milliseconds)>& pause,
                                        const std::function<void(const std::string&)>& tell);
 
