@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocol/wire/schema.hpp"
+#include "server/core/chart_texts.hpp"
 #include "server/relay/radars_told.hpp"
 #include "server/relayed/sendable_text.hpp"
 
@@ -57,6 +58,15 @@ bool has_unknown_fields(Message message) {
   const std::size_t size = message.ByteSizeLong();
   message.DiscardUnknownFields();
   return message.ByteSizeLong() != size;
+}
+
+// A reply that came without a chart.  One of this relay itself, which answers no request of the
+// other server's, means that it could not be asked in time.
+NoChart why_no_chart(const wire::Reply& reply) {
+  const bool is_own = reply.request() == 0;
+  const bool is_busy = reply.text() == kChartBusy || reply.text() == kCoastlineAsked ||
+                       reply.text() == kChartObjectsAsked;
+  return is_own || is_busy ? NoChart::busy : NoChart::none_here;
 }
 
 wire::Reply refusal_of_unknown() {
@@ -323,26 +333,26 @@ bool UpstreamHost::has_chart() const {
 }
 
 void UpstreamHost::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
-  if (why_gone()) return done(NoChart::none_here);
+  if (why_gone()) return done(NoChart::busy);
   AskUp order{
-      .message = {}, .patience = kChartPatience, .answered = [done](const auto&, auto* told) {
+      .message = {}, .patience = kChartPatience, .answered = [done](const auto& reply, auto* told) {
         if (told != nullptr && told->has_coastline()) {
           return done(std::move(*told->mutable_coastline()));
         }
-        done(NoChart::none_here);
+        done(why_no_chart(reply));
       }};
   *order.message.mutable_get_coastline() = place;
   if (!orders_.add(std::move(order))) done(NoChart::busy);
 }
 
 void UpstreamHost::find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) {
-  if (why_gone()) return done(NoChart::none_here);
+  if (why_gone()) return done(NoChart::busy);
   AskUp order{
-      .message = {}, .patience = kChartPatience, .answered = [done](const auto&, auto* told) {
+      .message = {}, .patience = kChartPatience, .answered = [done](const auto& reply, auto* told) {
         if (told != nullptr && told->has_chart_objects()) {
           return done(std::move(*told->mutable_chart_objects()));
         }
-        done(NoChart::none_here);
+        done(why_no_chart(reply));
       }};
   *order.message.mutable_get_chart_objects() = place;
   if (!orders_.add(std::move(order))) done(NoChart::busy);

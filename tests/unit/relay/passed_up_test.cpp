@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/core/chart_texts.hpp"
 #include "tests/unit/relay/other_server.hpp"
 
 namespace skerry::server {
@@ -204,7 +205,10 @@ TEST(PassedUp, ChartsComeOneAfterAnother) {
   EXPECT_TRUE(relay.host.has_chart());
   std::vector<std::string> told;
   const auto done = [&told](ChartAnswer<wire::Coastline> chart) {
-    told.push_back(chart ? (*chart).chart() : "none");
+    told.push_back(chart ? (*chart).chart() : chart.why() == NoChart::busy ? "busy" : "none");
+  };
+  const auto objects_done = [&told](const ChartAnswer<wire::ChartObjects>& chart) {
+    told.push_back(chart ? "objects" : chart.why() == NoChart::busy ? "busy" : "none");
   };
   relay.host.find_coastline({}, done);
   relay.host.find_coastline({}, done);
@@ -220,6 +224,24 @@ TEST(PassedUp, ChartsComeOneAfterAnother) {
   EXPECT_TRUE(said[0].has_get_coastline());
   relay.reply(1, said[0].request(), wire::Reply::REFUSED, "no chart here");
   EXPECT_THAT(told, testing::ElementsAre("first", "none"));
+  // What is refused for now only.
+  told.clear();
+  for (const auto text : {kChartBusy, kCoastlineAsked, kNoChartHere}) {
+    relay.host.find_coastline({}, done);
+    relay.reply(1, relay.said(1).at(0).request(), wire::Reply::REFUSED, std::string(text));
+    relay.pass(std::chrono::milliseconds(1));
+  }
+  relay.host.find_chart_objects({}, objects_done);
+  relay.reply(1, relay.said(1).at(0).request(), wire::Reply::REFUSED, std::string(kChartBusy));
+  EXPECT_THAT(told, testing::ElementsAre("busy", "busy", "none", "busy"));
+  told.clear();
+  relay.host.find_coastline({}, done);
+  relay.said(1);
+  for (int i = 0; i < 31; ++i) {
+    relay.settings_from(1, 0, 0, 50);  // it is alive
+    relay.pass(std::chrono::seconds(1));
+  }
+  EXPECT_THAT(told, testing::ElementsAre("busy")) << "not answered in time";
 }
 
 TEST(PassedUp, APlaybacksOrdersGoUp) {
