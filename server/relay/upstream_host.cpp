@@ -206,7 +206,7 @@ std::optional<std::uint32_t> UpstreamHost::number_there(std::uint32_t radar,
 }
 
 bool UpstreamHost::ask(wire::ClientMessage message, PassedUp done,
-                       std::function<void(const wire::Reply&)> answered) {
+                       std::function<void(const wire::Reply&)> answered, AnsweredUp late) {
   meter_.asked();
   done.who = done_.who_at(done.origin);
   spdlog::debug("{} asks {} for {}", done.origin, config_.upstream, done.what);
@@ -219,7 +219,8 @@ bool UpstreamHost::ask(wire::ClientMessage message, PassedUp done,
     }
     answered(reply);
   };
-  return orders_.add(AskUp{.message = std::move(message), .answered = std::move(tell)});
+  return orders_.add(
+      AskUp{.message = std::move(message), .answered = std::move(tell), .late = std::move(late)});
 }
 
 std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
@@ -252,14 +253,26 @@ std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
   const auto answered = [this, set, ship, origin](const wire::Reply& reply) {
     if (!set.has_con()) return;
     const std::lock_guard lock(mutex_);
-    cons_.answered(ship, set, origin, reply.code() == wire::Reply::OK,
-                   std::chrono::steady_clock::now());
+    if (cons_.answered(ship, set, origin, reply.code() == wire::Reply::OK,
+                       std::chrono::steady_clock::now())) {
+      give_back_con(ship, origin);
+    }
   };
-  const bool taken = ask(message, {message.set().ShortDebugString(), origin, {}, knob_of(set)},
-                         [answered, later](const wire::Reply& reply) {
-                           answered(reply);
-                           later(reply_of(reply.code(), sendable(reply.text(), 1000)));
-                         });
+  AnsweredUp late;
+  if (set.con().take()) {
+    late = [this, ship, origin](const wire::Reply& reply, wire::ServerMessage*) {
+      if (reply.code() != wire::Reply::OK) return;
+      const std::lock_guard lock(mutex_);
+      if (cons_.granted_late(ship)) give_back_con(ship, origin);
+    };
+  }
+  const bool taken = ask(
+      message, {message.set().ShortDebugString(), origin, {}, knob_of(set)},
+      [answered, later](const wire::Reply& reply) {
+        answered(reply);
+        later(reply_of(reply.code(), sendable(reply.text(), 1000)));
+      },
+      std::move(late));
   if (taken) return std::nullopt;
   answered(reply_of(wire::Reply::REFUSED));
   return reply_of(wire::Reply::REFUSED, "too many requests at once; try again");
@@ -294,15 +307,17 @@ wire::Reply UpstreamHost::change(const wire::Set& set, const std::string& origin
 
 void UpstreamHost::leave(const std::string& origin) {
   const std::lock_guard lock(mutex_);
-  for (const std::string& ship : cons_.leave(origin)) {
-    const auto radar = std::find_if(radars_.begin(), radars_.end(),
-                                    [&](const auto& each) { return each.own_ship() == ship; });
-    if (radar == radars_.end() || gone_) continue;
-    wire::ClientMessage message;
-    message.mutable_set()->set_radar(radar->radar());
-    message.mutable_set()->mutable_con()->set_release(true);
-    ask(message, {message.set().ShortDebugString(), origin, {}, {}}, [](const wire::Reply&) {});
-  }
+  for (const std::string& ship : cons_.leave(origin)) give_back_con(ship, origin);
+}
+
+void UpstreamHost::give_back_con(const std::string& ship, const std::string& origin) {
+  const auto radar = std::find_if(radars_.begin(), radars_.end(),
+                                  [&](const auto& each) { return each.own_ship() == ship; });
+  if (radar == radars_.end() || gone_) return;
+  wire::ClientMessage message;
+  message.mutable_set()->set_radar(radar->radar());
+  message.mutable_set()->mutable_con()->set_release(true);
+  ask(message, {message.set().ShortDebugString(), origin, {}, {}}, [](const wire::Reply&) {});
 }
 
 wire::Reply UpstreamHost::control(const wire::Playback& playback, const std::string& origin) {

@@ -127,7 +127,10 @@ std::optional<LineEnd> UpstreamLine::take_reply() {
   }
   const auto asked = asked_.find(reply.request());
   auto told = std::exchange(told_, std::nullopt);
-  if (asked == asked_.end()) return std::nullopt;
+  if (asked == asked_.end()) {
+    if (const auto late = late_.extract(reply.request())) late.mapped()(reply, nullptr);
+    return std::nullopt;
+  }
   const AnsweredUp answered = std::move(asked->second.answered);
   asked_.erase(asked);
   answered(reply, told ? &*told : nullptr);
@@ -153,7 +156,7 @@ void UpstreamLine::send(wire::ClientMessage& message) {
 }
 
 void UpstreamLine::ask(wire::ClientMessage message, SteadyTime now, std::chrono::seconds patience,
-                       AnsweredUp answered) {
+                       AnsweredUp answered, AnsweredUp late) {
   if (message.ByteSizeLong() + 8 > kMaxClientFrame) {
     answered(reply_of(wire::Reply::REFUSED, fmt::format("too long to be passed on to {}", name_)),
              nullptr);
@@ -166,7 +169,7 @@ void UpstreamLine::ask(wire::ClientMessage message, SteadyTime now, std::chrono:
                     nullptr);
   }
   send(message);
-  asked_[request_] = {std::move(answered), now + patience};
+  asked_[request_] = {std::move(answered), now + patience, std::move(late)};
 }
 
 std::optional<LineEnd> UpstreamLine::tick(SteadyTime now) {
@@ -177,6 +180,8 @@ std::optional<LineEnd> UpstreamLine::tick(SteadyTime now) {
       continue;
     }
     late.push_back(std::move(asked->second.answered));
+    if (asked->second.late) late_.emplace(asked->first, std::move(asked->second.late));
+    if (late_.size() > kMostLate) late_.erase(late_.begin());
     asked = asked_.erase(asked);
   }
   for (const AnsweredUp& answered : late) {

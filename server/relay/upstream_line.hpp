@@ -76,9 +76,11 @@ class UpstreamLine {
 
   bool is_subscribed() const { return state_ == State::subscribed; }
   // `answered` is called once: refused at once if the request is too long, or if the server does
-  // not read.  Requires is_subscribed().
+  // not read.  `late`, if there is any, is called with the server's own answer where that comes
+  // after `patience`, on the same connection.  Requires is_subscribed().
   void ask(wire::ClientMessage message, SteadyTime now, std::chrono::seconds patience,
-           AnsweredUp answered);
+           AnsweredUp answered, AnsweredUp late = {});
+  static constexpr std::size_t kMostLate = 64;  // such as may still come; the oldest are given up
   std::size_t unanswered() const { return asked_.size(); }
   // Answers in place of the server what it was asked for too long ago.
   // Error: as take(), when nothing has come for kSilence, or kMostOutput waits to be sent.
@@ -117,9 +119,11 @@ class UpstreamLine {
   struct Asked {
     AnsweredUp answered;
     SteadyTime until;
+    AnsweredUp late;
   };
   std::map<std::uint32_t, Asked> asked_;
-  std::optional<wire::ServerMessage> told_;  // before its reply
+  std::map<std::uint32_t, AnsweredUp> late_;  // by request, not answered in time
+  std::optional<wire::ServerMessage> told_;   // before its reply
 };
 
 }  // namespace skerry::server

@@ -197,6 +197,51 @@ TEST(PassedUp, OneConsoleHereHasTheCon) {
   EXPECT_FALSE(second.now);
 }
 
+// The other server grants it, when who asked has been told that it has not answered.
+TEST(PassedUp, AConThatIsGrantedTooLateIsGivenBack) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  wire::Set take;
+  take.mutable_con()->set_take(true);
+  for (const bool is_granted : {true, false}) {
+    Answer answer;
+    ask(relay, answer, take, "console a");
+    const auto said = relay.said(1);
+    ASSERT_EQ(said.size(), 1u);
+    relay.pass(std::chrono::milliseconds(4900));
+    relay.settings_from(1, 0, 0, 50);  // it is alive
+    relay.pass(std::chrono::milliseconds(200));
+    ASSERT_TRUE(answer.later);
+    EXPECT_EQ(answer.later->code(), wire::Reply::REFUSED);
+    relay.host.leave("console a");  // it may be gone
+    relay.said(1);
+    relay.reply(1, said[0].request(), is_granted ? wire::Reply::OK : wire::Reply::REFUSED);
+    const auto after = relay.said(1);
+    ASSERT_EQ(after.size(), is_granted ? 1u : 0u);
+    if (is_granted) {
+      EXPECT_TRUE(after[0].set().con().release());
+      relay.reply(1, after[0].request());
+    }
+    EXPECT_EQ(answer.times, 1);
+  }
+  // Another console has asked for it meanwhile: it keeps it.
+  Answer first, second;
+  ask(relay, first, take, "console a");
+  const auto late = relay.said(1);
+  ASSERT_EQ(late.size(), 1u);
+  relay.pass(std::chrono::milliseconds(4900));
+  relay.settings_from(1, 0, 0, 50);
+  relay.pass(std::chrono::milliseconds(200));
+  relay.said(1);
+  ask(relay, second, take, "console b");
+  const auto next = relay.said(1);
+  ASSERT_EQ(next.size(), 1u);
+  relay.reply(1, late[0].request());
+  relay.reply(1, next[0].request());
+  EXPECT_EQ(second.later->code(), wire::Reply::OK);
+  EXPECT_TRUE(relay.said(1).empty());
+}
+
 TEST(PassedUp, ChartsComeOneAfterAnother) {
   wire::Hello hello = hello_of(1);
   hello.set_has_chart(true);
