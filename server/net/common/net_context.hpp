@@ -95,6 +95,9 @@ class NetContext {
   // Heeds a changed certificate and key: what is wrong with them is told, and the old ones hold.
   // Call it once a second.
   void look_at_tls(TlsKeys::When when = TlsKeys::When::settled);
+  // Ends the connections of clients whose certificate has ended, which is told.  Call it a few
+  // times a second.
+  void end_certificates();
   PeerBudgets changes, sign_ins, handshakes;
   std::optional<TlsKeys> tls;             // nothing: this server is plain
   std::optional<SetupShelf> setups;       // of consoles; nothing: this server keeps none
