@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -42,6 +43,7 @@
 #include "server/playback/playback_host.hpp"
 #include "server/recorder/recorder.hpp"
 #include "server/relay/upstream_links.hpp"
+#include "server/relay/waiting_room.hpp"
 #include "server/tracking/target_service.hpp"
 #include "server/world/scenario.hpp"
 
@@ -146,17 +148,25 @@ int run_relay(const Options& options, LogTap& tap) {
   Gate({options.net.control_token, options.net.tokens, options.net.users});
   Signals signals;
   const ServiceManager manager = ServiceManager::of_environment();
+  const std::string identity = new_run_identity();
+  std::optional<WaitingRoom> room;
+  if (!options.check_only && options.net.tls.empty()) {
+    wire::Hello waits;
+    waits.set_protocol_version(1);
+    waits.set_server(kServerName);
+    waits.set_identity(identity);
+    room.emplace(options.net.bind, options.net.tcp_port, std::move(waits));
+  }
   const auto hello = first_hello(
-      place,
+      place, options.check_only ? Tries::one : Tries::until_it_is_there,
       [&](std::chrono::milliseconds time) {
         manager.starting("waits for " + place.name());
-        return options.check_only || is_to_end(signals, time);
+        return is_to_end(signals, time);
       },
-      [&](const std::string& why) {
-        spdlog::warn("relay: waiting for {}: {}", place.name(), why);
-      });
+      [&](const std::string& why) { spdlog::warn("relay: waiting for {}: {}", place.name(), why); },
+      room ? &*room : nullptr);
+  room.reset();
   if (!hello) return options.check_only ? 2 : 0;
-  const std::string identity = new_run_identity();
   UpstreamHost host(*hello, {place.name(), kServerName, identity, kNativeFormat});
   const std::string what = fmt::format("relay of {}, {} radar{}", place.name(), host.radar_count(),
                                        host.radar_count() == 1 ? "" : "s");

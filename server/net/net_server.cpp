@@ -304,6 +304,7 @@ class NetServer::Impl {
       context_.tell_recordings(std::chrono::steady_clock::now());
       signalk_->tick(std::chrono::steady_clock::now());
       context_.connections.check_all(std::chrono::steady_clock::now());
+      context_.end_certificates();
       context_.end_views(std::chrono::steady_clock::now());
       context_.tell_own_ships();
       for (const auto& output : target_outputs_) output->tick();

@@ -21,13 +21,25 @@ void ConSharing::asked(const std::string& ship, const wire::Set& set, const std:
   if (set.con().take()) takers_[ship] = origin;
 }
 
-void ConSharing::answered(const std::string& ship, const wire::Set& set, const std::string& origin,
+bool ConSharing::answered(const std::string& ship, const wire::Set& set, const std::string& origin,
                           bool is_granted, Time now) {
   const auto taker = takers_.find(ship);
   if (set.con().take() && taker != takers_.end() && taker->second == origin) takers_.erase(taker);
-  if (!is_granted) return;
+  const bool is_order = set.con().take() || set.con().release();
+  if (!is_granted) {
+    return set.con().take() && ownerless_.erase(ship) > 0 && !holders_.contains(ship);
+  }
+  if (is_order) ownerless_.erase(ship);
   if (set.con().take()) holders_[ship] = {origin, now};
   if (set.con().release()) holders_.erase(ship);
+  return false;
+}
+
+bool ConSharing::granted_late(const std::string& ship) {
+  if (holders_.contains(ship)) return false;
+  if (!takers_.contains(ship)) return true;
+  ownerless_.insert(ship);
+  return false;
 }
 
 std::vector<std::string> ConSharing::leave(const std::string& origin) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,16 +25,24 @@ class ConSharing {
                                      const std::string& origin) const;
   // Such an order goes to the other server; nobody else may take the con until it has answered.
   void asked(const std::string& ship, const wire::Set& set, const std::string& origin);
-  // It has answered.  Once for each asked().
-  void answered(const std::string& ship, const wire::Set& set, const std::string& origin,
+  // It has answered, or has not in time.  Once for each asked().
+  // True: it has granted the con, but nobody here has it, so that it is to be given back.
+  bool answered(const std::string& ship, const wire::Set& set, const std::string& origin,
                 bool is_granted, Time now);
+  // It has granted the con after answered() was told that it had not.  True: to be given back now;
+  // otherwise somebody here has it or is just asking for it, whom giving it back would take it
+  // from.
+  bool granted_late(const std::string& ship);
   // The connection of `origin` has ended; the ships whose con it had, which is to be given back.
   std::vector<std::string> leave(const std::string& origin);
 
   // As consoles here are to see it: `you` is the relay at the other server.
   void tell(const std::string& ship, const std::string& you, Time now, wire::ConState& con);
   // The other server is another one, or has been started again: nobody has any.
-  void begin_anew() { holders_.clear(); }  // what is asked will be answered
+  void begin_anew() {  // what is asked will be answered
+    holders_.clear();
+    ownerless_.clear();
+  }
 
  private:
   struct Holder {
@@ -42,6 +51,7 @@ class ConSharing {
   };
   std::map<std::string, Holder> holders_;      // by ship
   std::map<std::string, std::string> takers_;  // by ship: who has asked for it and is not answered
+  std::set<std::string> ownerless_;  // ships whose con was granted late, while a taker asked for it
 };
 
 }  // namespace skerry::server

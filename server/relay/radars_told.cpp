@@ -31,8 +31,7 @@ std::optional<std::string> why_not_relayed(const wire::Hello& hello, const std::
   if (!identity.empty() && hello.identity() == identity) {
     return fmt::format("{} is this server itself: a relay needs another server before it", name);
   }
-  for (const wire::Hop& hop : hello.relays()) {
-    if (identity.empty() || hop.identity() != identity) continue;
+  if (is_in_loop(hello, identity)) {
     return fmt::format(
         "a loop: {} relays this server, directly or through others; give one of them another "
         "server to relay",
@@ -41,6 +40,9 @@ std::optional<std::string> why_not_relayed(const wire::Hello& hello, const std::
   if (hello.relays_size() >= kMostHops) {
     return fmt::format("{} is the {}th relay in a row; at most {} may follow one another", name,
                        hello.relays_size() + 1, kMostHops);
+  }
+  if (is_waiting(hello)) {
+    return fmt::format("{} has no radars yet: it is a relay that waits for its own server", name);
   }
   if (hello.radars().empty()) return fmt::format("{} has no radars", name);
   if (hello.radars_size() > kMostRadars) {
@@ -53,6 +55,18 @@ std::optional<std::string> why_not_relayed(const wire::Hello& hello, const std::
   }
   if (!has_own_scales(hello)) return fmt::format("{} has other range scales than this one", name);
   return std::nullopt;
+}
+
+bool is_in_loop(const wire::Hello& hello, const std::string& identity) {
+  if (identity.empty()) return false;
+  const auto& relays = hello.relays();
+  return hello.identity() == identity ||
+         std::any_of(relays.begin(), relays.end(),
+                     [&](const wire::Hop& hop) { return hop.identity() == identity; });
+}
+
+bool is_waiting(const wire::Hello& hello) {
+  return hello.radars().empty() && !hello.identity().empty();
 }
 
 std::vector<wire::RadarInfo> radars_of(const wire::Hello& hello) {

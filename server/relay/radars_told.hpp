@@ -19,6 +19,12 @@ inline constexpr int kMostHops = 8;
 std::optional<std::string> why_not_relayed(const wire::Hello& hello, const std::string& identity,
                                            const std::string& name);
 
+// Whether that server is the relay with this identity, or relays it.
+bool is_in_loop(const wire::Hello& hello, const std::string& identity);
+
+// Whether it is that of a relay that waits for its own server (WaitingRoom).
+bool is_waiting(const wire::Hello& hello);
+
 // Its radars, with numbers that the rest of the server relies on; none has a board here.
 std::vector<wire::RadarInfo> radars_of(const wire::Hello& hello);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocol/wire/schema.hpp"
+#include "server/core/chart_texts.hpp"
 #include "server/relay/radars_told.hpp"
 #include "server/relayed/sendable_text.hpp"
 
@@ -57,6 +58,15 @@ bool has_unknown_fields(Message message) {
   const std::size_t size = message.ByteSizeLong();
   message.DiscardUnknownFields();
   return message.ByteSizeLong() != size;
+}
+
+// A reply that came without a chart.  One of this relay itself, which answers no request of the
+// other server's, means that it could not be asked in time.
+NoChart why_no_chart(const wire::Reply& reply) {
+  const bool is_own = reply.request() == 0;
+  const bool is_busy = reply.text() == kChartBusy || reply.text() == kCoastlineAsked ||
+                       reply.text() == kChartObjectsAsked;
+  return is_own || is_busy ? NoChart::busy : NoChart::none_here;
 }
 
 wire::Reply refusal_of_unknown() {
@@ -196,7 +206,7 @@ std::optional<std::uint32_t> UpstreamHost::number_there(std::uint32_t radar,
 }
 
 bool UpstreamHost::ask(wire::ClientMessage message, PassedUp done,
-                       std::function<void(const wire::Reply&)> answered) {
+                       std::function<void(const wire::Reply&)> answered, AnsweredUp late) {
   meter_.asked();
   done.who = done_.who_at(done.origin);
   spdlog::debug("{} asks {} for {}", done.origin, config_.upstream, done.what);
@@ -209,7 +219,8 @@ bool UpstreamHost::ask(wire::ClientMessage message, PassedUp done,
     }
     answered(reply);
   };
-  return orders_.add(AskUp{.message = std::move(message), .answered = std::move(tell)});
+  return orders_.add(
+      AskUp{.message = std::move(message), .answered = std::move(tell), .late = std::move(late)});
 }
 
 std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
@@ -242,14 +253,26 @@ std::optional<wire::Reply> UpstreamHost::apply_or_ask(const wire::Set& set,
   const auto answered = [this, set, ship, origin](const wire::Reply& reply) {
     if (!set.has_con()) return;
     const std::lock_guard lock(mutex_);
-    cons_.answered(ship, set, origin, reply.code() == wire::Reply::OK,
-                   std::chrono::steady_clock::now());
+    if (cons_.answered(ship, set, origin, reply.code() == wire::Reply::OK,
+                       std::chrono::steady_clock::now())) {
+      give_back_con(ship, origin);
+    }
   };
-  const bool taken = ask(message, {message.set().ShortDebugString(), origin, {}, knob_of(set)},
-                         [answered, later](const wire::Reply& reply) {
-                           answered(reply);
-                           later(reply_of(reply.code(), sendable(reply.text(), 1000)));
-                         });
+  AnsweredUp late;
+  if (set.con().take()) {
+    late = [this, ship, origin](const wire::Reply& reply, wire::ServerMessage*) {
+      if (reply.code() != wire::Reply::OK) return;
+      const std::lock_guard lock(mutex_);
+      if (cons_.granted_late(ship)) give_back_con(ship, origin);
+    };
+  }
+  const bool taken = ask(
+      message, {message.set().ShortDebugString(), origin, {}, knob_of(set)},
+      [answered, later](const wire::Reply& reply) {
+        answered(reply);
+        later(reply_of(reply.code(), sendable(reply.text(), 1000)));
+      },
+      std::move(late));
   if (taken) return std::nullopt;
   answered(reply_of(wire::Reply::REFUSED));
   return reply_of(wire::Reply::REFUSED, "too many requests at once; try again");
@@ -284,15 +307,17 @@ wire::Reply UpstreamHost::change(const wire::Set& set, const std::string& origin
 
 void UpstreamHost::leave(const std::string& origin) {
   const std::lock_guard lock(mutex_);
-  for (const std::string& ship : cons_.leave(origin)) {
-    const auto radar = std::find_if(radars_.begin(), radars_.end(),
-                                    [&](const auto& each) { return each.own_ship() == ship; });
-    if (radar == radars_.end() || gone_) continue;
-    wire::ClientMessage message;
-    message.mutable_set()->set_radar(radar->radar());
-    message.mutable_set()->mutable_con()->set_release(true);
-    ask(message, {message.set().ShortDebugString(), origin, {}, {}}, [](const wire::Reply&) {});
-  }
+  for (const std::string& ship : cons_.leave(origin)) give_back_con(ship, origin);
+}
+
+void UpstreamHost::give_back_con(const std::string& ship, const std::string& origin) {
+  const auto radar = std::find_if(radars_.begin(), radars_.end(),
+                                  [&](const auto& each) { return each.own_ship() == ship; });
+  if (radar == radars_.end() || gone_) return;
+  wire::ClientMessage message;
+  message.mutable_set()->set_radar(radar->radar());
+  message.mutable_set()->mutable_con()->set_release(true);
+  ask(message, {message.set().ShortDebugString(), origin, {}, {}}, [](const wire::Reply&) {});
 }
 
 wire::Reply UpstreamHost::control(const wire::Playback& playback, const std::string& origin) {
@@ -323,26 +348,26 @@ bool UpstreamHost::has_chart() const {
 }
 
 void UpstreamHost::find_coastline(const wire::GetCoastline& place, CoastlineDone done) {
-  if (why_gone()) return done(NoChart::none_here);
+  if (why_gone()) return done(NoChart::busy);
   AskUp order{
-      .message = {}, .patience = kChartPatience, .answered = [done](const auto&, auto* told) {
+      .message = {}, .patience = kChartPatience, .answered = [done](const auto& reply, auto* told) {
         if (told != nullptr && told->has_coastline()) {
           return done(std::move(*told->mutable_coastline()));
         }
-        done(NoChart::none_here);
+        done(why_no_chart(reply));
       }};
   *order.message.mutable_get_coastline() = place;
   if (!orders_.add(std::move(order))) done(NoChart::busy);
 }
 
 void UpstreamHost::find_chart_objects(const wire::GetChartObjects& place, ChartObjectsDone done) {
-  if (why_gone()) return done(NoChart::none_here);
+  if (why_gone()) return done(NoChart::busy);
   AskUp order{
-      .message = {}, .patience = kChartPatience, .answered = [done](const auto&, auto* told) {
+      .message = {}, .patience = kChartPatience, .answered = [done](const auto& reply, auto* told) {
         if (told != nullptr && told->has_chart_objects()) {
           return done(std::move(*told->mutable_chart_objects()));
         }
-        done(NoChart::none_here);
+        done(why_no_chart(reply));
       }};
   *order.message.mutable_get_chart_objects() = place;
   if (!orders_.add(std::move(order))) done(NoChart::busy);

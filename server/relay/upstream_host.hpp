@@ -106,10 +106,12 @@ class UpstreamHost final : public RelayedHost, private PlaybackPort {
   std::optional<std::string> why_gone() const;
   // The view's number there; nothing: it is being opened again.  Under the mutex.
   std::optional<std::uint32_t> number_there(std::uint32_t radar, std::uint32_t view) const;
-  // Sends it; what becomes of it is counted, and what is done kept with the audit.
-  // False: nobody takes it.
+  // Sends it; what becomes of it is counted, and what is done kept with the audit.  `late`: as
+  // UpstreamLine::ask() has it.  False: nobody takes it.
   bool ask(wire::ClientMessage message, PassedUp done,
-           std::function<void(const wire::Reply&)> answered);
+           std::function<void(const wire::Reply&)> answered, AnsweredUp late = {});
+  // The con of the ship, which nobody here has or which `origin` leaves.  Under the mutex.
+  void give_back_con(const std::string& ship, const std::string& origin);
 
   const Config config_;
   const bool is_playback_;

@@ -22,6 +22,10 @@ LineEnd UpstreamLine::malformed(const std::string& what) const {
           fmt::format("{} sent what is not the native protocol: {}", name_, printable(what))};
 }
 
+std::string UpstreamLine::does_not_read() const {
+  return fmt::format("{} does not read what it is asked", name_);
+}
+
 std::optional<LineEnd> UpstreamLine::take(std::span<const std::uint8_t> bytes, SteadyTime now) {
   heard_ = now;
   bytes_ += bytes.size();
@@ -153,7 +157,10 @@ std::optional<LineEnd> UpstreamLine::take_reply() {
   }
   const auto asked = asked_.find(reply.request());
   auto told = std::exchange(told_, std::nullopt);
-  if (asked == asked_.end()) return std::nullopt;
+  if (asked == asked_.end()) {
+    if (const auto late = late_.extract(reply.request())) late.mapped()(reply, nullptr);
+    return std::nullopt;
+  }
   const AnsweredUp answered = std::move(asked->second.answered);
   asked_.erase(asked);
   answered(reply, told ? &*told : nullptr);
@@ -192,14 +199,20 @@ void UpstreamLine::send(wire::ClientMessage& message) {
 }
 
 void UpstreamLine::ask(wire::ClientMessage message, SteadyTime now, std::chrono::seconds patience,
-                       AnsweredUp answered) {
+                       AnsweredUp answered, AnsweredUp late) {
   if (message.ByteSizeLong() + 8 > kMaxClientFrame) {
     answered(reply_of(wire::Reply::REFUSED, fmt::format("too long to be passed on to {}", name_)),
              nullptr);
     return;
   }
+  // What is there already waits until the server reads or the line ends.
+  is_full_ = is_full_ || output_.size() + message.ByteSizeLong() > kMostOutput;
+  if (is_full_) {
+    return answered(reply_of(wire::Reply::REFUSED, does_not_read() + "; try again in a moment"),
+                    nullptr);
+  }
   send(message);
-  asked_[request_] = {std::move(answered), now + patience};
+  asked_[request_] = {std::move(answered), now + patience, std::move(late)};
 }
 
 std::optional<LineEnd> UpstreamLine::tick(SteadyTime now) {
@@ -210,6 +223,8 @@ std::optional<LineEnd> UpstreamLine::tick(SteadyTime now) {
       continue;
     }
     late.push_back(std::move(asked->second.answered));
+    if (asked->second.late) late_.emplace(asked->first, std::move(asked->second.late));
+    if (late_.size() > kMostLate) late_.erase(late_.begin());
     asked = asked_.erase(asked);
   }
   for (const AnsweredUp& answered : late) {
@@ -218,6 +233,7 @@ std::optional<LineEnd> UpstreamLine::tick(SteadyTime now) {
                                   name_)),
              nullptr);
   }
+  if (is_full_) return LineEnd{LineEnd::Kind::lost, does_not_read()};
   if (!heard_) heard_ = now;
   if (now - *heard_ <= kSilence) return std::nullopt;
   return LineEnd{LineEnd::Kind::lost,

@@ -60,6 +60,9 @@ class LineUser {
 class UpstreamLine {
  public:
   static constexpr std::chrono::seconds kSilence{5};  // then the connection is given up
+  // Bytes that wait to be sent: twice what a server that reads can be asked at once (UpstreamTalk's
+  // orders, of kMaxClientFrame each).  Then nothing more is asked and the connection is given up.
+  static constexpr std::size_t kMostOutput = 4 * 1024 * 1024;
 
   // `token`: of the other server; empty: none.  `name`: of the other server, in errors.
   UpstreamLine(LineUser& user, LineWish wish, std::string token, std::string name)
@@ -74,16 +77,19 @@ class UpstreamLine {
 
   std::uint32_t thin() const { return wish_.thin; }
   bool is_subscribed() const { return state_ == State::subscribed; }
-  // `answered` is called once.  Requires is_subscribed().
+  // `answered` is called once: refused at once if the request is too long, or if the server does
+  // not read.  `late`, if there is any, is called with the server's own answer where that comes
+  // after `patience`, on the same connection.  Requires is_subscribed().
   void ask(wire::ClientMessage message, SteadyTime now, std::chrono::seconds patience,
-           AnsweredUp answered);
+           AnsweredUp answered, AnsweredUp late = {});
+  static constexpr std::size_t kMostLate = 64;  // such as may still come; the oldest are given up
   // The same spokes at another level of thinness; they are numbered anew.  `answered` is called
-  // once. Requires is_subscribed().
+  // once.  Requires is_subscribed().
   void change_thin(std::uint32_t thin, SteadyTime now, std::chrono::seconds patience,
                    AnsweredUp answered);
   std::size_t unanswered() const { return asked_.size(); }
   // Answers in place of the server what it was asked for too long ago.
-  // Error: as take(), when nothing has come for kSilence.
+  // Error: as take(), when nothing has come for kSilence, or kMostOutput waits to be sent.
   std::optional<LineEnd> tick(SteadyTime now);
   // The connection has ended: what is still unanswered is answered with this.
   void end(const std::string& why);
@@ -103,6 +109,7 @@ class UpstreamLine {
   void subscribe();
   void send(wire::ClientMessage& message);
   LineEnd malformed(const std::string& what) const;
+  std::string does_not_read() const;
 
   LineUser& user_;
   LineWish wish_;
@@ -111,6 +118,7 @@ class UpstreamLine {
   FrameReader frames_{kMaxServerFrame};
   wire::ServerMessage message_;  // kept for its memory
   Bytes output_;
+  bool is_full_ = false;  // it was to be asked more than kMostOutput
   std::uint32_t request_ = 0;
   std::optional<SpokeBatch> batch_;
   LossCounter losses_;
@@ -119,9 +127,11 @@ class UpstreamLine {
   struct Asked {
     AnsweredUp answered;
     SteadyTime until;
+    AnsweredUp late;
   };
   std::map<std::uint32_t, Asked> asked_;
-  std::optional<wire::ServerMessage> told_;  // before its reply
+  std::map<std::uint32_t, AnsweredUp> late_;  // by request, not answered in time
+  std::optional<wire::ServerMessage> told_;   // before its reply
 };
 
 }  // namespace skerry::server

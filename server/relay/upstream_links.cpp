@@ -30,9 +30,10 @@ SteadyTime steady_now() { return std::chrono::steady_clock::now(); }
 class UpstreamLinks::Impl {
  public:
   Impl(UpstreamHost& host, UpstreamPlace place, std::string token,
-       std::optional<std::uint32_t> thin)
+       std::optional<std::uint32_t> thin, HostLookup::Resolve resolve)
       : place_(std::move(place)),
         name_(place_.host),
+        lookup_(io_, name_.name, place_.port, std::move(resolve)),
         talk_(host, std::move(token), steady_now(), thin),
         tick_(io_) {
     host.orders().on_order([this] {
@@ -78,13 +79,11 @@ class UpstreamLinks::Impl {
   using LineId = UpstreamTalk::LineId;
 
   struct Connection {
-    explicit Connection(boost::asio::io_context& io) : resolver(io), socket(io), into(kReadBytes) {}
+    explicit Connection(boost::asio::io_context& io) : socket(io), into(kReadBytes) {}
     void close() {
       is_closed = true;
-      resolver.cancel();
       socket.close();
     }
-    tcp::resolver resolver;
     client::ClientSocket socket;
     std::vector<std::uint8_t> into;
     Bytes out;
@@ -129,19 +128,17 @@ class UpstreamLinks::Impl {
     auto connection = std::make_shared<Connection>(io_);
     connections_[id] = connection;
     connection->until = steady_now() + kConnectPatience;
-    connection->resolver.async_resolve(
-        name_.name, std::to_string(place_.port), tcp::resolver::numeric_service,
-        [this, id, connection](const error_code& error, const tcp::resolver::results_type& found) {
-          if (connection->is_closed) return;
-          if (error) return fail(id, connection, cannot_connect(error));
-          boost::asio::async_connect(
-              connection->socket.tcp_socket(), found,
-              [this, id, connection](const error_code& refused, const tcp::endpoint&) {
-                if (connection->is_closed) return;
-                if (refused) return fail(id, connection, cannot_connect(refused));
-                secure(id, connection);
-              });
-        });
+    lookup_.find([this, id, connection](const HostAddresses& found) {
+      if (connection->is_closed) return;
+      if (found.error) return fail(id, connection, cannot_connect(found.error));
+      boost::asio::async_connect(
+          connection->socket.tcp_socket(), found.places,
+          [this, id, connection](const error_code& refused, const tcp::endpoint&) {
+            if (connection->is_closed) return;
+            if (refused) return fail(id, connection, cannot_connect(refused));
+            secure(id, connection);
+          });
+    });
   }
 
   void secure(LineId id, const ConnectionPtr& connection) {
@@ -224,6 +221,7 @@ class UpstreamLinks::Impl {
   const UpstreamPlace place_;
   const client::HostName name_;
   boost::asio::io_context io_{1};
+  HostLookup lookup_;
   UpstreamTalk talk_;
   boost::asio::steady_timer tick_;
   std::map<LineId, ConnectionPtr> connections_;
@@ -234,8 +232,9 @@ class UpstreamLinks::Impl {
 };
 
 UpstreamLinks::UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token,
-                             std::optional<std::uint32_t> thin)
-    : impl_(std::make_unique<Impl>(host, std::move(place), std::move(token), thin)) {}
+                             std::optional<std::uint32_t> thin, HostLookup::Resolve resolve)
+    : impl_(std::make_unique<Impl>(host, std::move(place), std::move(token), thin,
+                                   std::move(resolve))) {}
 UpstreamLinks::~UpstreamLinks() = default;
 void UpstreamLinks::start() { impl_->start(); }
 void UpstreamLinks::stop() { impl_->stop(); }

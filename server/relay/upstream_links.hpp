@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "server/relay/host_lookup.hpp"
 #include "server/relay/upstream_host.hpp"
 #include "server/relay/upstream_place.hpp"
 
@@ -13,15 +14,17 @@ namespace skerry::server {
 // The host must outlive it.
 class UpstreamLinks {
  public:
-  // `token`: of the other server; empty: none.
-  // `thin`: as UpstreamTalk has it.
+  // `token`: of the other server; empty: none.  `thin`: as UpstreamTalk has it.  `resolve`: as
+  // HostLookup has it.
   UpstreamLinks(UpstreamHost& host, UpstreamPlace place, std::string token,
-                std::optional<std::uint32_t> thin = 0);
+                std::optional<std::uint32_t> thin = 0,
+                HostLookup::Resolve resolve = HostLookup::resolve_by_system);
   ~UpstreamLinks();
   UpstreamLinks(const UpstreamLinks&) = delete;
   UpstreamLinks& operator=(const UpstreamLinks&) = delete;
 
   void start();
+  // At once, whatever is under way.
   void stop();
 
  private:

@@ -19,6 +19,8 @@ struct AskUp {
   wire::ClientMessage message;
   std::chrono::seconds patience{5};
   AnsweredUp answered;
+  // As UpstreamLine::ask() has it.
+  AnsweredUp late = {};
 };
 // A view of its own for a console.
 struct OpenUp {

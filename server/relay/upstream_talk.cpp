@@ -215,7 +215,8 @@ void UpstreamTalk::carry_out(AskUp& order, SteadyTime now) {
     return order.answered(reply_of(wire::Reply::REFUSED, "too many requests at once; try again"),
                           nullptr);
   }
-  main().line->ask(std::move(order.message), now, order.patience, std::move(order.answered));
+  main().line->ask(std::move(order.message), now, order.patience, std::move(order.answered),
+                   std::move(order.late));
 }
 
 void UpstreamTalk::begin_chart(SteadyTime now) {

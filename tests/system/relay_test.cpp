@@ -300,6 +300,40 @@ TEST(RelayAlone, EndsAtASignalWhileItWaits) {
   EXPECT_EQ(relay.wait().code, 0);
 }
 
+TEST(RelayAlone, TwoThatWaitForEachOtherEndWithTheReason) {
+  std::uint16_t ports[2];
+  {
+    const OneClientPort first, second;  // and free again
+    ports[0] = first.port();
+    ports[1] = second.port();
+  }
+  const auto arguments = [&ports](int own, int other) {
+    return std::vector<std::string>{skerryd_program(),
+                                    "--relay",
+                                    place_of(ports[other]),
+                                    "--tcp-port",
+                                    std::to_string(ports[own]),
+                                    "--http-port",
+                                    "0",
+                                    "--no-udp",
+                                    "--no-cat240"};
+  };
+  ChildProcess first(arguments(0, 1));
+  first.await_error_text("waiting for " + place_of(ports[1]));
+  ChildProcess second(arguments(1, 0));
+  for (ChildProcess* each : {&first, &second}) {
+    const Ending ending = each->wait();
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, HasSubstr("a loop: 127.0.0.1"));
+  }
+  // Whoever only looks is not kept.
+  auto checks = arguments(0, 1);
+  checks.push_back("--check");
+  const Ending checked = run(std::move(checks));
+  EXPECT_EQ(checked.code, 2);
+  EXPECT_THAT(checked.err, HasSubstr("refused the connection"));
+}
+
 TEST(RelayAlone, GarbageFromTheOtherServerIsToldAndBornWith) {
   OneClientPort other;
   TempFolder folder;

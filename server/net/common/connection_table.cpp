@@ -120,16 +120,27 @@ void ConnectionTable::for_each(const Do& act) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const ConnectionSlotPtr slot = slots_[i].lock();
     if (slot == nullptr) continue;
-    if (const auto owner = slot->owner.lock()) act(*owner);
+    if (const auto owner = slot->owner.lock()) act(*owner, *slot);
   }
 }
 
 void ConnectionTable::close_all() {
-  for_each([](Connection& owner) { owner.close(); });
+  for_each([](Connection& owner, ConnectionSlot&) { owner.close(); });
 }
 
 void ConnectionTable::check_all(std::chrono::steady_clock::time_point now) {
-  for_each([now](Connection& owner) { owner.check(now); });
+  for_each([now](Connection& owner, ConnectionSlot&) { owner.check(now); });
+}
+
+std::vector<std::string> ConnectionTable::close_ended(UtcTime now) {
+  std::vector<std::string> peers;
+  for_each([&](Connection& owner, ConnectionSlot& slot) {
+    if (now <= slot.peer_.certificate_ends) return;
+    slot.peer_.certificate_ends = UtcTime::max();  // told once
+    peers.push_back(slot.peer_.text);
+    owner.close();
+  });
+  return peers;
 }
 
 }  // namespace skerry::server

@@ -56,9 +56,10 @@ class ConnectionSlot {
   // The connection has shown a good token or certificate.
   void trust();
   // The connection is under TLS, and its client has shown this certificate (TcpPeer).
-  void secure(std::string certificate) {
+  void secure(std::string certificate, UtcTime certificate_ends) {
     peer_.is_secure = true;
     peer_.certificate = std::move(certificate);
+    peer_.certificate_ends = certificate_ends;
   }
 
   std::weak_ptr<Connection> owner;
@@ -93,6 +94,8 @@ class ConnectionTable {
 
   void close_all();
   void check_all(std::chrono::steady_clock::time_point now);
+  // Ends the connections whose client's certificate has ended; gives their peers.
+  std::vector<std::string> close_ended(UtcTime now);
 
   std::size_t limit() const { return limit_; }
   // Of all places, those that strangers together, and one stranger's peer, can have.

@@ -128,11 +128,13 @@ std::optional<RadarHost::OpenedView> NetContext::open_view(std::uint32_t radar, 
                                                            const RadarHost::ViewOpened& later) {
   if (!peer.on_own_host) {
     std::size_t of_peer = 0, of_others = 0;
-    for (const auto& [key, opened] : opened_) {
-      if (key.first != radar || opened.by == PeerNet::own_host()) continue;
+    const auto count = [&](std::uint32_t of_radar, const PeerNet& by) {
+      if (of_radar != radar || by == PeerNet::own_host()) return;
       ++of_others;
-      if (opened.by == peer.net) ++of_peer;
-    }
+      if (by == peer.net) ++of_peer;
+    };
+    for (const auto& [key, opened] : opened_) count(key.first, opened.by);
+    for (const auto& [of_radar, by] : opening_) count(of_radar, by);
     if (of_peer >= config.limits.views_of_peer) {
       return Failure{fmt::format(
           "{} has opened {} views of radar {}, as many as one address may; close another console "
@@ -149,15 +151,20 @@ std::optional<RadarHost::OpenedView> NetContext::open_view(std::uint32_t radar, 
   const auto keep = [this, radar, net = peer.net](const RadarHost::OpenedView& view) {
     if (view) opened_[{radar, *view}] = {std::chrono::steady_clock::now(), net};
   };
+  const auto opening = opening_.emplace(radar, peer.net);
   auto view = host.open_view_or_ask(
       radar, like, [](VideoChannel& channel) { add_native_formats(channel); },
-      [this, keep, later](RadarHost::OpenedView opened) {
-        asio::post(io, [keep, later, opened = std::move(opened)] {
+      [this, opening, keep, later](RadarHost::OpenedView opened) {
+        asio::post(io, [this, opening, keep, later, opened = std::move(opened)] {
+          opening_.erase(opening);
           keep(opened);
           later(opened);
         });
       });
-  if (view) keep(*view);
+  if (view) {
+    opening_.erase(opening);
+    keep(*view);
+  }
   return view;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -94,6 +95,9 @@ class NetContext {
   // Heeds a changed certificate and key: what is wrong with them is told, and the old ones hold.
   // Call it once a second.
   void look_at_tls(TlsKeys::When when = TlsKeys::When::settled);
+  // Ends the connections of clients whose certificate has ended, which is told.  Call it a few
+  // times a second.
+  void end_certificates();
   PeerBudgets changes, sign_ins, handshakes;
   std::optional<TlsKeys> tls;             // nothing: this server is plain
   std::optional<SetupShelf> setups;       // of consoles; nothing: this server keeps none
@@ -128,7 +132,8 @@ class NetContext {
   // A further view with the settings of view `like`, for native clients.  It ends when it has had
   // no reader for kViewGrace.  Requires that find_feed() knows the radar and view.
   // Nothing is returned where another server is asked: then `later` is called on net-0.
-  // Error: the radar, or this peer, has as many as it may; what to do.
+  // Error: the radar, or this peer, has as many as it may, those that are being opened among them;
+  // what to do.
   std::optional<RadarHost::OpenedView> open_view(std::uint32_t radar, std::uint32_t like,
                                                  const TcpPeer& peer,
                                                  const RadarHost::ViewOpened& later);
@@ -184,6 +189,8 @@ class NetContext {
     PeerNet by;
   };
   std::map<ViewKey, Opened> opened_;  // further views
+  // Radar and peer of those that another server has been asked for and has not opened yet.
+  std::multiset<std::pair<std::uint32_t, PeerNet>> opening_;
   LogPace log_pace_;
   std::uint64_t settings_version_ = 0, world_version_ = 0;
   std::uint64_t own_ship_calls_ = 0;

@@ -61,6 +61,14 @@ void NetContext::look_at_tls(TlsKeys::When when) {
   if (!what.empty()) audit({.what = "TLS: " + what});
 }
 
+void NetContext::end_certificates() {
+  for (const std::string& peer : connections.close_ended(utc_now())) {
+    const std::string what = "the client's certificate has ended; the connection is closed";
+    complain("client certificate ended", peer + ": " + what);
+    audit({.kind = AuditEntry::Kind::refusal, .from = peer, .what = what});
+  }
+}
+
 void NetContext::complain(std::string_view kind, std::string_view text) {
   const LogPace::Tell tell = log_pace_.tell(kind, std::chrono::steady_clock::now());
   errors.add(kind, text);  // which logs the first

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "protocol/quantity/time.hpp"
 #include "server/net/common/asio.hpp"
 #include "server/net/common/peer_net.hpp"
 
@@ -16,6 +17,7 @@ struct TcpPeer {
   bool is_secure = false;    // the connection is encrypted
   // SHA-256 of the client's certificate, which has been verified; empty: it has shown none.
   std::string certificate = {};
+  UtcTime certificate_ends = UtcTime::max();  // it, or its authority's
 };
 
 // An IPv4 address that came in over an IPv6 socket counts as the IPv4 address it is.

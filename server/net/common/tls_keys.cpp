@@ -5,8 +5,11 @@
 #include <openssl/ssl.h>
 #include <openssl/x509.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -127,6 +130,22 @@ std::string certificate_shown(const SSL* connection) {
   std::string text;
   for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
   return text;
+}
+
+UtcTime certificate_end(const SSL* connection) {
+  UtcTime first = UtcTime::max();
+  if (::SSL_get0_peer_certificate(connection) == nullptr) return first;
+  STACK_OF(X509)* const chain = ::SSL_get0_verified_chain(connection);
+  for (int i = 0; i < sk_X509_num(chain); ++i) {
+    std::tm end{};
+    if (::ASN1_TIME_to_tm(::X509_get0_notAfter(sk_X509_value(chain, i)), &end) != 1) continue;
+    // Later than UtcTime can tell is as good as never.
+    const std::chrono::sys_seconds ends{std::chrono::seconds(::timegm(&end))};
+    if (ends < std::chrono::floor<std::chrono::seconds>(UtcTime::max())) {
+      first = std::min(first, UtcTime(ends));
+    }
+  }
+  return first;
 }
 
 std::optional<std::string> certificate_fault(const SSL* connection) {

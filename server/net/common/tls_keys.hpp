@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "protocol/quantity/time.hpp"
 #include "server/net/common/asio.hpp"
 
 namespace skerry::server {
@@ -30,6 +31,9 @@ TlsContextPtr read_tls(const TlsFiles& files);
 // The SHA-256 of the certificate that the client has shown, as 64 hexadecimal digits, lower case;
 // empty: none.  Requires that the handshake is done.
 std::string certificate_shown(const SSL* connection);
+// When that, or that of the authority that has signed it, ends, to the second; UtcTime::max(): it
+// has shown none.  Requires the same.
+UtcTime certificate_end(const SSL* connection);
 // What is wrong with the certificate that it has shown; nothing: not that, or it has shown none.
 std::optional<std::string> certificate_fault(const SSL* connection);
 

@@ -64,7 +64,8 @@ class TlsOpening final : public Connection, public std::enable_shared_from_this<
     stream_.begin_tls(*keys_);
     stream_.async_handshake([self = shared_from_this()](error_code failed) {
       if (failed) return self->tell(failed);
-      self->slot_->secure(certificate_shown(self->stream_.tls()));
+      self->slot_->secure(certificate_shown(self->stream_.tls()),
+                          certificate_end(self->stream_.tls()));
       if (self->context_.knows(self->slot_->peer())) self->slot_->trust();
       self->hand_on(self->to_.secure);
     });

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "protocol/wire/schema.hpp"
+#include "server/core/chart_texts.hpp"
 #include "server/net/common/access_policy.hpp"
 #include "server/net/native/native_session.hpp"
 
@@ -47,8 +48,7 @@ template <typename Chart, typename Put>
 void NativeSession::tell_chart(std::uint32_t request, ChartAnswer<Chart> chart, const Put& put) {
   if (!chart) {
     reply(request, wire::Reply::REFUSED,
-          chart.why() == NoChart::busy ? "chart: too many ask at once; ask again"
-                                       : "chart: the server has no chart here");
+          std::string(chart.why() == NoChart::busy ? kChartBusy : kNoChartHere));
   } else {
     wire::ServerMessage message;
     put(message, std::move(*chart));
@@ -63,8 +63,7 @@ void NativeSession::get_coastline(std::uint32_t request, const wire::GetCoastlin
     return reply(request, wire::Reply::OUT_OF_RANGE, *std::move(wrong));
   }
   if (std::exchange(coastline_asked_, true)) {
-    return reply(request, wire::Reply::REFUSED,
-                 "coastline: one was asked for and has not come yet; ask when it has");
+    return reply(request, wire::Reply::REFUSED, std::string(kCoastlineAsked));
   }
   context_.host.find_coastline(place, [self = weak_from_this(), io = &context_.io,
                                        request](ChartAnswer<wire::Coastline> coastline) {
@@ -84,8 +83,7 @@ void NativeSession::get_chart_objects(std::uint32_t request, const wire::GetChar
     return reply(request, wire::Reply::OUT_OF_RANGE, *std::move(wrong));
   }
   if (std::exchange(chart_asked_, true)) {
-    return reply(request, wire::Reply::REFUSED,
-                 "chart objects: they were asked for and have not come yet; ask when they have");
+    return reply(request, wire::Reply::REFUSED, std::string(kChartObjectsAsked));
   }
   context_.host.find_chart_objects(place, [self = weak_from_this(), io = &context_.io,
                                            request](ChartAnswer<wire::ChartObjects> objects) {

@@ -376,6 +376,41 @@ TEST_F(ClientCertificate, WhoseEntryIsRevokedLosesItsRightsWhileConnected) {
   EXPECT_EQ(other.ask(get_status_message(2)).code(), wire::Reply::OK);
 }
 
+// Its entry says no end of its own.
+TEST_F(ClientCertificate, ThatEndsEndsItsConnections) {
+  using namespace std::chrono_literals;
+  const std::string relay = make("relay"), stays = make_and_enter("stays", access::OBSERVER);
+  sign_again(relay, file(kAuthorityCertificate), {-1h, 6s});
+  enter("relay", access::OBSERVER);
+  const UtcTime end(facts_of_certificate(relay).until);
+  config_.limits.request_time = 60s;  // an idle HTTP connection stays until then
+  start();
+  TlsClient native(server_->tcp_port(), relay), other(server_->tcp_port(), stays);
+  EXPECT_EQ(native.ask(subscribe_message(1, 0)).code(), wire::Reply::OK);
+  EXPECT_EQ(other.ask(subscribe_message(1, 0)).code(), wire::Reply::OK);
+  TestTls kept(server_->http_port(), {.certificate = relay});
+  kept.send("GET /status HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+  EXPECT_THAT(kept.receive(12), StartsWith("HTTP/1.1 200"));
+  TestTls deltas(server_->http_port(), {.certificate = relay});
+  deltas.send(request("GET", "/signalk/v1/stream?subscribe=none",
+                      "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: "
+                      "dGhlIHNhbXBsZSBub25jZQ==\r\nConnection: Upgrade\r\n"));
+  EXPECT_THAT(deltas.receive(12), StartsWith("HTTP/1.1 101"));
+  EXPECT_EQ(errors("client certificate ended"), 0u);
+  ASSERT_LT(std::chrono::system_clock::now(), end) << "too slow to see it live";
+
+  ASSERT_TRUE(wait_until([&] { return errors("client certificate ended") == 3; }));
+  EXPECT_GE(std::chrono::system_clock::now(), end);
+  EXPECT_LT(std::chrono::system_clock::now(), end + 3s);
+  while (native.receive()) {
+  }
+  kept.receive_all();
+  deltas.receive_all();
+  EXPECT_EQ(other.ask(get_status_message(2)).code(), wire::Reply::OK);
+  EXPECT_THAT(audit_.entries(),
+              Contains(Field(&AuditEntry::what, HasSubstr("certificate has ended"))).Times(3));
+}
+
 TEST_F(ClientCertificate, WhatEverybodyMayKnowOfItIsNoToken) {
   const std::string relay = make_and_enter("relay", access::ADMIN);
   const CertificateFacts facts = facts_of_certificate(relay);

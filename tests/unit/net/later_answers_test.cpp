@@ -12,6 +12,8 @@
 namespace skerry::server {
 namespace {
 
+using testing::HasSubstr;
+
 // Answers when the test says so, from the test's thread.
 class AskingHost final : public FakeHost {
  public:
@@ -61,6 +63,14 @@ class AskingHost final : public FakeHost {
   std::vector<std::function<void()>> opening_;
 };
 
+NetConfig with_few_views() {
+  NetConfig config = test_config();
+  config.foreign_addresses = {"127.0.0.1"};
+  config.control_token = "secret";  // which may open views
+  config.limits.views_of_peer = 2;
+  return config;
+}
+
 class LaterAnswers : public testing::Test {
  protected:
   LaterAnswers() { server_.start(); }
@@ -100,6 +110,37 @@ TEST_F(LaterAnswers, AViewIsTheClientsOnceItIsThere) {
   EXPECT_GT(reply.view(), 0u);
   EXPECT_EQ(console.receive_reply().request(), 2u);
   EXPECT_EQ(host_.view_count(0), 2u);
+}
+
+// Many at once, before any has been opened.
+TEST(LaterAnswersToStrangers, ViewsThatAreBeingOpenedCount) {
+  AskingHost host;
+  NetServer server(host, with_few_views(), {});
+  server.start();
+  const auto ask = [&](TestClient& client) {
+    client.receive_hello();
+    wire::ClientMessage subscribe = subscribe_message(1, 0);
+    subscribe.mutable_subscribe()->set_new_view(true);
+    subscribe.mutable_subscribe()->set_token("secret");
+    client.send(subscribe);
+  };
+  TestClient first(server.tcp_port()), second(server.tcp_port()), third(server.tcp_port());
+  ask(first);
+  host.await_asked(1);
+  ask(second);
+  host.await_asked(2);
+  ask(third);
+  const wire::Reply refused = third.receive_reply();
+  EXPECT_EQ(refused.code(), wire::Reply::REFUSED);
+  EXPECT_THAT(refused.text(), HasSubstr("has opened 2 views of radar 0"));
+  host.open(0);
+  EXPECT_EQ(first.receive_reply().code(), wire::Reply::OK);
+  // One counts once, being opened or open.
+  third.send(subscribe_message(2, 0));
+  EXPECT_EQ(third.receive_reply().code(), wire::Reply::OK);
+  host.open(1);
+  EXPECT_EQ(second.receive_reply().code(), wire::Reply::OK);
+  server.stop();
 }
 
 TEST_F(LaterAnswers, OfAClientThatHasGoneDoNoHarm) {

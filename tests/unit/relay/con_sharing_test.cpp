@@ -86,5 +86,29 @@ TEST(ConSharing, ItIsTakenByOneAtATime) {
   EXPECT_EQ(holder(cons, ""), "");
 }
 
+TEST(ConSharing, WhatIsGrantedTooLateIsGivenBackUnlessSomebodyHasItOrAsksForIt) {
+  const wire::Set take = con(true, false);
+  ConSharing cons;
+  cons.asked("Tern", take, "console a");
+  EXPECT_FALSE(cons.answered("Tern", take, "console a", false, kNow));  // not in time
+  EXPECT_TRUE(cons.granted_late("Tern"));
+  // It would be taken from who has it.
+  grant(cons, "Tern", take, "console b");
+  EXPECT_FALSE(cons.granted_late("Tern"));
+  cons.leave("console b");
+  // Or from who is about to have it.
+  cons.asked("Tern", take, "console b");
+  EXPECT_FALSE(cons.granted_late("Tern"));
+  EXPECT_FALSE(cons.answered("Tern", take, "console b", true, kNow));
+  EXPECT_EQ(holder(cons, kYou), "console b");
+  cons.leave("console b");
+  // Who then does not get it.
+  cons.asked("Tern", take, "console c");
+  EXPECT_FALSE(cons.granted_late("Tern"));
+  EXPECT_TRUE(cons.answered("Tern", take, "console c", false, kNow));
+  cons.asked("Tern", take, "console c");
+  EXPECT_FALSE(cons.answered("Tern", take, "console c", false, kNow));
+}
+
 }  // namespace
 }  // namespace skerry::server

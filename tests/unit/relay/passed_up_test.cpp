@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/core/chart_texts.hpp"
 #include "tests/unit/relay/other_server.hpp"
 
 namespace skerry::server {
@@ -196,6 +197,51 @@ TEST(PassedUp, OneConsoleHereHasTheCon) {
   EXPECT_FALSE(second.now);
 }
 
+// The other server grants it, when who asked has been told that it has not answered.
+TEST(PassedUp, AConThatIsGrantedTooLateIsGivenBack) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  wire::Set take;
+  take.mutable_con()->set_take(true);
+  for (const bool is_granted : {true, false}) {
+    Answer answer;
+    ask(relay, answer, take, "console a");
+    const auto said = relay.said(1);
+    ASSERT_EQ(said.size(), 1u);
+    relay.pass(std::chrono::milliseconds(4900));
+    relay.settings_from(1, 0, 0, 50);  // it is alive
+    relay.pass(std::chrono::milliseconds(200));
+    ASSERT_TRUE(answer.later);
+    EXPECT_EQ(answer.later->code(), wire::Reply::REFUSED);
+    relay.host.leave("console a");  // it may be gone
+    relay.said(1);
+    relay.reply(1, said[0].request(), is_granted ? wire::Reply::OK : wire::Reply::REFUSED);
+    const auto after = relay.said(1);
+    ASSERT_EQ(after.size(), is_granted ? 1u : 0u);
+    if (is_granted) {
+      EXPECT_TRUE(after[0].set().con().release());
+      relay.reply(1, after[0].request());
+    }
+    EXPECT_EQ(answer.times, 1);
+  }
+  // Another console has asked for it meanwhile: it keeps it.
+  Answer first, second;
+  ask(relay, first, take, "console a");
+  const auto late = relay.said(1);
+  ASSERT_EQ(late.size(), 1u);
+  relay.pass(std::chrono::milliseconds(4900));
+  relay.settings_from(1, 0, 0, 50);
+  relay.pass(std::chrono::milliseconds(200));
+  relay.said(1);
+  ask(relay, second, take, "console b");
+  const auto next = relay.said(1);
+  ASSERT_EQ(next.size(), 1u);
+  relay.reply(1, late[0].request());
+  relay.reply(1, next[0].request());
+  EXPECT_EQ(second.later->code(), wire::Reply::OK);
+  EXPECT_TRUE(relay.said(1).empty());
+}
+
 TEST(PassedUp, ChartsComeOneAfterAnother) {
   wire::Hello hello = hello_of(1);
   hello.set_has_chart(true);
@@ -204,7 +250,10 @@ TEST(PassedUp, ChartsComeOneAfterAnother) {
   EXPECT_TRUE(relay.host.has_chart());
   std::vector<std::string> told;
   const auto done = [&told](ChartAnswer<wire::Coastline> chart) {
-    told.push_back(chart ? (*chart).chart() : "none");
+    told.push_back(chart ? (*chart).chart() : chart.why() == NoChart::busy ? "busy" : "none");
+  };
+  const auto objects_done = [&told](const ChartAnswer<wire::ChartObjects>& chart) {
+    told.push_back(chart ? "objects" : chart.why() == NoChart::busy ? "busy" : "none");
   };
   relay.host.find_coastline({}, done);
   relay.host.find_coastline({}, done);
@@ -220,6 +269,24 @@ TEST(PassedUp, ChartsComeOneAfterAnother) {
   EXPECT_TRUE(said[0].has_get_coastline());
   relay.reply(1, said[0].request(), wire::Reply::REFUSED, "no chart here");
   EXPECT_THAT(told, testing::ElementsAre("first", "none"));
+  // What is refused for now only.
+  told.clear();
+  for (const auto text : {kChartBusy, kCoastlineAsked, kNoChartHere}) {
+    relay.host.find_coastline({}, done);
+    relay.reply(1, relay.said(1).at(0).request(), wire::Reply::REFUSED, std::string(text));
+    relay.pass(std::chrono::milliseconds(1));
+  }
+  relay.host.find_chart_objects({}, objects_done);
+  relay.reply(1, relay.said(1).at(0).request(), wire::Reply::REFUSED, std::string(kChartBusy));
+  EXPECT_THAT(told, testing::ElementsAre("busy", "busy", "none", "busy"));
+  told.clear();
+  relay.host.find_coastline({}, done);
+  relay.said(1);
+  for (int i = 0; i < 31; ++i) {
+    relay.settings_from(1, 0, 0, 50);  // it is alive
+    relay.pass(std::chrono::seconds(1));
+  }
+  EXPECT_THAT(told, testing::ElementsAre("busy")) << "not answered in time";
 }
 
 TEST(PassedUp, APlaybacksOrdersGoUp) {

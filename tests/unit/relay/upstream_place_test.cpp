@@ -36,7 +36,7 @@ TEST(UpstreamPlace, WhatIsNoneSaysWhatIsExpected) {
 TEST(UpstreamPlace, TheWaitForAServerIsToldAndCanBeGivenUp) {
   int told = 0, pauses = 0;
   const auto hello = first_hello(
-      {"127.0.0.1", 1}, [&](auto) { return ++pauses == 3; },
+      {"127.0.0.1", 1}, Tries::until_it_is_there, [&](auto) { return ++pauses == 3; },
       [&](const std::string& why) {
         ++told;
         EXPECT_THAT(why, testing::HasSubstr("127.0.0.1:1"));

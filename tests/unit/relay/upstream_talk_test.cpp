@@ -244,5 +244,37 @@ TEST(UpstreamTalk, ALineThatFailsOnceItIsThereIsTriedLaterEachTime) {
   EXPECT_EQ(relay.begun.count(1), 1u);
 }
 
+// It sends, so that it is not silent, but takes nothing.
+TEST(UpstreamTalk, AServerThatDoesNotReadIsAskedNoMoreAndLeft) {
+  RelayUnderTest relay;
+  relay.accept_all();
+  wire::Set set;
+  set.add_lock(std::string(3'500, 'x'));  // a long one
+  std::size_t asked = 0;
+  std::string refused;
+  constexpr std::size_t kEnough = 2 * UpstreamLine::kMostOutput / 3'500;
+  while (relay.ended.empty() && asked < kEnough) {
+    for (int i = 0; i < 500; ++i, ++asked) {
+      relay.host.apply_or_ask(set, "console a", [&](const wire::Reply& reply) {
+        if (reply.text().find("has not answered in time") == std::string::npos) {
+          refused = reply.text();
+        }
+      });
+    }
+    relay.talk.take_orders(relay.now);
+    relay.settings_from(1, 0, 0, 50);
+    relay.pass(std::chrono::milliseconds(4900));  // less than silence
+    relay.settings_from(1, 0, 0, 50);
+    relay.pass(std::chrono::milliseconds(200));  // more than patience
+  }
+  EXPECT_THAT(refused, HasSubstr("192.0.2.7:7410 does not read"));
+  EXPECT_THAT(relay.ended, testing::ElementsAre(1));
+  EXPECT_LE(asked, UpstreamLine::kMostOutput / 3'500 + 500);
+  EXPECT_THAT(problem_of(relay), HasSubstr("does not read"));
+  relay.pass(std::chrono::seconds(1));
+  relay.accept(1);
+  EXPECT_EQ(problem_of(relay), "");
+}
+
 }  // namespace
 }  // namespace skerry::server
