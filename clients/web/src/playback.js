@@ -20,6 +20,7 @@ export class Playback {
     this.seconds = seconds;
     this.state = null;
     this.pending = null;  // the last request, until it is answered
+    this.asked = null;  // what it asks for
     this.on = false;
     $('playback-play').addEventListener('click', () => this.toggle());
     $('playback-back').addEventListener('click', () => this.step(-1));
@@ -69,15 +70,22 @@ export class Playback {
   }
 
   #ask(change) {
+    this.asked = change;
     this.pending = this.send(change);
     if (this.pending === null) this.notify(t('Not connected: nothing was sent to the playback'), 'error');
   }
 
-  // Whether the reply is ours. What was refused is shown by others; the server's state rules again.
+  // Whether the reply is ours. What was refused is shown by others; the server's state rules again. What was granted
+  // is shown at once: the state that tells of it comes after the reply.
   takeReply(reply) {
     if (this.pending === null || reply.request !== this.pending) return false;
     this.pending = null;
-    if (this.state) this.#show();
+    if (!this.state) return true;
+    if (reply.code === 0) {
+      const { rate = this.state.rate, loop = this.state.loop, playing = this.state.playing } = this.asked;
+      this.#take({ ...this.state, rate, loop, playing, positionS: this.positionS() });
+    }
+    this.#show();
     return true;
   }
 
@@ -92,13 +100,17 @@ export class Playback {
 
   take(state) {
     const before = this.state;
-    this.state = state;
-    this.takenS = this.seconds();
+    this.#take(state);
     if (!before) {
       this.greet(true);
       this.state = state;
     }
     this.#show();
+  }
+
+  #take(state) {
+    this.state = state;
+    this.takenS = this.seconds();
   }
 
   // Now, between what the server said last and what it will say next.

@@ -18,6 +18,9 @@ sys.path.insert(0, PACKAGE)
 import numpy  # noqa: E402
 import skerry  # noqa: E402
 
+# Of 512 spokes of a turn. A machine that is busy may lose some on the way.
+MOST = 400
+
 SCENARIO = """
 name: Small
 own_ships:
@@ -86,15 +89,22 @@ class PythonPackage(unittest.TestCase):
             self.assertTrue(turn.there.all())
             self.assertEqual(turn.cells.shape, (512, 512))
             self.assertEqual(turn.cells.max(), 15)
-            numpy.testing.assert_array_equal(turn.cells, recorded[turn.number].cells)
-            numpy.testing.assert_array_equal(turn.headings_deg, recorded[turn.number].headings_deg)
+            there = recorded[turn.number].there
+            self.assertGreater(there.sum(), MOST)
+            numpy.testing.assert_array_equal(turn.cells[there], recorded[turn.number].cells[there])
+            numpy.testing.assert_array_equal(turn.headings_deg[there], recorded[turn.number].headings_deg[there])
 
     def test_cells_are_those_that_the_command_line_writes(self):
         cells = numpy.frombuffer(self.raw.read_bytes()[-512 * 512:], numpy.uint8).reshape(512, 512)
         self.assertGreater(cells.max(), 200)
+        drawn = cells.any(axis=1)
+        self.assertGreater(drawn.sum(), MOST)
         with skerry.open_recording(self.plain) as recording:
-            turns = [turn for turn in recording.turns(radar=0) if turn.there.all()]
-        self.assertTrue(any((turn.cells == cells).all() for turn in turns))
+            turns = list(recording.turns(radar=0))
+        both = [(turn, turn.there & drawn) for turn in turns]
+        self.assertTrue(any(rows.sum() > MOST and (turn.cells[rows] == cells[rows]).all() for turn, rows in both),
+                        [(turn.number, int(rows.sum()), int((turn.cells[rows] == cells[rows]).all(axis=1).sum()))
+                         for turn, rows in both])
 
     def test_compact_spokes_are_octet_for_octet_those_packed(self):
         def octets(path):
@@ -165,6 +175,8 @@ if __name__ == "__main__":
     result = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
     bad = len(result.failures) + len(result.errors)
     # As the C++ test programs say it, for tests/run.
+    for test, text in result.failures + result.errors:
+        print(f"{test.id()}: Failure", *text.rstrip().splitlines()[-7:], sep="\n")
     print(f"[  PASSED  ] {result.testsRun - bad} tests.")
     if bad:
         print(f"[  FAILED  ] {bad} tests.")
