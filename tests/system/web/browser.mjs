@@ -1,9 +1,14 @@
 // A real Chromium, headless, WebGL by SwiftShader. CHROMIUM names another browser than Debian's.
+import { existsSync } from 'node:fs';
 import { chromium } from 'playwright-core';
 
-export async function launch() {
+const WHOLE = '/usr/bin/chromium', SHELL = '/usr/bin/chromium-headless-shell';
+
+// Pages in the headless shell are drawn and run by the same engine, but no browser's window is made and drawn around each:
+// a page costs half. whole: with those windows, for what is about windows, full screen, or the cost of a frame to a user.
+export async function launch({ whole = false } = {}) {
   return chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    executablePath: process.env.CHROMIUM ?? (!whole && existsSync(SHELL) ? SHELL : WHOLE),
     args: ['--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
            '--disable-component-update', '--disable-sync', '--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1',
            '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],

@@ -92,8 +92,10 @@ for (const { name, options, headUp, viewport } of [
 ]) {
   test(`coast and targets stand in their places: ${name}`, async (t) => {
     await openFlat(options, viewport);
-    if (headUp) await page.keyboard.press('h');
-    await waitForScan(page);
+    if (headUp) {
+      await page.keyboard.press('h');
+      await waitForScan(page);
+    }
     const shot = await capture(page);
     if (headUp) assert.ok(angleBetween(shot.upDeg, options.headingDeg) < 1e-3);
     else assert.equal(shot.upDeg, 0);
@@ -442,7 +444,8 @@ test('every lost spoke is counted, and no other', async () => {
 });
 
 test('a sector that comes no more goes out, the rest stays', async () => {
-  await openFlat({ rpm: 15 });
+  // Few spokes: what stays must come in time on a busy machine too.
+  await openFlat({ rpm: 30, spokes: 1024, cells: 512 });
   assert.ok(blobAt(await capture(page), 118, 1500, 3, 300));
   server.silent = [[100, 140]];
   const { scan } = await state(page);
