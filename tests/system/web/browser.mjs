@@ -16,8 +16,16 @@ export async function launch({ whole = false } = {}) {
 }
 
 // A page of the console in a profile of its own. Everything that goes wrong in it is in page.problems.
-export async function openConsole(browser, url, options = {}) {
+// frameMs: at least so long between frames of its own, for tests that look at no picture: of a large one a frame takes a
+// processor a tenth of a second.
+export async function openConsole(browser, url, { frameMs = 0, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  if (frameMs > 0) {
+    await context.addInitScript((ms) => {
+      const asked = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (run) => setTimeout(() => asked(run), ms);
+    }, frameMs);
+  }
   const page = await context.newPage();
   page.problems = [];
   page.on('pageerror', (error) => page.problems.push(String(error)));
