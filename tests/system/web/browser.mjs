@@ -1,9 +1,14 @@
 // A real Chromium, headless, WebGL by SwiftShader. CHROMIUM names another browser than Debian's.
+import { existsSync } from 'node:fs';
 import { chromium } from 'playwright-core';
 
-export async function launch() {
+const WHOLE = '/usr/bin/chromium', SHELL = '/usr/bin/chromium-headless-shell';
+
+// Pages in the headless shell are drawn and run by the same engine, but no browser's window is made and drawn around each:
+// a page costs half. whole: with those windows, for what is about windows, full screen, or the cost of a frame to a user.
+export async function launch({ whole = false } = {}) {
   return chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    executablePath: process.env.CHROMIUM ?? (!whole && existsSync(SHELL) ? SHELL : WHOLE),
     args: ['--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
            '--disable-component-update', '--disable-sync', '--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1',
            '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
@@ -11,8 +16,16 @@ export async function launch() {
 }
 
 // A page of the console in a profile of its own. Everything that goes wrong in it is in page.problems.
-export async function openConsole(browser, url, options = {}) {
+// frameMs: at least so long between frames of its own, for tests that look at no picture: of a large one a frame takes a
+// processor a tenth of a second.
+export async function openConsole(browser, url, { frameMs = 0, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  if (frameMs > 0) {
+    await context.addInitScript((ms) => {
+      const asked = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (run) => setTimeout(() => asked(run), ms);
+    }, frameMs);
+  }
   const page = await context.newPage();
   page.problems = [];
   page.on('pageerror', (error) => page.problems.push(String(error)));

@@ -37,7 +37,7 @@ function startServer() {
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'skerry-web-'));
-  browser = await launch();
+  browser = await launch({ whole: true });
   server = await startServer();
   // Coast and targets are compared, not what flickers or lies between them.
   await run(process.env.SKERRY, ['set', '--port', String(ports.tcp), '--sea-state', '0', '--artefact', 'interference=off',

@@ -3,9 +3,10 @@ import { after, afterEach, before } from 'node:test';
 import { launch } from './browser.mjs';
 
 // begun(browser): once, before the tests.  ended(): after each, gives what it opened, { page, server }, and forgets it.
-export function eachTest(begun, ended) {
+// options: of launch().
+export function eachTest(begun, ended, options = {}) {
   let browser;
-  before(async () => { browser = await launch(); begun(browser); });
+  before(async () => { browser = await launch(options); begun(browser); });
   after(() => browser?.close());
   afterEach(async () => {
     const { page, server } = ended();

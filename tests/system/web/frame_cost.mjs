@@ -50,7 +50,7 @@ const WEB = fileURLToPath(new URL('../../../clients/web', import.meta.url));
 const QUERIES = { webgl2: '?canvas=webgl2', '2d': '?canvas=2d' };
 const PAGES = { floor: null, webgl2: WEB, '2d': WEB, ...Object.fromEntries(values.before.split(',').filter(Boolean).map((folder) => [folder, folder])) };
 const median = (list) => list.sort((a, b) => a - b)[list.length >> 1];
-const browser = await launch();
+const browser = await launch({ whole: true });
 const servers = {};
 for (const [name, root] of Object.entries(PAGES)) if (root) servers[name] = await startSkerryd(['--web-root', root]);
 

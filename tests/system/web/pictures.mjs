@@ -15,7 +15,7 @@ const PALETTES = ['day', 'dusk', 'night'];
 mkdirSync(folder, { recursive: true });
 const server = await startSkerryd(['--web-root', WEB]);
 await skerry(['targets', 'rules', '--port', String(server.tcp), '--acquire', 'all']);
-const browser = await launch();
+const browser = await launch({ whole: true });
 try {
   for (const [width, height, hasTouch] of LAYOUTS) {
     const page = await openConsole(browser, `http://127.0.0.1:${server.http}/`, { viewport: { width, height }, hasTouch });

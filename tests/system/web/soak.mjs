@@ -64,7 +64,7 @@ const show = (n, minute, { heapMiB, nodes, listeners, frames, textures, received
     `${String(listeners).padStart(4)}  frames ${frames}  textures ${textures}  spokes ${received}, lost ${lost}  ${perSecond?.toFixed(1) ?? '?'} pictures/s`);
 
 const server = address === '-' ? await startServer() : { url: address };
-const browser = await launch();
+const browser = await launch({ whole: true });
 let bad = false;
 try {
   const all = [];

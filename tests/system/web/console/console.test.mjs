@@ -92,8 +92,10 @@ for (const { name, options, headUp, viewport } of [
 ]) {
   test(`coast and targets stand in their places: ${name}`, async (t) => {
     await openFlat(options, viewport);
-    if (headUp) await page.keyboard.press('h');
-    await waitForScan(page);
+    if (headUp) {
+      await page.keyboard.press('h');
+      await waitForScan(page);
+    }
     const shot = await capture(page);
     if (headUp) assert.ok(angleBetween(shot.upDeg, options.headingDeg) < 1e-3);
     else assert.equal(shot.upDeg, 0);

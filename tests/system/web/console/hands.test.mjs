@@ -7,7 +7,7 @@ import { eachTest } from '../each_test.mjs';
 import { openSmall, setsOf, untilSet } from '../hands_kit.mjs';
 
 let browser, server, page, url;
-eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; });
+eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page = server = null; return opened; }, { whole: true });
 async function open(options) {
   ({ server, page, url } = await openSmall(browser, options));
 }

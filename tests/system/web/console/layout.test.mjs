@@ -19,7 +19,7 @@ eachTest((b) => { browser = b; }, () => { const opened = { page, server }; page 
 // With everything unfolded.
 async function open(width, height, finger, options = {}) {
   ({ server, page } = await openSmall(browser, { query: '?instructor=1', server: { recorder: { ...RECORDER } },
-    page: { viewport: { width, height }, hasTouch: finger }, ...options }));
+    page: { viewport: { width, height }, hasTouch: finger, frameMs: 250 }, ...options }));
   await page.evaluate(() => { for (const each of document.querySelectorAll('details')) each.open = true; });
 }
 
