@@ -35,6 +35,7 @@ Command hand_over(CLI::App& app, const char* name, const std::string& descriptio
                   const char* program, std::vector<std::string> before);
 
 Command make_status_command(CLI::App& app);
+Command make_cluster_command(CLI::App& app);
 Command make_doctor_command(CLI::App& app);
 Command make_snapshot_command(CLI::App& app);
 Command make_dump_command(CLI::App& app);

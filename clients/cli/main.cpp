@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
       "  skerry board scope\n"
       "  skerry token new bridge-1 --role trainee --ship Frida --for 8h\n"
       "  skerry class new Frida --user Anna\n"
+      "  skerry cluster status\n"
       "Each command says more with --help.  Exit codes: 0 done, 1 it could not be done, 2 the\n"
       "command line cannot be understood.\n");
   const std::vector<Command> commands = {
@@ -46,7 +47,7 @@ int run(int argc, char** argv) {
       make_scenario_command(app), make_exercise_command(app), make_traffic_command(app),
       make_targets_command(app),  make_track_command(app),    make_token_command(app),
       make_user_command(app),     make_audit_command(app),    make_class_command(app),
-      make_tls_command(app)};
+      make_tls_command(app),      make_cluster_command(app)};
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return kExitUsage;

@@ -90,6 +90,9 @@ ClientResult<std::optional<ClientEvent>> SpokeClient::Connection::as_event(
     case wire::ServerMessage::kHello:
       hello_ = message.hello();
       return Event{};
+    case wire::ServerMessage::kFleet:
+      *hello_.mutable_fleet() = message.fleet();
+      return Event{};
     case wire::ServerMessage::kBoard:  // BoardClient asks for these
     case wire::ServerMessage::kBoardRecords:
     case wire::ServerMessage::kCoastline:  // this client asks for none

@@ -39,7 +39,7 @@ class SpokeClient {
   SpokeClient& operator=(SpokeClient&&) noexcept;
   ~SpokeClient();
 
-  const wire::Hello& hello() const;
+  const wire::Hello& hello() const;  // its fleet is that which was told last
   const std::string& name() const;  // "host:port", for messages
 
   // Says who the client is: what it asks for from now on without a token of its own is asked with

@@ -151,6 +151,26 @@ std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yam
           {kChartsDocument, "application/json", json.dump(1) + "\n"}};
 }
 
+std::vector<std::string> exercise_digests(const std::string& scenario_yaml,
+                                          const ChartFiles& files) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& what, const std::string& digest) {
+    lines.push_back(what + " " + digest.substr(0, 16));
+  };
+  Sha256 sha;
+  sha.add(std::string_view(scenario_yaml));
+  add("scenario", hexadecimal(sha.take()));
+  const Json charts = Json::parse(exercise_documents(scenario_yaml, files).back().bytes);
+  const auto add_chart = [&](const std::string& what, const Json& chart) {
+    add(what, chart.value("digest", "that cannot be read"));
+  };
+  for (const Json& chart : charts["charts"]) add_chart("chart", chart);
+  for (const char* const what : {"elevation", "world"}) {
+    if (charts.contains(what)) add_chart(what, charts[what]);
+  }
+  return lines;
+}
+
 ChartFiles recorded_charts(const std::string& charts_json, const ChartFiles& instead) {
   ChartFiles files;
   try {

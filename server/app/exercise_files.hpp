@@ -39,6 +39,12 @@ scenario::Scenario exercise_scenario(const std::string& yaml, const std::string&
 std::vector<ExerciseDocument> exercise_documents(const std::string& scenario_yaml,
                                                  const ChartFiles& files);
 
+// By what two servers see that they have the same exercise: a line each for scenario, charts,
+// elevation and the world's chart, "scenario 5f3a...".  The same files give the same lines,
+// wherever they lie.
+std::vector<std::string> exercise_digests(const std::string& scenario_yaml,
+                                          const ChartFiles& files);
+
 // The chart files that "charts.json" names.  `instead`: those to be used in their place, by the
 // same order, if there are any. Error: std::runtime_error if one is not there or is another, or the
 // document makes no sense.

@@ -18,6 +18,7 @@
 
 #include "server/access/gate.hpp"
 #include "server/app/exercise_files.hpp"
+#include "server/app/fleet/joined_fleet.hpp"
 #include "server/app/greeting.hpp"
 #include "server/app/joined_host.hpp"
 #include "server/app/journal_lines.hpp"
@@ -269,8 +270,12 @@ int run(const Options& options, LogTap& tap) {
   NetServer net(host, with_audit(options.net, audit), web_files());
   signals.on_hang_up([&] { net.read_certificate(); });
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
+  const auto fleet = join_fleet(options, radars, net, yaml, [&](std::chrono::milliseconds time) {
+    return is_to_end(signals, time);
+  });
+  if (fleet && !fleet->time()) return 0;  // a signal came first
   net.start();
-  radars.start();
+  radars.start(fleet ? *fleet->time() : skerry::Duration{});
   plotters.start();
   if (live) live->inputs.start();
   logging.recorder.start();
@@ -278,6 +283,7 @@ int run(const Options& options, LogTap& tap) {
   greet(options, net, on_air);
   await(signals, on_air, net, &radars);
   if (live) live->inputs.stop();
+  if (fleet) fleet->stop();
   radars.stop();
   plotters.stop();
   logging.recorder.stop();

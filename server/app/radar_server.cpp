@@ -12,6 +12,7 @@
 #include "protocol/quantity/angle.hpp"
 #include "server/app/options/coast_rules.hpp"
 #include "server/app/options/radar_config.hpp"
+#include "server/app/radar_mount.hpp"
 #include "server/app/told_ship.hpp"
 #include "server/app/traffic_list.hpp"
 #include "server/app/version.hpp"
@@ -40,14 +41,6 @@ void log_lines(const std::vector<LoadWatch::Line>& lines) {
 }
 
 }  // namespace
-
-struct RadarServer::Mount {
-  std::string own_ship;
-  RadarUnit unit;
-  Mount(std::string ship, const RadarConfig& config, Timeline& timeline, CoastService& coast,
-        Airwaves& airwaves, std::size_t workers, InputLog& inputs)
-      : own_ship(std::move(ship)), unit(config, timeline, coast, airwaves, workers, &inputs) {}
-};
 
 RadarServer::RadarServer(const scenario::Scenario& scenario,
                          std::unique_ptr<const echo::ChartSource> chart, std::size_t workers,
@@ -240,10 +233,6 @@ std::vector<RadarHost::View> RadarServer::views(std::uint32_t radar) {
   return out;
 }
 
-wire::Reply RadarServer::apply(const wire::Set& set, const std::string& origin) {
-  return desk_->apply(set, origin);
-}
-
 wire::Settings RadarServer::settings(std::uint32_t radar, std::uint32_t view) const {
   return desk_->settings(radar, view);
 }
@@ -252,8 +241,6 @@ std::uint64_t RadarServer::settings_version() const {
   desk_->flush_log();
   return desk_->settings_version();
 }
-
-void RadarServer::leave(const std::string& origin) { desk_->leave(origin); }
 
 wire::World RadarServer::world() const {
   const WorldStatePtr state = timeline_.latest();
@@ -274,7 +261,7 @@ std::optional<wire::ExerciseState> RadarServer::exercise_state() const {
     for (std::uint32_t radar = 0; radar < radars_.size(); ++radar) {
       if (radars_[radar]->unit.config().own_ship == ship.number()) ship.add_radars(radar);
     }
-    if (!ship.radars().empty()) ship.set_con(desk_->con_of(ship.radars(0)));
+    if (!ship.radars().empty()) ship.set_con(con_shown(ship.radars(0)));
   }
   return state;
 }
@@ -292,7 +279,7 @@ wire::OwnShip RadarServer::own_ship(std::uint32_t radar) const {
   const ExerciseLog::Text& text = now.state->log->texts[mount.unit.config().own_ship];
   out.set_text(text.text);
   out.set_texts(text.count);
-  if (ship.con) out.mutable_con()->set_con(desk_->con_of(radar));
+  if (ship.con) out.mutable_con()->set_con(con_shown(radar));
   return out;
 }
 
@@ -319,26 +306,6 @@ std::vector<TrafficItem> RadarServer::traffic() const {
     items[config.own_ship].radars.push_back(config.radar);
   }
   return items;
-}
-
-std::optional<std::string> RadarServer::drive(std::uint32_t radar, const OwnShipFix& fix) {
-  if (radar >= radars_.size()) {
-    return fmt::format("no radar {}; there are radars 0 to {}", radar, radars_.size() - 1);
-  }
-  const Mount& mount = *radars_[radar];
-  try {
-    const std::size_t ship = mount.unit.config().own_ship;
-    const ScenarioTime now = instant().time;
-    const auto giving = inputs_.giving();
-    const Timeline::Driven driven = timeline_.drive(ship, fix, now);
-    inputs_.driven(driven.tick, ship, fix, now);
-    if (driven.begins) {
-      spdlog::info("own ship {}: driven from outside from now on", mount.own_ship);
-    }
-  } catch (const std::invalid_argument& wrong) {
-    return wrong.what();
-  }
-  return std::nullopt;
 }
 
 wire::Status RadarServer::status() const {

@@ -12,6 +12,7 @@
 #include "echo/chart/chart_source.hpp"
 #include "server/app/chart_desk.hpp"
 #include "server/app/control/control_desk.hpp"
+#include "server/app/fleet/fleet_port.hpp"
 #include "server/app/load_watch.hpp"
 #include "server/app/shore_thread.hpp"
 #include "server/board/board_unit.hpp"
@@ -47,6 +48,15 @@ class RadarServer : public RadarHost {
   void set_targets(TargetPort* plotters) { plotters_ = plotters; }  // as set_recording()
   TargetPort* targets() override { return plotters_; }
 
+  // Sets the fleet that runs this exercise with others.  As set_recording().  Orders that hold on
+  // all hosts go there, and no radar makes spokes until make_spokes_until() says so.
+  void set_fleet(FleetPort* fleet);
+  // For the fleet, which makes ticks and gives orders.
+  Timeline& timeline() { return timeline_; }
+  ControlDesk& desk() { return *desk_; }
+  std::size_t own_ship_of(std::uint32_t radar) const;
+  void make_spokes_until(std::size_t own_ship, std::chrono::steady_clock::time_point end);
+
   // Other clocks than this machine's, for tests; the steady one must be this machine's.
   // Before start().
   void set_clocks(ReadClocks clocks) { clocks_ = std::move(clocks); }
@@ -72,9 +82,13 @@ class RadarServer : public RadarHost {
   std::uint64_t views_version() const override { return views_version_.load(); }
   BoardPortPtr find_board(std::uint32_t radar) override;
   wire::Reply apply(const wire::Set& set, const std::string& origin) override;
+  std::optional<wire::Reply> apply_or_ask(const wire::Set& set, const std::string& origin,
+                                          const Answered& later) override;
   void leave(const std::string& origin) override;
   std::vector<TrafficItem> traffic() const override;
   const ExerciseInputs* exercise() const override { return &inputs_; }
+  std::optional<wire::Fleet> fleet() const override;
+  std::uint64_t fleet_version() const override { return fleet_ ? fleet_->version() : 0; }
   std::optional<std::string> drive(std::uint32_t radar, const OwnShipFix& fix) override;
   std::optional<wire::ExerciseState> exercise_state() const override;
   void find_coastline(const wire::GetCoastline& place, CoastlineDone done) override {
@@ -107,8 +121,10 @@ class RadarServer : public RadarHost {
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
   bool is_shipmate(std::uint32_t radar, std::uint32_t of) const;
+  std::string con_shown(std::uint32_t radar) const;
   RecordingPort* recorder_ = nullptr;
   TargetPort* plotters_ = nullptr;
+  FleetPort* fleet_ = nullptr;
   std::string scenario_name_;
   mutable Timeline timeline_;  // to look at a tick is to make it
   ReadClocks clocks_ = read_clocks;

@@ -40,6 +40,7 @@ void ShoreThread::ground(std::size_t own_ship, GeoPoint at) {
   if (std::hypot(since.north_m, since.east_m) > ShoreWatch::kMostStep_m) return;
   wire::ExerciseOrder order;
   order.set_aground(static_cast<std::uint32_t>(own_ship));
+  if (elsewhere_) return elsewhere_(order);
   const auto giving = inputs_.giving();
   const Timeline::ConOrdered ordered = timeline_.order(order, kBy);
   if (ordered.fault) return;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stop_token>
+#include <utility>
 
 #include "server/app/shore_watch.hpp"
 #include "server/core/paced_thread.hpp"
@@ -23,6 +24,11 @@ class ShoreThread {
   // All must outlive it.  `now`: the scenario's time.
   ShoreThread(Timeline& timeline, CoastService& coast, InputLog& inputs,
               std::function<ScenarioTime()> now);
+  // A ship that runs aground is told there instead; it may be told again until she is.  Before
+  // start().
+  void set_elsewhere(std::function<void(const wire::ExerciseOrder&)> tell) {
+    elsewhere_ = std::move(tell);
+  }
   void start();
   // Ends the thread.  Before the coast's.
   void stop() { thread_.stop(); }
@@ -34,6 +40,7 @@ class ShoreThread {
   Timeline& timeline_;
   InputLog& inputs_;
   std::function<ScenarioTime()> now_;
+  std::function<void(const wire::ExerciseOrder&)> elsewhere_;
   ShoreWatch watch_;
   ScenarioTime next_{};  // to be looked at
   PacedThread thread_;

@@ -126,6 +126,10 @@ class RadarHost {
   virtual wire::World world() const = 0;
   // How a relay is connected to the servers before it, the nearest first; none: it is no relay.
   virtual std::vector<wire::HopStatus> hops() const { return {}; }
+  // The hosts that run the exercise together; nothing: this one runs it alone.
+  virtual std::optional<wire::Fleet> fleet() const { return std::nullopt; }
+  // Grows whenever fleet() has changed but for how long ago hosts were heard.
+  virtual std::uint64_t fleet_version() const { return 0; }
   // One entry per radar; server/net adds the clients and its errors.
   virtual wire::Status status() const = 0;
 

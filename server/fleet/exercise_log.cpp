@@ -36,6 +36,7 @@ StoreError ExerciseLog::broken(Revision revision, std::string_view what) const {
 std::optional<StoreError> ExerciseLog::hear(const LogEvent& event, HostTime now) {
   const Revision revision = revision_of(event);
   if (revision < known_) return std::nullopt;  // heard before
+  if (std::holds_alternative<NoteSeen>(event)) return std::nullopt;
   std::optional<StoreError> error;
   if (const auto* holder = std::get_if<HolderSeen>(&event)) {
     // Names on one lease end in one revision.

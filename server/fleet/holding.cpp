@@ -27,6 +27,11 @@ std::optional<Epoch> Holding::held(HostTime now) const {
   return epoch_;
 }
 
+HostTime Holding::held_until() const {
+  const std::lock_guard lock(mutex_);
+  return epoch_ == 0 ? HostTime{} : until_;
+}
+
 void Holding::set(Epoch epoch, HostTime until) {
   const std::lock_guard lock(mutex_);
   epoch_ = epoch;

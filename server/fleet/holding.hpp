@@ -55,6 +55,8 @@ class Holding {
 
   // The epoch, if this host may act at that time.  To be asked before each act.  Thread: any.
   std::optional<Epoch> held(HostTime now) const;
+  // Until when it may act as it stands; HostTime{}: it may not.  Thread: any.
+  HostTime held_until() const;
 
  private:
   std::optional<StoreError> keep(HostTime deadline);

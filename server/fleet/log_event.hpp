@@ -40,7 +40,15 @@ struct HolderSeen {
   friend bool operator==(const HolderSeen&, const HolderSeen&) = default;
 };
 
-using LogEvent = std::variant<OrderSeen, GrantSeen, HolderSeen>;
+// What a host tells of itself, once a second; no part of the log, so only the newest counts.
+struct NoteSeen {
+  Revision revision = 0;
+  std::string host;
+  std::string note;  // HostNote of log_messages.proto
+  friend bool operator==(const NoteSeen&, const NoteSeen&) = default;
+};
+
+using LogEvent = std::variant<OrderSeen, GrantSeen, HolderSeen, NoteSeen>;
 
 inline Revision revision_of(const LogEvent& event) {
   return std::visit([](const auto& seen) { return seen.revision; }, event);

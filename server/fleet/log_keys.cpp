@@ -51,6 +51,12 @@ StoreResult<std::optional<LogEvent>> LogKeys::event_of(const KeyEvent& event) co
     }
     return std::optional<LogEvent>(std::move(seen));
   }
+  if (key.starts_with(notes())) {
+    NoteSeen seen{event.key.modified, std::string(key.substr(notes().size())), event.key.value};
+    if (event.deleted || !is_name(seen.host) || seen.note.size() > kMostNote)
+      return std::optional<LogEvent>();
+    return std::optional<LogEvent>(std::move(seen));
+  }
   const bool order = key.starts_with(orders());
   if (!order && key != grant() && key != born()) return std::optional<LogEvent>();
   if (event.deleted) return Failure{broken_key(event.key, "was deleted")};

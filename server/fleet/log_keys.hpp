@@ -12,6 +12,8 @@ namespace skerry::fleet {
 constexpr std::size_t kMostName = 128;         // bytes of an exercise's, a host's name, an id
 constexpr std::size_t kMostOrder = 64 * 1024;  // bytes of an order: the largest is a few hundred
 
+constexpr std::size_t kMostNote = 4096;  // bytes of a host's note
+
 // "/skerry/<exercise>/" and what is under it.  Names are of letters, digits and . _ - : so that no
 // name reaches into another exercise; those of holdings may have '/' between.
 class LogKeys {
@@ -24,6 +26,10 @@ class LogKeys {
   std::string grant() const { return all_ + "grant"; }
   std::string orders() const { return all_ + "order/"; }
   std::string order(std::string_view id) const { return orders() + std::string(id); }
+  // Put once, by the first host: what all hosts of the exercise must agree on.
+  std::string charter() const { return all_ + "charter"; }
+  std::string notes() const { return all_ + "note/"; }
+  std::string note(std::string_view host) const { return notes() + std::string(host); }
   std::string names() const { return all_ + "name/"; }
   std::string name(std::string_view name) const { return names() + std::string(name); }
 

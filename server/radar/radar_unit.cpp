@@ -21,6 +21,8 @@ std::size_t ring_sectors(const RadarConfig& config) {
   return static_cast<std::size_t>(std::max(8.0, std::ceil(0.5 * sectors)));
 }
 
+constexpr Duration kRest = std::chrono::milliseconds(50);
+
 // Sleeps until `deadline` or a stop, whichever comes first.
 class Sleeper {
  public:
@@ -148,6 +150,29 @@ bool RadarUnit::make_sector(std::uint64_t first) {
   return !made_.empty();
 }
 
+void RadarUnit::make_spokes_until(std::chrono::steady_clock::time_point end) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now.time_since_epoch().count() >= made_until_.load()) {
+    made_from_.store((now + kTakeOver).time_since_epoch().count());
+  }
+  made_until_.store(end.time_since_epoch().count());
+}
+
+bool RadarUnit::is_made_here(std::chrono::steady_clock::time_point now,
+                             std::chrono::steady_clock::time_point end) const {
+  return now.time_since_epoch().count() < made_until_.load() &&
+         end.time_since_epoch().count() > made_from_.load();
+}
+
+void RadarUnit::leave_to_another_host(std::uint64_t first) {
+  given_.on_air = range_on_air();
+  airwaves_.set(config_.radar, maker_.emission(given_.radar, given_.on_air));
+  scan_.store(static_cast<std::uint32_t>(first / config_.geometry.spokes_per_turn),
+              std::memory_order_relaxed);
+  if (inputs_ != nullptr) inputs_->skipped(config_.radar, first, given_.radar);
+  given_.numbered_from = first + kSectorSpokes;
+}
+
 void RadarUnit::skip(std::uint64_t first) {
   sectors_skipped_.fetch_add(1, std::memory_order_relaxed);
   if (inputs_ != nullptr) inputs_->skipped(config_.radar, first, given_.radar);
@@ -169,11 +194,19 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
       given_.numbered_from = first + kSectorSpokes;
       continue;
     }
-    if (!sleeper.until(end_of(first), stop)) return;
+    // Of a radar that is made elsewhere several sectors at a time are passed.
+    const auto looked = std::chrono::steady_clock::now();
+    const bool waits = !is_made_here(looked, end_of(first)) && end_of(first) > looked;
+    const Duration rest = waits ? kRest : Duration{};
+    if (!sleeper.until(end_of(first) + rest, stop)) return;
     const auto begun = std::chrono::steady_clock::now();
-    if (begun > end_of(first) + kGiveUp) {
+    if (!is_made_here(begun, end_of(first))) {
+      leave_to_another_host(first);
+    } else if (begun > end_of(first) + kGiveUp) {
       skip(first);
-    } else if (make_sector(first)) {
+    } else if (make_sector(first) &&
+               // The process may have been stopped meanwhile.
+               is_made_here(std::chrono::steady_clock::now(), end_of(first))) {
       publish(first, epoch, begun);
     }
     sectors_.fetch_add(1, std::memory_order_relaxed);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -64,6 +65,12 @@ class RadarUnit {
   void start(const Epoch& epoch);
   // Spokes are stamped by it from the next sector on.  Thread: any.
   void set_utc(const UtcClock& clock) { utc_.set(clock); }
+  // Spokes are made until then; after it the antenna turns on, and counts, without them: another
+  // host makes them.  At first for ever.  Who takes over makes no sector that ended before, nor
+  // within kTakeOver: the other has made it, by a clock that may be so much ahead.  Thread: one at
+  // a time.
+  static constexpr std::chrono::milliseconds kTakeOver{50};
+  void make_spokes_until(std::chrono::steady_clock::time_point end);
   // Before start(): makes what the first sector needs and would make late.  Cost: 60 ms or so for
   // the first radar of a set, less for others like it.
   void warm_up();
@@ -99,6 +106,11 @@ class RadarUnit {
   RangeScale range_to_show(RangeScale shown);
   // True if there is something to be published.
   bool make_sector(std::uint64_t first);
+  // Of a sector that ended then.
+  bool is_made_here(std::chrono::steady_clock::time_point now,
+                    std::chrono::steady_clock::time_point end) const;
+  // A sector that another host makes, of which the others' receivers hear here, too.
+  void leave_to_another_host(std::uint64_t first);
   void publish(std::uint64_t first, const Epoch& epoch,
                std::chrono::steady_clock::time_point begun);
   void skip(std::uint64_t first);
@@ -119,6 +131,9 @@ class RadarUnit {
   std::vector<ViewSector> made_;
   double mean_ns_ = 0.0;  // per cell
 
+  // Of the steady clock: sectors that end after the one are made before the other.
+  std::atomic<std::int64_t> made_from_{std::numeric_limits<std::int64_t>::min()},
+      made_until_{std::numeric_limits<std::int64_t>::max()};
   std::atomic<std::uint64_t> sectors_{0}, spokes_{0}, spokes_late_{0}, sectors_skipped_{0};
   std::atomic<std::int64_t> lateness_max_ns_{0};
   std::atomic<double> render_ns_per_cell_{0.0};

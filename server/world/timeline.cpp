@@ -88,6 +88,13 @@ World Timeline::world() const {
   return world_;
 }
 
+void Timeline::restore(World world) {
+  const std::lock_guard lock(mutex_);
+  world_ = std::move(world);
+  kept_ = {};
+  kept_[world_.tick() % kKept] = std::make_shared<const WorldState>(world_.state());
+}
+
 void Timeline::tell(wire::ExerciseState& state) const {
   const std::lock_guard lock(mutex_);
   world_.tell(state);

@@ -68,6 +68,8 @@ class Timeline {
   std::optional<std::string> fault_of(const wire::ExerciseOrder& order) const;
   // A copy of the world at the newest tick made.
   World world() const;
+  // Another world in its place, as of an earlier tick: what was ordered since then is undone.
+  void restore(World world);
   // Every ship as of the newest tick made, and what has happened.
   void tell(wire::ExerciseState& state) const;
 

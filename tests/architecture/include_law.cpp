@@ -147,6 +147,7 @@ const std::vector<Room>& table() {
       // The log that hosts of an exercise share, and its store over etcd.
       {"server/fleet", {"protocol/quantity/"}},
       {"server/fleet/etcd", {"protocol/quantity/", "server/fleet/"}},
+      {"server/fleet/member", {"protocol/quantity/", "server/fleet/"}},
       {"server/board",
        {"protocol/", "echo/sweeps/", "echo/radar/", "echo/kernel/", "server/core/"}},
       {"server/displays", {"protocol/", "server/core/", "server/displays/"}},
@@ -204,6 +205,7 @@ const std::vector<Room>& table() {
       {"server/traffic_logs", {"protocol/", "server/core/", "server/navigation/", "server/world/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
       {"server/app/control", {"protocol/", "echo/", "server/"}},
+      {"server/app/fleet", {"protocol/", "echo/", "server/"}},
       {"server/app/options", {"protocol/", "echo/", "server/"}},
       // What happened in a recorded exercise, as values, a page and tables.
       {"server/debrief",

@@ -1,9 +1,11 @@
-// Connection: one WebSocket to the server, made again for as long as the page lives.
+// Connection: one WebSocket to the server, made again for as long as the page lives; where a fleet runs the exercise, to
+// the host that has the radar which is watched.
 //
 // States: 'connecting', 'greeting' (open, no Hello yet), 'live', 'waiting' (closed, retryAt says when
 // it is tried again). A server that sends nothing for SILENCE_MS is given up and called anew. Who has a token says so
 // before anything else is asked.
 import { answers, retryMs } from './connection_retry.js';
+import { FleetPlaces } from './fleet_places.js';
 import { decodeFrames, encodeClassOrder, encodeGetChartObjects, encodeGetCoastline, encodePlayback, encodeRecord, encodeSet, encodeSignIn, encodeSubscribe, encodeTargetOrder } from './messages.js';
 import { signInsecure } from './insecure_sign.js';
 import { token } from './token.js';
@@ -14,8 +16,9 @@ const MAX_UNSENT = 65536;
 
 export class Connection {
   // handlers: state(state), messages(list of server messages), garbage(WireError).
-  constructor(url, handlers) {
-    this.url = url;
+  // page: the address of a page of the server.
+  constructor(page, handlers) {
+    this.places = new FleetPlaces(page);
     this.handlers = handlers;
     this.state = 'waiting';
     this.attempts = 0;
@@ -25,8 +28,6 @@ export class Connection {
     this.isServed = false;  // a subscription was answered
     this.bytes = 0;
     this.garbage = 0;
-    // What answers as long as there is a server, and weighs nothing.
-    this.probe = new URL('icon.svg', location.href);
     // A page that nobody sees is given no time to retry; whoever looks at it again, or has a network again, does not wait.
     document.addEventListener('visibilitychange', () => { if (!document.hidden) this.#retryNow(); });
     addEventListener('online', () => this.#retryNow());
@@ -39,7 +40,7 @@ export class Connection {
   }
 
   #open() {
-    const socket = new WebSocket(this.url);
+    const socket = new WebSocket(this.places.at.ws);
     socket.binaryType = 'arraybuffer';
     this.socket = socket;
     this.#become('connecting');
@@ -72,8 +73,9 @@ export class Connection {
 
   async #retry() {
     this.retry = null;
-    if (await answers(this.probe)) this.#open();
-    else this.#retryLater();
+    if (await answers(this.places.at.probe)) { this.#open(); return; }
+    this.places.next();
+    this.#retryLater();
   }
 
   #retryNow() {
@@ -93,6 +95,8 @@ export class Connection {
       this.#refuse(error);
     }
     const hello = messages.find((m) => m.hello)?.hello;
+    const fleet = messages.findLast((m) => m.fleet)?.fleet ?? (hello ? hello.fleet ?? null : undefined);
+    if (fleet !== undefined) this.places.take(fleet);
     if (hello) signInsecure(hello.warning);
     if (this.state === 'greeting' && hello) {
       this.attempts = 0;
@@ -102,6 +106,19 @@ export class Connection {
     }
     this.isServed ||= messages.some((m) => m.settings);
     if (this.state === 'live' && messages.length > 0) this.handlers.messages(messages);
+    if (this.places.mustMove) this.#move();
+  }
+
+  // The radar that is watched is made on another host now.
+  #move() {
+    const { socket } = this;
+    this.places.move();
+    this.socket = null;
+    socket?.close();
+    clearTimeout(this.silence);
+    clearTimeout(this.retry);
+    this.retry = null;
+    this.#open();
   }
 
   // Each WebSocket message stands for itself, so after a bad one the next may be read again.
@@ -134,6 +151,8 @@ export class Connection {
 
   // The request number that the reply will carry, or null if it could not be sent.
   subscribe(radar, view, newView, token, options) {
+    this.places.watch(options?.noSpokes ? null : radar);
+    if (this.places.mustMove) { this.#move(); return null; }
     return this.#send((request) => encodeSubscribe(request, radar, view, newView, token, options));
   }
 

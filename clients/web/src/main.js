@@ -198,10 +198,7 @@ for (const input of document.querySelectorAll('input[name=view]')) {
 }
 showView();
 
-const url = new URL('ws', location.href);
-url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
-url.search = url.hash = '';
-connection = new Connection(url, {
+connection = new Connection(location.href, {
   state: (state) => { if (state !== 'live') { isTold = false; alerts.lost(); } showAvailability(); },
   messages: (messages) => { radar.takeAll(messages, seconds()); chart.takeAll(messages); },
   garbage: (error) => notify(t('The server sent what is no radar message ({kind})', { kind: error.kind ?? 'text' })),

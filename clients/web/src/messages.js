@@ -26,11 +26,19 @@ const RadarInfo = message({
   7: ['rpm', 'double'], 8: ['beamWidthDeg', 'double'], 9: ['set', 'string'], 10: ['band', 'string'],
   11: ['antennaHeightM', 'double'],
 });
+const FleetHost = message({
+  1: ['name', 'string'], 2: ['native', 'string'], 3: ['web', 'string'], 4: ['radars', ['uint32']], 5: ['heardS', 'double'], 6: ['standing', 'string'],
+  7: ['tick', 'uint64'], 8: ['digest', 'string'],
+});
+const Fleet = message({
+  1: ['exercise', 'string'], 2: ['host', 'string'], 3: ['leader', 'string'], 4: ['standing', 'string'], 5: ['refusal', 'string'],
+  6: ['hosts', [FleetHost]], 7: ['problem', 'string'],
+});
 const Hello = message({
   1: ['protocolVersion', 'uint32'], 2: ['server', 'string'], 3: ['scenario', 'string'],
   4: ['radars', [RadarInfo]], 5: ['rangeScalesNm', ['double']],
   6: ['canRecord', 'bool'], 7: ['playback', 'bool'], 8: ['you', 'string'], 9: ['hasChart', 'bool'], 10: ['hasClasses', 'bool'],
-  11: ['warning', 'string'],
+  11: ['warning', 'string'], 14: ['fleet', Fleet],
 });
 const Reply = message({
   1: ['request', 'uint32'], 2: ['code', 'uint32'], 3: ['text', 'string'], 4: ['view', 'uint32'],
@@ -114,7 +122,7 @@ export function useControls({ controls, artefacts, faults = [] }) {
     6: ['ownShip', OwnShip], 7: ['world', message({ ...ofWorld.read, ...WORLD_FIELDS })],
     10: ['recorder', RecorderState], 11: ['playback', PlaybackState],
     12: ['exercise', exerciseState(faults)], 13: ['coastline', Coastline], 14: ['targets', TargetList], 15: ['chartObjects', ChartObjects],
-    16: ['classes', ClassList],
+    16: ['classes', ClassList], 19: ['fleet', Fleet],
   });
   faultTable = faults;
   setFields = ofSet;

@@ -27,6 +27,7 @@ class ConHolders {
 
   // Empty: nobody.
   const std::string& holder(std::size_t own_ship) const { return holders_[own_ship]; }
+  std::size_t size() const { return holders_.size(); }
 
  private:
   std::vector<std::string> holders_;

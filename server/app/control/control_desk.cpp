@@ -71,16 +71,28 @@ ControlDesk::ControlDesk(Timeline& timeline, std::vector<RadarUnit*> units,
 ControlDesk::~ControlDesk() { log_.flush_all(); }
 
 wire::Reply ControlDesk::apply(const wire::Set& set, const std::string& origin) {
-  if (const auto wrong = refusal_of(set)) return *wrong;
   const std::lock_guard lock(mutex_);
-  if (const auto wrong = refusal_by_state(set)) return *wrong;
-  if (const auto wrong = refusal_by_con(set, origin)) return *wrong;
   Next next;
-  if (const auto wrong = plan(set, next)) return *wrong;
-  if (const auto wrong = refusal_by_lock(set, next)) return *wrong;
+  if (const auto wrong = prepare(set, origin, next)) return *wrong;
   if (const auto wrong = carry_out(set, origin, next)) return *wrong;
   log(set, origin, next);
   return {};
+}
+
+std::optional<wire::Reply> ControlDesk::refusal_now(const wire::Set& set,
+                                                    const std::string& origin) const {
+  const std::lock_guard lock(mutex_);
+  Next next;
+  return prepare(set, origin, next);
+}
+
+std::optional<wire::Reply> ControlDesk::prepare(const wire::Set& set, const std::string& origin,
+                                                Next& next) const {
+  if (auto wrong = refusal_of(set)) return wrong;
+  if (auto wrong = refusal_by_state(set)) return wrong;
+  if (auto wrong = refusal_by_con(set, origin)) return wrong;
+  if (auto wrong = plan(set, next)) return wrong;
+  return refusal_by_lock(set, next);
 }
 
 std::optional<wire::Reply> ControlDesk::refusal_by_state(const wire::Set& set) const {

@@ -46,14 +46,38 @@ class ControlDesk {
 
   // The connection of `origin` has ended.
   void leave(const std::string& origin);
+  // The same of all origins that end so.
+  void leave_all(const std::string& ending);
   // Who has the con of a radar's own ship; empty: nobody.
   std::string con_of(std::uint32_t radar) const;
+
+  // Whether the console has any con.
+  bool has_a_con(const std::string& origin) const;
+
+  // For hosts that agree on orders (server/app/fleet).
+  //
+  // What of a Set holds on all hosts; nothing: it is of a view that this host alone has.
+  std::optional<wire::Set> shared_part(const wire::Set& set) const;
+  // Why apply() would refuse it as things are; nothing: it would not.
+  std::optional<wire::Reply> refusal_now(const wire::Set& set, const std::string& origin) const;
+  // Who has which con, what is locked, and the controls of radars and their shared views.
+  struct Kept {
+    ConHolders cons;
+    ControlLocks::Locked locks;
+    std::vector<echo::ViewControls> views;
+    std::vector<echo::RadarControls> radars;
+  };
+  Kept kept() const;
+  void restore(const Kept& kept);
 
   // Logs changes that were held back.  Call it a few times a second.
   void flush_log();
 
  private:
   struct Next;  // what a Set makes of what it changes
+  // Why it is refused, or what it makes.
+  std::optional<wire::Reply> prepare(const wire::Set& set, const std::string& origin,
+                                     Next& next) const;
   std::optional<wire::Reply> refusal_by_state(const wire::Set& set) const;
   std::optional<wire::Reply> refusal_by_con(const wire::Set& set, const std::string& origin) const;
   // Puts into `next` what `set` asks for and which of it is a change.

@@ -32,4 +32,14 @@ std::vector<std::string> ControlLocks::locked(std::size_t radar) const {
   return {locked_[radar].begin(), locked_[radar].end()};
 }
 
+ControlLocks::Locked ControlLocks::all() const {
+  const std::lock_guard lock(mutex_);
+  return locked_;
+}
+
+void ControlLocks::set_all(Locked locked) {
+  const std::lock_guard lock(mutex_);
+  locked_ = std::move(locked);
+}
+
 }  // namespace skerry::server

@@ -28,6 +28,11 @@ class ControlLocks {
   bool is_locked(std::size_t radar, const std::string& control) const;
   std::vector<std::string> locked(std::size_t radar) const;
 
+  // All of them, and all of them anew.
+  using Locked = std::vector<std::set<std::string>>;
+  Locked all() const;
+  void set_all(Locked locked);
+
  private:
   // The radars whose lock of that control is one with that of `radar`.
   bool shared(std::size_t radar, std::size_t other, const std::string& control) const;

@@ -41,6 +41,8 @@ constexpr const char* kExamples = R"(Examples:
   skerryd --record --record-roll-minutes 60 --record-keep-gib 100
   skerryd --play exercise.mcap --play-loop  a recording in place of radars
   skerryd --relay 192.0.2.7:7410            another server's radars, for consoles here
+  skerryd --fleet 192.0.2.1:2379,192.0.2.2:2379,192.0.2.3:2379 --fleet-host bridge-1
+                                            the exercise with other hosts, over their etcd
   skerryd --verify exercise.mcap            make its video again from what it was given, compare
   skerryd --config server.yaml              everything from a file; the command line wins
 
@@ -156,6 +158,7 @@ void add_options(CLI::App& cli, CommandLine& line) {
       "read configuration, scenario and charts, try its load for some seconds, serve nothing");
   add_playback_options(cli, *config.mutable_playback());
   add_relay_options(cli, *config.mutable_relay());
+  add_fleet_options(cli, *config.mutable_fleet());
   add_recorder_options(cli, *config.mutable_recorder());
   cli.add_option("--verify", line.verify,
                  "make the video of a recorded exercise again from its inputs, compare, and end")
@@ -182,6 +185,7 @@ void complete(CommandLine& line) {
     throw std::runtime_error("--play: its file has no name");
   }
   if (config.relay().ByteSizeLong() == 0) config.clear_relay();
+  if (config.fleet().ByteSizeLong() == 0) config.clear_fleet();
   if (!line.verify.empty() && config.has_relay()) {
     throw std::runtime_error("--verify and --relay exclude each other");
   }
@@ -198,6 +202,8 @@ void put_over(const CommandLine& line, ServerConfig& file) {
   if (playback.has_file() || line.config.has_scenario() || is_relay) file.clear_playback();
   if (playback.has_file() || line.config.has_scenario() || is_relay) file.clear_relay();
   if (is_relay) file.clear_scenario();
+  if (is_relay || playback.has_file()) file.clear_fleet();
+  if (!line.config.fleet().store().empty()) file.mutable_fleet()->clear_store();
   if (line.no_udp) file.clear_udp();
   if (line.no_cat240) file.clear_cat240();
   std::vector<const google::protobuf::FieldDescriptor*> given;
@@ -276,6 +282,7 @@ Options options_of(const ServerConfig& config) {
   net.sensors = config.exact_sensors() ? SensorErrors::none() : SensorErrors{};
   options.playback = playback_options(config.playback());
   options.relay = relay_options(config, net);
+  options.fleet = fleet_options(config, net);
   options.recorder = recorder_config(config.recorder());
   return options;
 }

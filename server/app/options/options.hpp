@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "server/app/options/fleet_options.hpp"
 #include "server/app/options/playback_options.hpp"
 #include "server/app/options/relay_options.hpp"
 #include "server/live/live_source.hpp"
@@ -26,6 +27,7 @@ struct Options {
   RecorderConfig recorder;
   PlaybackOptions playback;  // its file is empty where radars run
   RelayOptions relay;
+  FleetOptions fleet;
   std::size_t workers = 0;                   // helping threads per radar
   std::size_t board_ring_bytes = 16u << 20;  // of each board's ring in shared memory
   std::string log_level = "info";

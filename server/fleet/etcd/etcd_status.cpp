@@ -74,6 +74,15 @@ StoreError store_error_of(const grpc::Status& status, std::string_view member, b
                 false};
       return {Trouble::compacted,
               fmt::format("etcd {} has compacted what was asked for ({})", member, text), false};
+    case grpc::StatusCode::UNKNOWN:
+    case grpc::StatusCode::INTERNAL:
+      // The member's own clock for the call ran out (etcd 3.4 says that with no code), or its
+      // connection broke in the midst of it.
+      if (says(text, "context deadline exceeded") || says(text, "context canceled") ||
+          says(text, "timed out") || says(text, "RST_STREAM"))
+        return {Trouble::slow, fmt::format("etcd {} did not answer in time ({})", member, text),
+                true};
+      [[fallthrough]];
     default:
       return {Trouble::broken,
               fmt::format("etcd {}: {} (gRPC code {})", member, text,

@@ -271,8 +271,11 @@ void NetContext::tell_settings() {
   const std::uint64_t settings = host.settings_version(), world = host.world_version();
   const bool settings_changed = std::exchange(settings_version_, settings) != settings;
   const bool world_changed = std::exchange(world_version_, world) != world;
-  if (!settings_changed && !world_changed) return;
+  const std::uint64_t fleet = host.fleet_version();
+  const bool fleet_changed = std::exchange(fleet_version_, fleet) != fleet;
+  if (!settings_changed && !world_changed && !fleet_changed) return;
   const SharedBytes of_world = world_changed ? world_frame() : nullptr;
+  const SharedBytes of_fleet = fleet_changed ? fleet_frame() : nullptr;
   for (const auto& [key, feed] : feeds_) {
     if (feed->readers().empty()) continue;
     const SharedBytes frame =
@@ -280,6 +283,7 @@ void NetContext::tell_settings() {
     for (FeedReader* reader : feed->readers()) {
       if (frame) reader->on_settings(frame);
       if (of_world) reader->on_world(of_world);
+      if (of_fleet) reader->on_fleet(of_fleet);
     }
   }
 }
@@ -333,6 +337,7 @@ wire::Hello NetContext::hello() const {
   hello.set_warning(config.exposure);
   hello.set_has_classes(true);
   hello.set_identity(config.identity);
+  if (auto fleet = host.fleet()) *hello.mutable_fleet() = *std::move(fleet);
   return hello;
 }
 
@@ -379,6 +384,7 @@ wire::Status NetContext::status() const {
   if (const RecordingPort* port = host.recording()) *status.mutable_recorder() = port->state();
   if (const PlaybackPort* port = host.playback()) *status.mutable_playback() = port->state();
   for (wire::HopStatus& hop : host.hops()) *status.add_hops() = std::move(hop);
+  if (auto fleet = host.fleet()) *status.mutable_fleet() = *std::move(fleet);
   status.set_resident_mib(resident_mib());
   status.set_warning(config.exposure);
   return status;

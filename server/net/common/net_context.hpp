@@ -161,11 +161,14 @@ class NetContext {
   wire::OwnShip sensed_own_ship(std::uint32_t radar) const;
 
   // The host's, with what the network does for it.
+  // Origins of the pages of the other hosts of the fleet ("http://192.0.2.7:7480").
+  std::vector<std::string> sisters() const;
   wire::Hello hello() const;
   RecordingNews::Frames recording_frames() const { return recording_news_.all(); }
   SharedBytes settings_frame(std::uint32_t radar, std::uint32_t view) const;
   SharedBytes own_ship_frame(std::uint32_t radar) const;
   SharedBytes world_frame() const;
+  SharedBytes fleet_frame() const;  // null: there is no fleet
   // Of a server that has an exercise; else nullptr.
   SharedBytes exercise_frame() const;
   // Of a view whose targets somebody wants, once there is a list; else nullptr.
@@ -192,7 +195,7 @@ class NetContext {
   // Radar and peer of those that another server has been asked for and has not opened yet.
   std::multiset<std::pair<std::uint32_t, PeerNet>> opening_;
   LogPace log_pace_;
-  std::uint64_t settings_version_ = 0, world_version_ = 0;
+  std::uint64_t settings_version_ = 0, world_version_ = 0, fleet_version_ = 0;
   std::uint64_t own_ship_calls_ = 0;
   RecordingNews recording_news_{host};
   std::vector<std::string> ships_;  // of the radars

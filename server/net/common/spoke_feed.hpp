@@ -42,6 +42,7 @@ class FeedReader {
   virtual void on_world(const SharedBytes& /*frame*/) {}
   virtual void on_recorder(const SharedBytes& /*frame*/) {}
   virtual void on_playback(const SharedBytes& /*frame*/) {}
+  virtual void on_fleet(const SharedBytes& /*frame*/) {}
   // A board's feed calls it now and then: the bytes that may wait in the kernel.
   virtual void on_send_buffer(std::size_t /*bytes*/) {}
 };

@@ -1,5 +1,7 @@
 #include "server/net/http/http_request.hpp"
 
+#include <algorithm>
+
 #include "server/net/common/access_policy.hpp"
 #include "server/net/http/carried_token.hpp"
 #include "server/net/signalk/signalk_rest.hpp"
@@ -70,7 +72,8 @@ bool only_reads(const HttpRequest& request) {
   return request.method() == http::verb::get || request.method() == http::verb::head;
 }
 
-std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config) {
+std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config,
+                                    const std::vector<std::string>& sisters) {
   const auto host = header_of(request, http::field::host);
   if (!host || request.count(http::field::host) != 1) {
     return web_error(400, "400: a request needs one Host header");
@@ -88,6 +91,10 @@ std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig&
   if (auto text = host_refusal(*host, policy)) return web_error(403, "403: " + *text);
   // Any page may send a request that only reads; the browser does not show it the answer.
   if (only_reads(request) && !websocket::is_upgrade(request)) return std::nullopt;
+  if (websocket::is_upgrade(request) && request.count(http::field::origin) == 1) {
+    const auto origin = header_of(request, http::field::origin);
+    if (std::find(sisters.begin(), sisters.end(), *origin) != sisters.end()) return std::nullopt;
+  }
   return cross_site_refusal(request, *host);
 }
 

@@ -27,8 +27,10 @@ bool only_reads(const HttpRequest& request);
 
 // Why a browser's request is not served, if so: a Host that is not this server's (DNS rebinding),
 // or a page of another origin that would change something (cross-site request).  Who has the cookie
-// must show that the page is this server's, by Origin or Sec-Fetch-Site.
-std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config);
+// must show that the page is this server's, by Origin or Sec-Fetch-Site.  A page of a sister,
+// another host of the fleet, may open a WebSocket, without a cookie: who it is it says there.
+std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig& config,
+                                    const std::vector<std::string>& sisters);
 
 // What is said in the clear to a request that is to come by TLS: go on to https, or, if it was more
 // than to look, that it was not heeded.  Requires one that refusal_of() lets pass.

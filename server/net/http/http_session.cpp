@@ -245,7 +245,7 @@ std::optional<WebAnswer> HttpSession::refusal(const Request& request) const {
   if (slot_->place() == Place::refused || (slot_->place() == Place::on_trial && !signs_in())) {
     return web_error(503, "503: " + slot_->reason());
   }
-  if (auto refused = refusal_of(request, context_.config)) return refused;
+  if (auto refused = refusal_of(request, context_.config, context_.sisters())) return refused;
   const TcpPeer& peer = slot_->peer();
   if (!context_.tls || peer.is_secure || peer.on_own_host) return std::nullopt;
   return to_secure(request);
@@ -265,7 +265,10 @@ WebAnswer HttpSession::answer(const Request& request) const {
     context_.refuse("HTTP " + slot_->peer().text, text_of(who), *refused);
     return web_error(who.role ? 403 : 401, fmt::format("{}: {}", who.role ? 403 : 401, *refused));
   }
-  return is_file ? files_.get(target) : (this->*route->answer)(request);
+  if (!is_file) return (this->*route->answer)(request);
+  WebAnswer file = files_.get(target);
+  file.sisters = context_.sisters();
+  return file;
 }
 
 WebAnswer HttpSession::answer_ws(const Request&) const {

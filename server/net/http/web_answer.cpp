@@ -78,13 +78,24 @@ constexpr std::array<std::pair<const char*, const char*>, 2> kForBrowsers = {
 // A page of the console has no code or style in its text, and nothing of it is from elsewhere.  The
 // instructor's page has the console in a frame.
 // Source: Content Security Policy Level 3 (W3C).
-constexpr const char* policy_text(ContentPolicy policy) {
+// "; connect-src 'self' http://192.0.2.7:7480 ws://192.0.2.7:7480".
+std::string connections_to(const std::vector<std::string>& sisters) {
+  if (sisters.empty()) return {};
+  std::string text = "; connect-src 'self'";
+  for (const std::string& origin : sisters) {
+    text += " " + origin + " ws" + origin.substr(std::string_view("http").size());
+  }
+  return text;
+}
+
+std::string policy_text(ContentPolicy policy, const std::vector<std::string>& sisters) {
   switch (policy) {
     case ContentPolicy::data:
       return "default-src 'none'; frame-ancestors 'none'";
     case ContentPolicy::own_page:
       return "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'; "
-             "object-src 'none'";
+             "object-src 'none'" +
+             connections_to(sisters);
     case ContentPolicy::guest:
       return "frame-ancestors 'self'";
   }
@@ -102,7 +113,7 @@ http::response<http::string_body> response_of(const WebAnswer& answer, bool with
   response.set(http::field::content_type, answer.mime);
   response.set(http::field::cache_control, "no-cache");
   for (const auto& [name, value] : kForBrowsers) response.set(name, value);
-  response.set("Content-Security-Policy", policy_text(answer.policy));
+  response.set("Content-Security-Policy", policy_text(answer.policy, answer.sisters));
   if (!answer.vary.empty()) {
     response.set(http::field::vary, beast::string_view(answer.vary.data(), answer.vary.size()));
   }

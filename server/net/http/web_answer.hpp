@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/net/common/asio.hpp"
 #include "server/net/common/net_config.hpp"
@@ -30,6 +31,8 @@ struct WebAnswer {
   std::string location = {};   // of a redirection
   std::string set_cookie = {};
   ContentPolicy policy = ContentPolicy::data;
+  // Of an own page: origins of other servers that it may connect to as well.
+  std::vector<std::string> sisters = {};
   std::string_view allow = "GET, HEAD";  // of 405: the methods that there are; a literal
 };
 

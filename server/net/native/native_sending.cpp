@@ -26,6 +26,7 @@ void NativeSession::on_exercise(const SharedBytes& frame) { tell(kExercise, fram
 void NativeSession::on_targets(const SharedBytes& frame) { tell(kTargets, frame); }
 void NativeSession::on_recorder(const SharedBytes& frame) { tell(kRecorder, frame); }
 void NativeSession::on_playback(const SharedBytes& frame) { tell(kPlayback, frame); }
+void NativeSession::on_fleet(const SharedBytes& frame) { tell(kFleet, frame); }
 
 void NativeSession::pump() {
   while (!writing_ && !closed_) {

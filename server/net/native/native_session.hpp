@@ -68,6 +68,7 @@ class NativeSession final : public Connection,
   void on_world(const SharedBytes& frame) override;
   void on_recorder(const SharedBytes& frame) override;
   void on_playback(const SharedBytes& frame) override;
+  void on_fleet(const SharedBytes& frame) override;
   void on_send_buffer(std::size_t bytes) override;
 
  private:
@@ -187,6 +188,7 @@ class NativeSession final : public Connection,
     kWorld,
     kRecorder,
     kPlayback,
+    kFleet,
     kExercise,
     kTargets,
     kKindsOfNews

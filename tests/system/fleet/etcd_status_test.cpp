@@ -45,6 +45,10 @@ TEST(EtcdStatus, IsToldAsTheTroubleThatItIs) {
             Trouble::compacted);
   EXPECT_EQ(trouble(OUT_OF_RANGE, "etcdserver: mvcc: required revision is a future revision"),
             Trouble::went_back);
+  // Seen of an etcd 3.4.23 whose peer was killed.
+  EXPECT_EQ(trouble(UNKNOWN, "context deadline exceeded"), Trouble::slow);
+  EXPECT_EQ(trouble(INTERNAL, "Received RST_STREAM with error code 2"), Trouble::slow);
+  EXPECT_EQ(trouble(UNKNOWN, "something else"), Trouble::broken);
   EXPECT_EQ(trouble(NOT_FOUND, "etcdserver: requested lease not found"), Trouble::broken);
 }
 

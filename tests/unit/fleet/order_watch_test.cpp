@@ -75,6 +75,21 @@ TEST(OrderWatch, GoesOnBehindWhatWasRead) {
   EXPECT_EQ(std::get<OrderSeen>(events->front()).id, "b");
 }
 
+TEST(OrderWatch, GivesWhatHostsTellOfThemselves) {
+  Led led;
+  OrderWatch watch(led.host.keys, led.host.mark, kExercise, led.cluster.revision() + 1);
+  Transaction note;
+  note.puts = {{led.host.orders.keys().note("host-a"), "well", 0},
+               {led.host.orders.keys().note("host b"), "no name", 0},
+               {led.host.orders.keys().note("host-c"), std::string(kMostNote + 1, 'x'), 0}};
+  ASSERT_TRUE(led.host.keys.transact(note, led.in(seconds(1))));
+  const auto events = watch.next(led.in(seconds(1)));
+  ASSERT_TRUE(events);
+  ASSERT_THAT(*events, SizeIs(1));
+  EXPECT_EQ(std::get<NoteSeen>(events->front()).host, "host-a");
+  EXPECT_EQ(std::get<NoteSeen>(events->front()).note, "well");
+}
+
 TEST(OrderWatch, TellsAfterCompactionWhoHoldsNothingAnyMore) {
   Led led;
   Host other(led.cluster, led.time, "host-b");

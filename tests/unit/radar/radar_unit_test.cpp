@@ -118,6 +118,26 @@ TEST_F(RunningRadar, TurnsAtAnotherRateWithoutLosingOrRepeatingASpoke) {
   EXPECT_NEAR(in_seconds(step(spokes.size() - 2)), 60.0 / (30.0 * kSpokes), 2e-9);
 }
 
+TEST_F(RunningRadar, WhatAnotherHostMakesIsCountedAndNotMade) {
+  unit_.make_spokes_until({});
+  start();
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  EXPECT_EQ(record_.spokes().size(), 0u);
+  EXPECT_GT(unit_.counters().sectors, 2u);
+  EXPECT_EQ(unit_.counters().sectors_skipped, 0u);
+  unit_.make_spokes_until(std::chrono::steady_clock::now() + std::chrono::hours(1));
+  record_.wait_for(64);
+  const SpokeHeader first = record_.spokes().front()->header;
+  EXPECT_GT(first.scenario_time, ScenarioTime(std::chrono::milliseconds(300)));
+  EXPECT_EQ(first.sequence % RadarUnit::kSectorSpokes, 0u);
+  EXPECT_EQ(first.sequence, std::uint64_t{first.scan} * kSpokes + first.index)
+      << "as if it had made all";
+  unit_.make_spokes_until(std::chrono::steady_clock::now());
+  const std::size_t made = record_.spokes().size();
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_LE(record_.spokes().size(), made + RadarUnit::kSectorSpokes);
+}
+
 TEST_F(RunningRadar, HiddenViewsSayHowFarTheyReach) {
   Record hidden;
   FormatRing::Registration reads;

@@ -108,6 +108,22 @@ TEST(Timeline, MakesNoTickBeyondTheLastThatItMay) {
   timeline.make(3);
 }
 
+TEST(Timeline, ComesBackToAnEarlierWorldAsIfNothingHadBeen) {
+  Timeline timeline{World(default_scenario())};
+  timeline.make(40);
+  const World kept = timeline.world();
+  timeline.make(60);
+  const GeoPoint there = timeline.latest()->own_ships[0].position;
+  timeline.restore(kept);
+  EXPECT_EQ(timeline.latest()->time, at_tick(40));
+  timeline.order(0, 90.0, 3.0);
+  timeline.make(60);
+  EXPECT_NE(timeline.latest()->own_ships[0].position, there);
+  timeline.restore(kept);
+  timeline.make(60);
+  EXPECT_EQ(timeline.latest()->own_ships[0].position, there);
+}
+
 TEST(Timeline, OrdersHoldBehindTheTicksThatWereMadeForThem) {
   const auto run = [](std::uint64_t looks) {
     Timeline timeline{World(default_scenario())};

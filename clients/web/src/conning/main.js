@@ -62,9 +62,6 @@ function changeIf(kind, name, value) {
   if (link.ownShip?.con) link.change(name, value);
 }
 
-const url = new URL('ws', location.href);
-url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
-url.search = url.hash = '';
 const wanted = new URLSearchParams(location.search).get('radar');
 if (/^\d{1,9}$/.test(wanted ?? '')) link.radar = Number(wanted);
 
@@ -99,7 +96,7 @@ const TAKERS = {
   },
 };
 
-connection = new Connection(url, {
+connection = new Connection(location.href, {
   state: (state) => { link.isLive = state === 'live'; changed(); },
   messages: (messages) => {
     for (const message of messages) for (const kind of Object.keys(TAKERS)) if (message[kind]) TAKERS[kind](message[kind]);

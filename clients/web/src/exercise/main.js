@@ -192,10 +192,7 @@ const TAKERS = {
   },
 };
 
-const url = new URL('ws', location.href);
-url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
-url.search = url.hash = '';
-connection = new Connection(url, {
+connection = new Connection(location.href, {
   state: (state) => {
     if (state !== 'live') coast.forget();
     changed();

@@ -1,0 +1,80 @@
+// RadarServer: orders to it, and who else decides on them.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <stdexcept>
+
+#include "server/app/radar_mount.hpp"
+#include "server/app/radar_server.hpp"
+
+namespace skerry::server {
+
+wire::Reply RadarServer::apply(const wire::Set& set, const std::string& origin) {
+  return apply_or_ask(set, origin, [](const wire::Reply&) {}).value_or(wire::Reply{});
+}
+
+std::optional<wire::Reply> RadarServer::apply_or_ask(const wire::Set& set,
+                                                     const std::string& origin,
+                                                     const Answered& later) {
+  const auto shared = fleet_ ? desk_->shared_part(set) : std::nullopt;
+  if (!shared) return desk_->apply(set, origin);
+  if (auto wrong = desk_->refusal_now(*shared, fleet_->known_as(origin))) return wrong;
+  fleet_->order(*shared, origin, later);
+  return std::nullopt;
+}
+
+void RadarServer::set_fleet(FleetPort* fleet) {
+  fleet_ = fleet;
+  for (auto& mount : radars_) mount->unit.make_spokes_until({});
+  shore_.set_elsewhere([this](const wire::ExerciseOrder& order) { fleet_->ground(order); });
+}
+
+std::optional<wire::Fleet> RadarServer::fleet() const {
+  return fleet_ ? std::optional(fleet_->told()) : std::nullopt;
+}
+
+std::size_t RadarServer::own_ship_of(std::uint32_t radar) const {
+  return radars_.at(radar)->unit.config().own_ship;
+}
+
+void RadarServer::make_spokes_until(std::size_t own_ship,
+                                    std::chrono::steady_clock::time_point end) {
+  for (auto& mount : radars_) {
+    if (mount->unit.config().own_ship == own_ship) mount->unit.make_spokes_until(end);
+  }
+}
+
+void RadarServer::leave(const std::string& origin) {
+  if (fleet_ == nullptr) return desk_->leave(origin);
+  if (desk_->has_a_con(fleet_->known_as(origin))) fleet_->leave(origin);
+}
+
+std::string RadarServer::con_shown(std::uint32_t radar) const {
+  const std::string con = desk_->con_of(radar);
+  return fleet_ ? fleet_->shown(con) : con;
+}
+
+std::optional<std::string> RadarServer::drive(std::uint32_t radar, const OwnShipFix& fix) {
+  if (radar >= radars_.size()) {
+    return fmt::format("no radar {}; there are radars 0 to {}", radar, radars_.size() - 1);
+  }
+  if (fleet_ != nullptr) {
+    return "own ships of a fleet's exercise are not driven from outside: all hosts move them alike";
+  }
+  const Mount& mount = *radars_[radar];
+  try {
+    const std::size_t ship = mount.unit.config().own_ship;
+    const ScenarioTime now = instant().time;
+    const auto giving = inputs_.giving();
+    const Timeline::Driven driven = timeline_.drive(ship, fix, now);
+    inputs_.driven(driven.tick, ship, fix, now);
+    if (driven.begins) {
+      spdlog::info("own ship {}: driven from outside from now on", mount.own_ship);
+    }
+  } catch (const std::invalid_argument& wrong) {
+    return wrong.what();
+  }
+  return std::nullopt;
+}
+
+}  // namespace skerry::server

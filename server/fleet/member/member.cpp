@@ -1,0 +1,325 @@
+#include "server/fleet/member/member.hpp"
+
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "server/fleet/log_messages.pb.h"
+#include "server/fleet/ship_shares.hpp"
+
+namespace skerry::fleet {
+namespace {
+
+constexpr std::chrono::milliseconds kMemberLook{5};
+// Ticks that are made at once before radars and clients see them, while a host catches up.
+constexpr Tick kBehind = 20;
+// The grant that a host finds when it comes may be old: its time is believed when some have come.
+constexpr std::chrono::milliseconds kSettle{700};
+constexpr std::chrono::seconds kTellAgain{30};
+
+std::string word_of(ExerciseLog::Standing standing) {
+  return standing == ExerciseLog::Standing::must_come_back ? "must come back"
+                                                           : std::string(name_of(standing));
+}
+
+}  // namespace
+
+Member::Member(MemberPlan plan, Exercise& exercise)
+    : plan_(std::move(plan)),
+      exercise_(exercise),
+      log_(std::in_place, plan_.host, ExerciseLog::Settings{}, ExerciseLog::Snapshot{}),
+      holders_(plan_.ships),
+      reader_(plan_, mark_,
+              [this](LogReader::Heard heard) {
+                const std::lock_guard lock(mutex_);
+                queue_.push_back(std::move(heard));
+              }),
+      desk_(
+          plan_, mark_,
+          [this] {
+            const std::lock_guard lock(mutex_);
+            return log_->place_of_order(host_now());
+          },
+          [this](const std::string& id, const std::string& text) { exercise_.refused(id, text); }),
+      leader_(
+          plan_, mark_,
+          [this]() -> std::optional<GrantWish> {
+            const std::lock_guard lock(mutex_);
+            return awaits_log_ || ended_ ? std::nullopt : log_->grant_due(host_now());
+          },
+          [this](std::optional<StoreError> error) {
+            const std::lock_guard lock(mutex_);
+            log_->store_said(error);
+            view_.problem = error ? error->text : std::string();
+          }),
+      seats_(plan_, mark_, [this] { return known(); }) {
+  view_.standing = "joining";
+}
+
+void Member::start() {
+  reader_.start();
+  desk_.start();
+  thread_ = std::jthread([this](const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "fleet");
+    run(stop);
+  });
+}
+
+void Member::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+  exercise_.hold(std::vector<HostTime>(plan_.ships));
+  seats_.stop();
+  desk_.stop();
+  leader_.stop();
+  reader_.stop();
+}
+
+std::optional<Duration> Member::time() const {
+  const std::lock_guard lock(mutex_);
+  return runs_ ? log_->time(host_now()) : std::nullopt;
+}
+
+std::optional<std::string> Member::ended() const {
+  const std::lock_guard lock(mutex_);
+  return ended_;
+}
+
+void Member::order(std::string id, std::string order) {
+  const std::string name = id;
+  if (!desk_.add(std::move(id), std::move(order)))
+    exercise_.refused(name, "too many orders wait for the exercise's log; give it again");
+}
+
+bool Member::leads() const {
+  const std::lock_guard lock(mutex_);
+  return leader_host_ == plan_.host && leader_.held(host_now()).has_value();
+}
+
+MemberView Member::view() const {
+  const std::lock_guard lock(mutex_);
+  return view_;
+}
+
+ShipSeats::Known Member::known() const {
+  const std::lock_guard lock(mutex_);
+  ShipSeats::Known known;
+  known.takes = runs_ && !ended_ && view_.standing != "must come back";
+  known.holders = holders_;
+  known.present = present_;
+  HostNote note;
+  note.set_native(plan_.native);
+  note.set_web(plan_.web);
+  note.set_standing(view_.standing);
+  if (digest_tick_ != 0) {
+    note.set_tick(digest_tick_);
+    note.set_digest(digest_.data(), digest_.size());
+  }
+  known.note = note.SerializeAsString();
+  return known;
+}
+
+void Member::run(const std::stop_token& stop) {
+  bool seated = false;
+  while (!stop.stop_requested()) {
+    step();
+    const bool knows = [this] {
+      const std::lock_guard lock(mutex_);
+      return !awaits_log_ && !ended_;
+    }();
+    if (knows && !std::exchange(seated, true)) {
+      leader_.start();
+      seats_.start();
+    }
+    std::this_thread::sleep_for(kMemberLook);
+  }
+}
+
+void Member::hear(LogReader::Heard heard, HostTime now) {
+  if (heard.error) {
+    log_->store_said(heard.error);
+    view_.problem = heard.error->text;
+    if (heard.ended) end(heard.error->text);
+    return;
+  }
+  if (awaits_log_ && !heard.anew) return;
+  if (heard.anew) {
+    log_.emplace(plan_.host, ExerciseLog::Settings{}, from_);
+    present_.clear();
+    holders_.assign(plan_.ships, {});
+    awaits_log_ = false;
+    settled_ = now + kSettle;
+  }
+  view_.problem.clear();
+  for (const LogEvent& event : heard.events) hear(event, now);
+}
+
+void Member::hear(const LogEvent& event, HostTime now) {
+  if (const auto* note = std::get_if<NoteSeen>(&event)) return hear_note(*note, now);
+  if (const auto* holder = std::get_if<HolderSeen>(&event)) {
+    if (const auto ship = ship_of(holder->name); ship && *ship < holders_.size())
+      holders_[*ship] = holder->host;
+    if (const auto host = present_host(holder->name)) {
+      if (holder->host.empty())
+        present_.erase(*host);
+      else
+        present_.insert(*host);
+    }
+    if (holder->name == kLeader) leader_host_ = holder->host;
+  }
+  if (auto error = log_->hear(event, now)) end(error->text);
+}
+
+// mutex_ held.
+void Member::end(const std::string& why) {
+  if (ended_) return;
+  ended_ = why;
+  spdlog::error("fleet: this host takes no part any more: {}", why);
+}
+
+void Member::hear_note(const NoteSeen& seen, HostTime now) {
+  HostNote note;
+  if (!note.ParseFromString(seen.note)) return;
+  HostSeen& host = notes_[seen.host];
+  host = {seen.host, note.native(), note.web(), note.standing(), now, {}, 0, {}};
+  while (notes_.size() > WorldHashes::kMostHosts) notes_.erase(notes_.begin());
+  WorldDigest digest;
+  if (seen.host == plan_.host || note.tick() == 0 || note.digest().size() != digest.size()) return;
+  std::copy(note.digest().begin(), note.digest().end(), digest.begin());
+  host.tick = note.tick();
+  host.digest = digest;
+  compare(seen.host, note.tick(), digest);
+}
+
+void Member::compare(const std::string& host, Tick tick, const WorldDigest& digest) {
+  const auto difference = hashes_.add(host, tick, digest);
+  if (!difference) return;
+  if (const HostTime now = host_now(); !told_ || now - *told_ >= kTellAgain) {
+    told_ = now;
+    spdlog::error("fleet: {}", difference->text);
+  }
+  const auto& hosts = difference->hosts;
+  const bool mine = std::find(hosts.begin(), hosts.end(), plan_.host) != hosts.end();
+  if (!mine || !difference->is_certain) return;
+  spdlog::error("fleet: this host differs; it comes back by the whole log");
+  come_back(Exercise::Back::beginning);
+}
+
+// mutex_ held.
+void Member::come_back(Exercise::Back to) {
+  const bool to_kept = to == Exercise::Back::kept && kept_.has_value();
+  from_ = to_kept ? *kept_ : ExerciseLog::Snapshot{};
+  made_ = from_.tick;
+  kept_.reset();
+  hashes_ = {};
+  digest_tick_ = 0;
+  awaits_log_ = true;
+  runs_ = false;
+  exercise_.come_back(to_kept ? Exercise::Back::kept : Exercise::Back::beginning);
+  reader_.read_anew();
+}
+
+// Tick by tick, so that what is to be compared is seen.
+void Member::run_to(Tick tick, bool compared) {
+  while (made_ < tick) {
+    const Tick next = compared ? std::min(tick, (made_ / kDigestTicks + 1) * kDigestTicks) : tick;
+    exercise_.run_to(next);
+    made_ = next;
+    if (!compared || made_ % kDigestTicks != 0) continue;
+    const WorldDigest digest = exercise_.digest();
+    const std::lock_guard lock(mutex_);
+    digest_ = digest;
+    digest_tick_ = made_;
+    compare(plan_.host, made_, digest);
+    if (awaits_log_) return;
+  }
+}
+
+void Member::step() {
+  const HostTime now = host_now();
+  ExerciseLog::Step step;
+  bool runs = false;
+  {
+    const std::lock_guard lock(mutex_);
+    std::vector<LogReader::Heard> queue;
+    queue.swap(queue_);
+    for (LogReader::Heard& heard : queue) hear(std::move(heard), now);
+    if (!awaits_log_ && !ended_) {
+      log_->lead(leader_.held(now), now);
+      step = log_->advance(now);
+    }
+    if (step.conflict) {
+      spdlog::warn(
+          "fleet: this host ran free past tick {}, from which order {} holds; it comes back",
+          step.conflict->tick, step.conflict->order.id);
+      come_back(Exercise::Back::kept);
+    }
+    look_around(step.standing, now);
+    runs = !awaits_log_ && !ended_;
+  }
+  if (!runs) return exercise_.hold(std::vector<HostTime>(plan_.ships));
+  const bool behind = step.run_to > made_ + kBehind;
+  const bool follows = step.standing == ExerciseLog::Standing::following;
+  for (const ExerciseLog::Due& due : step.orders) {
+    run_to(due.tick - 1, follows && !behind);
+    exercise_.give(due.order);
+  }
+  run_to(step.run_to, follows && !behind);
+  if (step.keep) {
+    const std::lock_guard lock(mutex_);
+    exercise_.keep();
+    kept_ = {made_, log_->known()};
+  }
+  exercise_.hold(seats_.until());
+  const std::lock_guard lock(mutex_);
+  const bool knows_time = leader_.held(now).has_value() || now >= settled_;
+  runs_ = runs_ || (log_->granted().has_value() && !awaits_log_ && !behind && knows_time);
+}
+
+// mutex_ held.  What has changed of the view.
+void Member::look_around(ExerciseLog::Standing standing, HostTime now) {
+  MemberView next = view_;
+  next.standing = awaits_log_ || !log_->granted() ? "joining" : word_of(standing);
+  next.leader = leader_host_;
+  next.refusal.clear();
+  if (ended_) {
+    next.standing = "ended";
+    next.refusal = *ended_;
+  } else if (const auto place = log_->place_of_order(now);
+             const auto* refusal = std::get_if<ExerciseLog::Refusal>(&place)) {
+    if (!refusal->soon) next.refusal = refusal->text;
+  }
+  next.hosts.clear();
+  for (const std::string& name : present_) {
+    const auto note = notes_.find(name);
+    HostSeen host = note == notes_.end() ? HostSeen{} : note->second;
+    host.name = name;
+    if (name == plan_.host) {
+      host.native = plan_.native;
+      host.web = plan_.web;
+      host.standing = next.standing;
+      host.heard = now;
+      host.tick = digest_tick_;
+      host.digest = digest_;
+    }
+    for (std::size_t ship = 0; ship < holders_.size(); ++ship) {
+      if (holders_[ship] == name) host.ships.push_back(ship);
+    }
+    next.hosts.push_back(std::move(host));
+  }
+  const auto told = [](const MemberView& view) {
+    // A refusal says for how long.
+    std::string text = view.standing + (view.refusal.empty() ? '+' : '-') + view.leader;
+    for (const HostSeen& host : view.hosts) {
+      text += '\n' + host.name + '\n' + host.native + '\n' + host.web + '\n' + host.standing;
+      for (const std::size_t ship : host.ships) text += ' ' + std::to_string(ship);
+    }
+    return text;
+  };
+  if (told(next) != told(view_)) ++next.version;
+  view_ = std::move(next);
+}
+
+}  // namespace skerry::fleet
