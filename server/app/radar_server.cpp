@@ -292,7 +292,8 @@ RadarServer::Instant RadarServer::instant() const {
     now.utc = clocks_().utc;
     return now;
   }
-  now.time = ScenarioTime(std::chrono::steady_clock::now() - epoch->steady);
+  now.time =
+      ScenarioTime(std::chrono::steady_clock::now() - epoch->steady) - Duration(shift_.load());
   now.utc = utc_.get()->at(now.time);
   now.state = timeline_.at(now.time);
   return now;

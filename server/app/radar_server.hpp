@@ -56,6 +56,8 @@ class RadarServer : public RadarHost {
   ControlDesk& desk() { return *desk_; }
   std::size_t own_ship_of(std::uint32_t radar) const;
   void make_spokes_until(std::size_t own_ship, std::chrono::steady_clock::time_point end);
+  // The exercise's time is `time` now, whatever it was till now.  After start(); boards go on.
+  void set_time(Duration time);
 
   // Other clocks than this machine's, for tests; the steady one must be this machine's.
   // Before start().
@@ -128,8 +130,9 @@ class RadarServer : public RadarHost {
   std::string scenario_name_;
   mutable Timeline timeline_;  // to look at a tick is to make it
   ReadClocks clocks_ = read_clocks;
-  Latest<Epoch> epoch_;   // none before start()
-  Latest<UtcClock> utc_;  // the same
+  Latest<Epoch> epoch_;                 // none before start()
+  Latest<UtcClock> utc_;                // the same
+  std::atomic<std::int64_t> shift_{0};  // of the epoch, ns (RadarUnit::shift_epoch)
   PacedThread clock_, load_;
   LoadWatch load_watch_;  // load's
   std::unique_ptr<CoastService> coast_;

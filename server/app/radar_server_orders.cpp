@@ -37,6 +37,17 @@ std::size_t RadarServer::own_ship_of(std::uint32_t radar) const {
   return radars_.at(radar)->unit.config().own_ship;
 }
 
+void RadarServer::set_time(Duration time) {
+  // What differs less is how long messages took.
+  constexpr Duration kKeeps = std::chrono::milliseconds(10);
+  const std::shared_ptr<const Epoch> epoch = epoch_.get();
+  if (!epoch) return;
+  const Duration shift = (std::chrono::steady_clock::now() - epoch->steady) - time;
+  if (std::chrono::abs(shift - Duration(shift_.load())) < kKeeps) return;
+  shift_.store(shift.count());
+  for (auto& mount : radars_) mount->unit.shift_epoch(shift);
+}
+
 void RadarServer::make_spokes_until(std::size_t own_ship,
                                     std::chrono::steady_clock::time_point end) {
   for (auto& mount : radars_) {

@@ -184,7 +184,8 @@ void RadarUnit::run(const std::stop_token& stop, const Epoch& epoch) {
           .resolution);
   Sleeper sleeper;
   const auto end_of = [&](std::uint64_t first) {
-    return epoch.steady + maker_.clock().time_of(first + kSectorSpokes).time_since_epoch();
+    return epoch.steady + Duration(shift_.load()) +
+           maker_.clock().time_of(first + kSectorSpokes).time_since_epoch();
   };
   for (std::uint64_t first = 0;; first += kSectorSpokes) {
     given_.radar = *radar_controls_.get();
@@ -219,7 +220,8 @@ void RadarUnit::publish(std::uint64_t first, const Epoch& epoch,
   for (std::size_t i = 0; i < made_.size(); ++i) (*shown_)[i]->channel.publish(made_[i].sector);
 
   const Duration end = maker_.clock().time_of(first + kSectorSpokes).time_since_epoch();
-  const Duration late = std::chrono::steady_clock::now() - (epoch.steady + end);
+  const Duration late =
+      std::chrono::steady_clock::now() - (epoch.steady + Duration(shift_.load()) + end);
   if (late.count() > lateness_max_ns_.load(std::memory_order_relaxed)) {
     lateness_max_ns_.store(late.count(), std::memory_order_relaxed);
   }

@@ -65,6 +65,10 @@ class RadarUnit {
   void start(const Epoch& epoch);
   // Spokes are stamped by it from the next sector on.  Thread: any.
   void set_utc(const UtcClock& clock) { utc_.set(clock); }
+  // Scenario time 0 is so much later than the epoch said: the clock of hosts that share an exercise
+  // is followed.  Later, and radars wait; sooner, and they leave out what they are late for.
+  // Thread: any.
+  void shift_epoch(Duration by) { shift_.store(by.count()); }
   // Spokes are made until then; after it the antenna turns on, and counts, without them: another
   // host makes them.  At first for ever.  Who takes over makes no sector that ended before, nor
   // within kTakeOver: the other has made it, by a clock that may be so much ahead.  Thread: one at
@@ -131,6 +135,7 @@ class RadarUnit {
   std::vector<ViewSector> made_;
   double mean_ns_ = 0.0;  // per cell
 
+  std::atomic<std::int64_t> shift_{0};
   // Of the steady clock: sectors that end after the one are made before the other.
   std::atomic<std::int64_t> made_from_{std::numeric_limits<std::int64_t>::min()},
       made_until_{std::numeric_limits<std::int64_t>::max()};

@@ -191,6 +191,7 @@ void FleetHost::come_back(Back to) {
 fleet::WorldDigest FleetHost::digest() const { return world_digest(*radars_.timeline().latest()); }
 
 void FleetHost::hold(const std::vector<fleet::HostTime>& until) {
+  if (const auto time = member_.time()) radars_.set_time(*time);
   const auto host_now = fleet::host_now();
   const auto now = std::chrono::steady_clock::now();
   for (std::size_t ship = 0; ship < until.size(); ++ship) {

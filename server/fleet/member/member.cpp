@@ -18,6 +18,8 @@ constexpr Tick kBehind = 20;
 // The grant that a host finds when it comes may be old: its time is believed when some have come.
 constexpr std::chrono::milliseconds kSettle{700};
 constexpr std::chrono::seconds kTellAgain{30};
+constexpr int kGrantsToLead = 5;
+constexpr std::chrono::seconds kNobodyLeads{6};
 
 std::string word_of(ExerciseLog::Standing standing) {
   return standing == ExerciseLog::Standing::must_come_back ? "must come back"
@@ -125,16 +127,23 @@ void Member::run(const std::stop_token& stop) {
   bool seated = false;
   while (!stop.stop_requested()) {
     step();
-    const bool knows = [this] {
-      const std::lock_guard lock(mutex_);
-      return !awaits_log_ && !ended_;
-    }();
-    if (knows && !std::exchange(seated, true)) {
+    if (!seated && may_be_seated()) {
+      seated = true;
       leader_.start();
       seats_.start();
     }
     std::this_thread::sleep_for(kMemberLook);
   }
+}
+
+// Who has just come knows the time by an old grant, perhaps of a leader that is dead: it would hold
+// all others up as long as that is old.  Those have led for a while; if there are none, it begins.
+bool Member::may_be_seated() const {
+  const std::lock_guard lock(mutex_);
+  if (awaits_log_ || ended_) return false;
+  if (!log_->granted()) return true;  // a new exercise
+  const HostTime now = host_now();
+  return (grants_heard_ >= kGrantsToLead && now >= settled_) || now >= settled_ + kNobodyLeads;
 }
 
 void Member::hear(LogReader::Heard heard, HostTime now) {
@@ -151,6 +160,7 @@ void Member::hear(LogReader::Heard heard, HostTime now) {
     holders_.assign(plan_.ships, {});
     awaits_log_ = false;
     settled_ = now + kSettle;
+    grants_heard_ = 0;
   }
   view_.problem.clear();
   for (const LogEvent& event : heard.events) hear(event, now);
@@ -169,6 +179,7 @@ void Member::hear(const LogEvent& event, HostTime now) {
     }
     if (holder->name == kLeader) leader_host_ = holder->host;
   }
+  if (std::holds_alternative<GrantSeen>(event)) ++grants_heard_;
   if (auto error = log_->hear(event, now)) end(error->text);
 }
 

@@ -66,6 +66,7 @@ class Member {
  private:
   void run(const std::stop_token& stop);
   void step();
+  bool may_be_seated() const;
   void hear(LogReader::Heard heard, HostTime now);
   void hear(const LogEvent& event, HostTime now);
   void hear_note(const NoteSeen& note, HostTime now);
@@ -88,7 +89,10 @@ class Member {
   std::set<std::string> present_;
   std::vector<std::string> holders_;  // of each ship
   std::optional<std::string> ended_;
-  bool runs_ = false;  // its world is that of now
+  bool runs_ = false;       // its world is that of now
+  bool awaits_log_ = true;  // the whole log is to come
+  HostTime settled_{};      // when it has come, and grants since
+  int grants_heard_ = 0;    // since it has come
   Tick digest_tick_ = 0;
   WorldDigest digest_{};
   std::vector<LogReader::Heard> queue_;
@@ -98,8 +102,6 @@ class Member {
   std::optional<ExerciseLog::Snapshot> kept_;
   ExerciseLog::Snapshot from_;
   Tick made_ = 0;
-  bool awaits_log_ = true;        // the whole log is to come
-  HostTime settled_{};            // when it has come, and grants since
   std::optional<HostTime> told_;  // that worlds differ
 
   LogReader reader_;

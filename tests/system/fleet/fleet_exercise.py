@@ -1,118 +1,30 @@
 #!/usr/bin/env python3
 """Runs one exercise on several hosts over an etcd of three members, kills and stops them, and checks what consoles see.
 
-Usage: fleet_exercise.py SKERRYD PYTHON [--hosts N] [--ships N] [--seconds N] [--blows N] [--seed N] [--most-gap SECONDS]
+Usage: fleet_exercise.py SKERRYD PYTHON [--hosts N] [--ships N] [--seconds N] [--blows N] [--seed N] [--most-gap SECONDS] [--apart]
   PYTHON   the folder of the package skerry (build/release/python)
   --blows  SIGKILL and SIGSTOP of hosts and of members of the etcd, one after the other, each healed before the next
+  --apart  each in a network namespace of its own, as root; then blows cut the network too
 Example: fleet_exercise.py build/release/bin/skerryd build/release/python --blows 20 --seconds 200
 
-All on loopback, with ports that nobody had. A console for each ship follows her from host to host by what hosts say of
+All on loopback, with ports that nobody had, or in a network of the script's own. A console for each ship follows her from host to host by what hosts say of
 the fleet; an observer at each host sees all radars there; an instructor gives orders at hosts by turns. Exit code 1
 if an order that was acknowledged is missing or any is there twice, hosts have their orders in other sequence, hosts'
 worlds differ, a ship's radar turns on two hosts at once, or a console sees no spoke for more than --most-gap (5 s).
 """
 import argparse
 import collections
+import os
 import pathlib
 import random
 import shutil
 import signal
-import socket
-import subprocess
 import sys
 import tempfile
 import threading
 import time
 
-def free_ports(count):
-    holders = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
-    ports = [holder.getsockname()[1] for holder in holders]
-    for holder in holders:
-        holder.close()
-    return ports
-
-
-def scenario(ships):
-    text = "name: Fleet\nseed: 7\nown_ships:\n"
-    for i in range(ships):
-        text += (f"  - name: Ship {i}\n    position: {{lat: {60.30 + 0.01 * (i % 6)}, lon: {4.60 + 0.02 * (i // 6)}}}\n"
-                 f"    course_deg: {(37 * i) % 360}\n    speed_kn: {6 + i % 9}\n    radars:\n"
-                 f"      - {{name: Radar {i}, spokes: 256, cells: 256, bits: 8, rpm: 60, range_nm: 6}}\n")
-    return text
-
-
-class Failed(Exception):
-    """Why nothing more can be looked at."""
-
-
-class Process:
-    """One that is killed, stopped and started again by the same command."""
-
-    def __init__(self, name, command, log):
-        self.name, self.command, self.log, self.process = name, command, log, None
-        self.stopped = False
-
-    def start(self):
-        with open(self.log, "ab") as log:
-            self.process = subprocess.Popen(self.command, stdout=log, stderr=log)
-
-    def signal(self, number):
-        if self.process is not None:
-            self.process.send_signal(number)
-
-    def kill(self):
-        if self.process is not None:
-            self.process.kill()
-            self.process.wait()
-        self.process = None
-
-    def end(self, timeout=30):
-        if self.process is None:
-            return 0
-        self.process.send_signal(signal.SIGCONT)
-        self.process.terminate()
-        try:
-            return self.process.wait(timeout)
-        except subprocess.TimeoutExpired:
-            self.kill()
-            return -1
-
-
-class Fleet:
-    def __init__(self, arguments, folder):
-        self.folder = pathlib.Path(folder)
-        clients, peers = free_ports(3), free_ports(3)
-        members = ",".join(f"m{i}=http://127.0.0.1:{peers[i]}" for i in range(3))
-        self.etcd = [Process(f"etcd m{i}", [
-            "etcd", "--name", f"m{i}", "--data-dir", str(self.folder / f"m{i}"),
-            "--listen-client-urls", f"http://127.0.0.1:{clients[i]}", "--advertise-client-urls", f"http://127.0.0.1:{clients[i]}",
-            "--listen-peer-urls", f"http://127.0.0.1:{peers[i]}", "--initial-advertise-peer-urls", f"http://127.0.0.1:{peers[i]}",
-            "--initial-cluster", members, "--initial-cluster-token", "fleet", "--initial-cluster-state", "new",
-            "--heartbeat-interval", "50", "--election-timeout", "500", "--logger", "zap", "--log-level", "error",
-            "--log-outputs", "stderr"], self.folder / f"m{i}.log") for i in range(3)]
-        (self.folder / "fleet.yaml").write_text(scenario(arguments.ships))
-        tcp, http = free_ports(arguments.hosts), free_ports(arguments.hosts)
-        self.tcp = tcp
-        store = ",".join(f"127.0.0.1:{port}" for port in clients)
-        self.hosts = [Process(f"host h{i}", [
-            arguments.skerryd, "--scenario", str(self.folder / "fleet.yaml"), "--tcp-port", str(tcp[i]), "--http-port",
-            str(http[i]), "--no-udp", "--no-cat240", "--no-signalk", "--fleet", store, "--fleet-host", f"h{i}"],
-            self.folder / f"h{i}.log") for i in range(arguments.hosts)]
-
-    def start(self):
-        for each in self.etcd:
-            each.start()
-        for each in self.hosts:
-            each.start()
-
-    def end(self):
-        codes = [each.end() for each in self.hosts]
-        for each in self.etcd:
-            each.kill()
-        return codes
-
-    def places(self):
-        return [("127.0.0.1", port) for port in self.tcp]
+from fleet_hosts import Failed, Fleet
 
 
 class Watch:
@@ -142,7 +54,7 @@ class Watch:
 
 
 def connect(skerry, place):
-    return skerry.live.Connection(place[0], place[1], timeout_s=1.0, token="")
+    return skerry.live.Connection(place[0], place[1], timeout_s=1.0, token=Fleet.TOKEN)
 
 
 def observe(skerry, watch, place, radar):
@@ -171,7 +83,7 @@ def follow(skerry, watch, places, radar):
         try:
             with connect(skerry, at) as connection:
                 fleet = connection.hello.fleet
-                home = [host.native for host in fleet.hosts if radar in host.radars]
+                home = [host.native for host in fleet.hosts if radar in host.radars and host.native]
                 if home and home[0] != f"{at[0]}:{at[1]}":
                     name, port = home[0].rsplit(":", 1)
                     if (name, int(port)) in places:
@@ -228,12 +140,16 @@ def instruct(skerry, watch, places, pause):
 def strike(random_, fleet, number):
     """One blow, and how it is healed; what was done."""
     kinds = ["kill host", "kill host", "stop host", "kill member", "stop member", "kill both"]
+    if fleet.network.apart:
+        kinds += ["cut host", "cut host", "cut member", "cut both"]
     kind = random_.choice(kinds)
     host, member = random_.choice(fleet.hosts), random_.choice(fleet.etcd)
     struck = {"host": [host], "member": [member], "both": [host, member]}[kind.split()[1]]
     for each in struck:
         if kind.startswith("stop"):
             each.signal(signal.SIGSTOP)
+        elif kind.startswith("cut"):
+            fleet.network.cut(each.name.split()[1])
         else:
             each.kill()
     rest = random_.uniform(0.5, 4.0)
@@ -242,6 +158,8 @@ def strike(random_, fleet, number):
     for each in struck:
         if kind.startswith("stop"):
             each.signal(signal.SIGCONT)
+        elif kind.startswith("cut"):
+            fleet.network.mend(each.name.split()[1])
         else:
             each.start()
     return kind
@@ -302,11 +220,18 @@ def main():
         parser.add_argument(f"--{name}", type=int, default=value)
     parser.add_argument("--most-gap", type=float, default=5.0)
     parser.add_argument("--order-pause", type=float, default=0.15)
+    parser.add_argument("--apart", action="store_true")
     parser.add_argument("--keep", action="store_true", help="keep logs and say where")
     arguments = parser.parse_args()
     if shutil.which("etcd") is None:
         print("etcd is not installed; server/install-packages tests/packages.txt")
         sys.exit(77)
+    if arguments.apart and "FLEET_APART" not in os.environ:
+        if os.geteuid() != 0:
+            print("--apart needs root, for network namespaces")
+            sys.exit(77)
+        os.environ["FLEET_APART"] = "1"
+        os.execvp("unshare", ["unshare", "--net", sys.executable, "-B", *sys.argv])
     sys.path.insert(0, arguments.python)
     import skerry
     import skerry.live
@@ -325,9 +250,10 @@ def main():
         for thread in threads:
             thread.start()
         random_, began = random.Random(arguments.seed), time.monotonic()
-        blows = collections.Counter()
+        blows, struck = collections.Counter(), []
         for number in range(arguments.blows):
             time.sleep(random_.uniform(0.5, 2.0))
+            struck.append(time.monotonic())
             blows[strike(random_, fleet, number)] += 1
             await_all(skerry, fleet, arguments.ships)
         time.sleep(max(2.0, arguments.seconds - (time.monotonic() - began)))
@@ -367,6 +293,10 @@ def main():
             times = watch.arrivals[radar]
             longest = [after - before for before, after in zip(times, times[1:]) if after - before > 0.5]
             gaps += longest
+            for before, after in zip(times, times[1:]):
+                if after - before > 3.0:
+                    blow = sum(when < before + 0.5 for when in struck) - 1
+                    print(f"radar {radar}: nothing for {after - before:.2f} s, after blow {blow}")
             if not times or max(longest, default=0) > arguments.most_gap:
                 wrong.append(f"the console of radar {radar} saw nothing for {max(longest, default=float('inf')):.1f} s")
         codes = fleet.end()

@@ -34,20 +34,20 @@ function end(child) {
   return ended;
 }
 
-function startHost(name) {
-  const child = spawn(process.env.SKERRYD, ['--scenario', join(folder, 'fleet.yaml'), '--tcp-port', '0', '--http-port', '0', '--no-udp', '--no-cat240',
+// Again on the same port: a page may connect to what its server told of when it was loaded.
+async function startHost(name) {
+  const port = hosts[name]?.port ?? await freePort();
+  const child = spawn(process.env.SKERRYD, ['--scenario', join(folder, 'fleet.yaml'), '--tcp-port', '0', '--http-port', String(port), '--no-udp', '--no-cat240',
     '--no-signalk', '--print-ports', '--fleet', store, '--fleet-host', name]);
   let log = '';
   child.stderr.on('data', (data) => { log = (log + data).slice(-4000); });
-  return new Promise((resolve, reject) => {
+  await new Promise((resolve, reject) => {
     child.on('exit', (code) => reject(new Error(`host ${name} ended with ${code}:\n${log}`)));
     child.stdout.on('data', (data) => {
-      const match = /http (\d+)/.exec(String(data));
-      if (!match) return;
-      hosts[name] = { child, port: Number(match[1]), page: `http://127.0.0.1:${match[1]}/` };
-      resolve(hosts[name]);
+      if (/http \d+/.test(String(data))) resolve();
     });
   });
+  hosts[name] = { child, port, page: `http://127.0.0.1:${port}/` };
 }
 
 // Of which host each radar is, by their numbers, as a host's status says.
