@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -206,6 +207,18 @@ int run_relay(const Options& options, LogTap& tap) {
   return 0;
 }
 
+// Does it when it goes.
+class AtEnd {
+ public:
+  explicit AtEnd(std::function<void()> end) : end_(std::move(end)) {}
+  ~AtEnd() { end_(); }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+ private:
+  std::function<void()> end_;
+};
+
 // Real radars beside the simulated ones.
 struct Live {
   Live(RadarServer& simulated, const std::vector<LiveSource>& sources)
@@ -270,24 +283,30 @@ int run(const Options& options, LogTap& tap) {
   NetServer net(host, with_audit(options.net, audit), web_files());
   signals.on_hang_up([&] { net.read_certificate(); });
   radars.name_shared_rings(net.tcp_port(), options.board_ring_bytes);
-  const auto fleet = join_fleet(options, radars, net, yaml, [&](std::chrono::milliseconds time) {
-    return is_to_end(signals, time);
+  const ServiceManager manager = ServiceManager::of_environment();
+  const JoinedFleet fleet =
+      join_fleet(options, radars, net, yaml, [&](std::chrono::milliseconds time) {
+        manager.starting("joins the fleet");
+        return is_to_end(signals, time);
+      });
+  if (fleet.ends) return 0;
+  // Also where something cannot be started: what asks others ends before those.
+  const AtEnd stop([&] {
+    if (live) live->inputs.stop();
+    if (fleet.host) fleet.host->stop();
+    radars.stop();
+    plotters.stop();
+    logging.recorder.stop();
+    net.stop();
   });
-  if (fleet && !fleet->time()) return 0;  // a signal came first
   net.start();
-  radars.start(fleet ? *fleet->time() : skerry::Duration{});
+  radars.start(fleet.time);
   plotters.start();
   if (live) live->inputs.start();
   logging.recorder.start();
   const std::string on_air = std::to_string(host.radar_count()) + " radars on the air";
   greet(options, net, on_air);
   await(signals, on_air, net, &radars);
-  if (live) live->inputs.stop();
-  if (fleet) fleet->stop();
-  radars.stop();
-  plotters.stop();
-  logging.recorder.stop();
-  net.stop();
   return 0;
 }
 

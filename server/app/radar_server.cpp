@@ -128,6 +128,7 @@ void RadarServer::start(Duration ago) {
   const ClockReading now = clocks_();
   const ClockReading zero{now.steady - ago, now.utc - ago};
   const Epoch epoch{zero.steady, zero.utc, ScenarioTime(ago)};
+  system_utc_.set(UtcClock{{}, epoch.utc});
   utc_.set(UtcClock{{}, epoch.utc});
   epoch_.set(epoch);
   inputs_.began(epoch.utc, kServerName);
@@ -163,10 +164,19 @@ void RadarServer::look_at_clock(ClockFollower& follower) {
     spdlog::warn("the system's clock was set by {:+.3f} s, from {} to {}; all UTC follows",
                  in_seconds(step->by()), utc_text(step->before), utc_text(step->after));
   }
-  inputs_.follows(clock);
-  utc_.set(clock);
-  for (auto& board : boards_) board->set_utc(clock);
-  for (auto& radar : radars_) radar->unit.set_utc(clock);
+  system_utc_.set(clock);
+  tell_clock(clock);
+}
+
+// Scenario time is so much behind what the clock of the system says of it.
+void RadarServer::tell_clock(const UtcClock& clock) {
+  const std::lock_guard lock(utc_mutex_);
+  UtcClock told = clock;
+  told.utc += Duration(shift_.load());
+  inputs_.follows(told);
+  utc_.set(told);
+  for (auto& board : boards_) board->set_utc(told);
+  for (auto& radar : radars_) radar->unit.set_utc(told);
 }
 
 void RadarServer::stop() {

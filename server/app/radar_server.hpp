@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -119,6 +120,7 @@ class RadarServer : public RadarHost {
   Instant instant() const;
   // Follows the system's clock, where it was set.
   void look_at_clock(ClockFollower& follower);
+  void tell_clock(const UtcClock& clock);
   void mount_boards(const scenario::Scenario& scenario);
   // For a board: of a radar on the same ship as `of`, or nullptr.
   std::shared_ptr<echo::SweepEchoes> echoes_of(std::uint32_t radar, std::uint32_t of);
@@ -130,8 +132,11 @@ class RadarServer : public RadarHost {
   std::string scenario_name_;
   mutable Timeline timeline_;  // to look at a tick is to make it
   ReadClocks clocks_ = read_clocks;
-  Latest<Epoch> epoch_;                 // none before start()
-  Latest<UtcClock> utc_;                // the same
+  Latest<Epoch> epoch_;  // none before start()
+  // The same; as the system's clock has it, and as it is told where the exercise's time was
+  // shifted.
+  Latest<UtcClock> system_utc_, utc_;
+  std::mutex utc_mutex_;                // one change at a time
   std::atomic<std::int64_t> shift_{0};  // of the epoch, ns (RadarUnit::shift_epoch)
   PacedThread clock_, load_;
   LoadWatch load_watch_;  // load's

@@ -4,22 +4,38 @@
 
 #include <stdexcept>
 
+#include "server/app/control/control_ranges.hpp"
 #include "server/app/radar_mount.hpp"
 #include "server/app/radar_server.hpp"
 
 namespace skerry::server {
 
 wire::Reply RadarServer::apply(const wire::Set& set, const std::string& origin) {
+  // Who cannot wait is told at least what is known now.
+  if (fleet_ != nullptr && desk_->parts_of(set).shared) {
+    if (auto wrong = fleet_->refusal()) return refusal(wire::Reply::REFUSED, *wrong);
+  }
   return apply_or_ask(set, origin, [](const wire::Reply&) {}).value_or(wire::Reply{});
 }
 
 std::optional<wire::Reply> RadarServer::apply_or_ask(const wire::Set& set,
                                                      const std::string& origin,
                                                      const Answered& later) {
-  const auto shared = fleet_ ? desk_->shared_part(set) : std::nullopt;
-  if (!shared) return desk_->apply(set, origin);
-  if (auto wrong = desk_->refusal_now(*shared, fleet_->known_as(origin))) return wrong;
-  fleet_->order(*shared, origin, later);
+  if (fleet_ == nullptr) return desk_->apply(set, origin);
+  const ControlDesk::Parts parts = desk_->parts_of(set);
+  if (!parts.shared) return desk_->apply(set, origin);
+  const std::string known_as = fleet_->known_as(origin);
+  if (auto wrong = desk_->refusal_now(*parts.shared, known_as)) return wrong;
+  if (!parts.own) {
+    fleet_->order(*parts.shared, origin, later);
+    return std::nullopt;
+  }
+  // All or nothing: what is this host's alone follows what all grant.
+  if (auto wrong = desk_->refusal_now(*parts.own, known_as)) return wrong;
+  fleet_->order(*parts.shared, origin,
+                [this, own = *parts.own, origin, later](const wire::Reply& reply) {
+                  later(reply.code() == wire::Reply::OK ? desk_->apply(own, origin) : reply);
+                });
   return std::nullopt;
 }
 
@@ -46,6 +62,7 @@ void RadarServer::set_time(Duration time) {
   if (std::chrono::abs(shift - Duration(shift_.load())) < kKeeps) return;
   shift_.store(shift.count());
   for (auto& mount : radars_) mount->unit.shift_epoch(shift);
+  tell_clock(*system_utc_.get());
 }
 
 void RadarServer::make_spokes_until(std::size_t own_ship,

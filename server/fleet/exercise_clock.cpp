@@ -15,7 +15,9 @@ void ExerciseClock::hear(Duration sent, HostTime now) {
   heard_[next_] = zero;
   next_ = (next_ + 1) % kSamples;
   samples_ = std::min(samples_ + 1, kSamples);
-  zero_ = *std::min_element(heard_.begin(), heard_.begin() + static_cast<std::ptrdiff_t>(samples_));
+  const HostTime fastest =
+      *std::min_element(heard_.begin(), heard_.begin() + static_cast<std::ptrdiff_t>(samples_));
+  if (!zero_ || fastest < *zero_ || samples_ >= kBelieved) zero_ = fastest;
   delay_ = zero - *zero_;
 }
 

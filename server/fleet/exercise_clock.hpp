@@ -17,6 +17,9 @@ namespace skerry::fleet {
 class ExerciseClock {
  public:
   static constexpr std::size_t kSamples = 32;
+  // Of a new leader so many are heard before the time goes back: the first may be late by an
+  // election, and the leaders' times differ by milliseconds.
+  static constexpr std::size_t kBelieved = 5;
 
   // Of the leader, or of an exercise that begins: `time` is now.
   void set(Duration time, HostTime now);

@@ -1,11 +1,17 @@
 #include "server/fleet/order_watch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace skerry::fleet {
 
-OrderWatch::OrderWatch(KeyStore& keys, StoreMark& mark, const std::string& exercise, Revision from)
-    : keys_(keys), mark_(mark), store_(keys, mark, exercise), next_(std::max<Revision>(from, 1)) {}
+OrderWatch::OrderWatch(KeyStore& keys, StoreMark& mark, const std::string& exercise, Revision from,
+                       std::set<std::string> held)
+    : keys_(keys),
+      mark_(mark),
+      store_(keys, mark, exercise),
+      next_(std::max<Revision>(from, 1)),
+      held_(std::move(held)) {}
 
 void OrderWatch::note(const LogEvent& event) {
   if (const auto* order = std::get_if<OrderSeen>(&event))

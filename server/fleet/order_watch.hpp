@@ -23,7 +23,9 @@ class OrderWatch {
   static constexpr std::chrono::milliseconds kQuiet{500};
 
   // `from`: 1 + LogText::at, or 1.  Error: std::invalid_argument, as of OrderStore.
-  OrderWatch(KeyStore& keys, StoreMark& mark, const std::string& exercise, Revision from);
+  // `held`: names that are known to be held.
+  OrderWatch(KeyStore& keys, StoreMark& mark, const std::string& exercise, Revision from,
+             std::set<std::string> held = {});
 
   // At the latest at the deadline; empty: nothing came until then, or for kQuiet.
   // Error: said once; the next call goes on where this one ended.  Only went_back stays.

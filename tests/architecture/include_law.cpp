@@ -205,7 +205,7 @@ const std::vector<Room>& table() {
       {"server/traffic_logs", {"protocol/", "server/core/", "server/navigation/", "server/world/"}},
       {"server/app", {"protocol/", "echo/", "server/"}},
       {"server/app/control", {"protocol/", "echo/", "server/"}},
-      {"server/app/fleet", {"protocol/", "echo/", "server/"}},
+      {"server/app/fleet", {"protocol/", "echo/", "server/", "clients/common/"}},
       {"server/app/options", {"protocol/", "echo/", "server/"}},
       // What happened in a recorded exercise, as values, a page and tables.
       {"server/debrief",

@@ -13,6 +13,8 @@ import { token } from './token.js';
 const SILENCE_MS = 6000;
 // Not sent, but dropped, when so much lies unsent: settings are small, so the server has stopped reading.
 const MAX_UNSENT = 65536;
+// Another host is asked for a radar that nobody makes for so long.
+const HOMELESS_MS = 2500;
 
 export class Connection {
   // handlers: state(state), messages(list of server messages), garbage(WireError).
@@ -60,6 +62,8 @@ export class Connection {
     if (this.socket !== socket) return;
     this.socket = null;
     clearTimeout(this.silence);
+    // Where nobody greets another place may.
+    if (this.state !== 'live') this.places.next();
     this.#become('waiting');
     this.#retryLater();
   }
@@ -96,7 +100,7 @@ export class Connection {
     }
     const hello = messages.find((m) => m.hello)?.hello;
     const fleet = messages.findLast((m) => m.fleet)?.fleet ?? (hello ? hello.fleet ?? null : undefined);
-    if (fleet !== undefined) this.places.take(fleet);
+    if (fleet !== undefined) this.#takeFleet(fleet);
     if (hello) signInsecure(hello.warning);
     if (this.state === 'greeting' && hello) {
       this.attempts = 0;
@@ -109,10 +113,27 @@ export class Connection {
     if (this.places.mustMove) this.#move();
   }
 
+  #takeFleet(fleet) {
+    this.places.take(fleet);
+    clearTimeout(this.homeless);
+    if (!this.places.isHomeless) return;
+    this.homeless = setTimeout(() => {
+      if (!this.places.isHomeless || this.socket === null) return;
+      this.places.next();
+      this.#openAnew();
+    }, HOMELESS_MS);
+  }
+
   // The radar that is watched is made on another host now.
   #move() {
-    const { socket } = this;
+    const page = this.places.pageToGoTo(location);
+    if (page !== null) { location.assign(page); return; }
     this.places.move();
+    this.#openAnew();
+  }
+
+  #openAnew() {
+    const { socket } = this;
     this.socket = null;
     socket?.close();
     clearTimeout(this.silence);

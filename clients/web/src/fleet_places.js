@@ -17,21 +17,43 @@ export class FleetPlaces {
     this.home = null;    // of the radar that is watched, as it was told last
     this.radar = null;   // that is watched
     this.fleet = null;
+    this.ownName = null; // of the page's own server in the fleet
+    this.known = null;   // of which the page was told first: a browser lets it connect to no others
   }
 
   // fleet: as Hello and Fleet have it; null: this server runs its exercise alone.
   take(fleet) {
     this.fleet = fleet;
-    const hosts = (fleet?.hosts ?? []).filter(({ web }) => web !== '');
-    // The page's own server stays a place where it is started again.
-    this.others = hosts.filter(({ web }) => placeOf(web).ws !== this.own.ws).map(({ web }) => placeOf(web));
+    // It may be known to the fleet by another name than the page has it by.
+    if (fleet && this.at === this.own) this.ownName = fleet.host;
+    this.others = (fleet?.hosts ?? []).map((host) => this.#placeOf(host)).filter((place) => place !== null && place !== this.own);
+    this.known ??= new Set(this.others.map(({ ws }) => ws));
     this.watch(this.radar);
+  }
+
+  // null: it has not yet said where.
+  #placeOf({ name, web }) {
+    if (name === this.ownName) return this.own;
+    if (web === '') return null;
+    const place = { ...placeOf(web), page: web };
+    return place.ws === this.own.ws ? this.own : place;
   }
 
   watch(radar) {
     this.radar = radar;
-    const host = this.fleet?.hosts.find(({ radars, web }) => web !== '' && radars.includes(radar));
-    this.home = host ? [this.own, ...this.others].find(({ ws }) => ws === placeOf(host.web).ws) ?? null : null;
+    const host = this.fleet?.hosts.find(({ radars }) => radars.includes(radar));
+    this.home = host ? this.#placeOf(host) : null;
+  }
+
+  // Whether nobody makes the spokes of the radar that is watched, as far as is known here.
+  get isHomeless() {
+    return this.fleet !== null && this.radar !== null && this.home === null;
+  }
+
+  // The address of the page at the home, where this page cannot be connected to it; null: it can.
+  pageToGoTo({ pathname, search }) {
+    if (this.home === null || this.home === this.own || this.known.has(this.home.ws)) return null;
+    return new URL(`.${pathname.slice(pathname.lastIndexOf('/'))}${search}`, this.home.page).href;
   }
 
   // Whether the radar that is watched is somewhere else.

@@ -56,8 +56,12 @@ class ControlDesk {
 
   // For hosts that agree on orders (server/app/fleet).
   //
-  // What of a Set holds on all hosts; nothing: it is of a view that this host alone has.
-  std::optional<wire::Set> shared_part(const wire::Set& set) const;
+  // What of a Set holds on all hosts, always of view 0, and what is of a view that this host alone
+  // has; either may be empty, not both.
+  struct Parts {
+    std::optional<wire::Set> shared, own;
+  };
+  Parts parts_of(const wire::Set& set) const;
   // Why apply() would refuse it as things are; nothing: it would not.
   std::optional<wire::Reply> refusal_now(const wire::Set& set, const std::string& origin) const;
   // Who has which con, what is locked, and the controls of radars and their shared views.

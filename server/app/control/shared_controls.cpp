@@ -1,12 +1,17 @@
 // What of the desk's work hosts of a fleet share.
+#include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "server/app/control/control_desk.hpp"
 #include "server/app/control/controls_message.hpp"
 
 namespace skerry::server {
 namespace {
+
+using google::protobuf::FieldDescriptor;
 
 // Unlike the controls of a fresh radar in all of them.
 const echo::RadarControls kOther{.transmit = false,
@@ -18,16 +23,69 @@ const echo::RadarControls kOther{.transmit = false,
                                  .antenna_height_m = 1.0,
                                  .blanked = {{}}};
 
-bool is_more_than_a_view(const wire::Set& set) {
-  // What it says of a radar is other than the one or the other.
+bool is_one_of(const FieldDescriptor& field, std::initializer_list<int> numbers) {
+  return std::find(numbers.begin(), numbers.end(), field.number()) != numbers.end();
+}
+
+// Where it goes and who asks.
+bool is_address(const FieldDescriptor& field) {
+  return is_one_of(field, {wire::Set::kRadarFieldNumber, wire::Set::kViewFieldNumber,
+                           wire::Set::kTokenFieldNumber, wire::Set::kInstructorFieldNumber});
+}
+bool is_of_ship_or_world(const FieldDescriptor& field) {
+  return is_one_of(field, {wire::Set::kCourseDegFieldNumber, wire::Set::kSpeedKnFieldNumber,
+                           wire::Set::kConFieldNumber, wire::Set::kWorldFieldNumber,
+                           wire::Set::kExerciseFieldNumber, wire::Set::kLockFieldNumber,
+                           wire::Set::kUnlockFieldNumber});
+}
+
+// A Set that says one control alone is of a radar if that is other than the one or the other.
+bool changes_a_radar(const wire::Set& one) {
   const auto changes = [&](const echo::RadarControls& before) {
     echo::RadarControls after = before;
-    change_radar(set, after);
+    change_radar(one, after);
     return after != before;
   };
-  return set.has_course_deg() || set.has_speed_kn() || set.has_con() || set.has_world() ||
-         set.has_exercise() || !set.lock().empty() || !set.unlock().empty() || changes({}) ||
-         changes(kOther);
+  return changes({}) || changes(kOther);
+}
+
+std::vector<const FieldDescriptor*> fields_of(const google::protobuf::Message& message) {
+  std::vector<const FieldDescriptor*> fields;
+  message.GetReflection()->ListFields(message, &fields);
+  return fields;
+}
+
+// Takes the controls of views out of one, and all others out of the other.
+void split(const wire::Set& set, wire::Set& shared, wire::Set& own) {
+  for (const FieldDescriptor* field : fields_of(set)) {
+    if (is_address(*field) || field->number() == wire::Set::kControlsFieldNumber) continue;
+    wire::Set one = set;
+    for (const FieldDescriptor* other : fields_of(set)) {
+      if (other != field) one.GetReflection()->ClearField(&one, other);
+    }
+    const bool is_shared = is_of_ship_or_world(*field) || changes_a_radar(one);
+    wire::Set& without = is_shared ? own : shared;
+    without.GetReflection()->ClearField(&without, field);
+  }
+  for (const FieldDescriptor* field : fields_of(set.controls())) {
+    wire::Set one;
+    *one.mutable_controls() = set.controls();
+    for (const FieldDescriptor* other : fields_of(set.controls())) {
+      if (other != field) one.controls().GetReflection()->ClearField(one.mutable_controls(), other);
+    }
+    wire::Set& without = changes_a_radar(one) ? own : shared;
+    without.controls().GetReflection()->ClearField(without.mutable_controls(), field);
+  }
+  for (wire::Set* each : {&shared, &own}) {
+    if (each->has_controls() && fields_of(each->controls()).empty()) each->clear_controls();
+  }
+}
+
+std::optional<wire::Set> unless_empty(wire::Set set) {
+  const auto fields = fields_of(set);
+  const bool says = std::any_of(fields.begin(), fields.end(),
+                                [](const FieldDescriptor* field) { return !is_address(*field); });
+  return says ? std::optional(std::move(set)) : std::nullopt;
 }
 
 }  // namespace
@@ -51,21 +109,30 @@ void ControlDesk::leave_all(const std::string& ending) {
   for (const std::string& origin : origins) leave(origin);
 }
 
-std::optional<wire::Set> ControlDesk::shared_part(const wire::Set& set) const {
+ControlDesk::Parts ControlDesk::parts_of(const wire::Set& set) const {
   wire::Set shared = set;
   shared.clear_token();
-  if (set.view() == 0) return shared;
-  const RadarViewPtr view =
-      set.radar() < units_.size() ? units_[set.radar()]->views().find(set.view()) : RadarViewPtr();
-  if (!view) return shared;  // refused in the same words everywhere
-  const bool follows_shared = view->follows() && view->followed->number == 0;
-  if (!follows_shared && !is_more_than_a_view(set)) return std::nullopt;
-  if (!follows_shared) return shared;
+  const RadarViewPtr view = set.view() != 0 && set.radar() < units_.size()
+                                ? units_[set.radar()]->views().find(set.view())
+                                : RadarViewPtr();
+  if (set.view() == 0) return {std::move(shared), std::nullopt};
+  if (!view) return {std::nullopt, set};  // which is refused
+  wire::Set own = set;
   shared.clear_view();
-  shared.clear_instrumented_range_m();
-  // Its own instrumented range is not the shared view's.
-  return set.has_instrumented_range_m() && !is_more_than_a_view(shared) ? std::nullopt
-                                                                        : std::optional(shared);
+  if (view->follows() && view->followed->number == 0) {
+    // All but its own instrumented range is the shared view's.
+    own.Clear();
+    own.set_radar(set.radar());
+    own.set_view(set.view());
+    own.set_instructor(set.instructor());
+    if (set.has_instrumented_range_m()) own.set_instrumented_range_m(set.instrumented_range_m());
+    shared.clear_instrumented_range_m();
+  } else {
+    split(set, shared, own);
+  }
+  Parts parts{unless_empty(std::move(shared)), unless_empty(std::move(own))};
+  if (!parts.shared && !parts.own) parts.own = set;
+  return parts;
 }
 
 ControlDesk::Kept ControlDesk::kept() const {

@@ -6,15 +6,21 @@
 #include <random>
 #include <utility>
 
+#include "clients/common/message_stream.hpp"
 #include "protocol/digest/digest.hpp"
 #include "server/app/control/control_ranges.hpp"
 #include "server/app/fleet/fleet_order.pb.h"
 #include "server/app/fleet/world_digest.hpp"
+#include "server/relay/upstream_place.hpp"
 
 namespace skerry::server {
 namespace {
 
 constexpr std::chrono::seconds kGroundedAgain{2};
+constexpr std::chrono::seconds kLeaveAgain{1};
+constexpr std::size_t kMostLeaving = 4096;
+constexpr std::chrono::milliseconds kAskOthers{300};
+constexpr const char* kAlone = "alone";
 
 // Names this run, so that no two runs of a host ever give the same id.
 std::string new_run() {
@@ -44,6 +50,32 @@ FleetHost::FleetHost(RadarServer& radars, fleet::MemberPlan plan)
   radars_.set_fleet(this);
 }
 
+void FleetHost::start() {
+  member_.start();
+  others_.start("fleet-others", kAskOthers, [this](const std::stop_token&) { ask_others(); });
+}
+
+void FleetHost::stop() {
+  others_.stop();
+  member_.stop();
+}
+
+// A host that runs no server any more takes nothing; of one that does not answer that is not known.
+void FleetHost::ask_others() {
+  if (!member_.alone()) return;
+  const fleet::HostTime asked = fleet::host_now();
+  for (const fleet::HostSeen& host : member_.view().hosts) {
+    if (host.name == host_) continue;
+    const auto place = upstream_place(host.native);
+    if (!place) return;
+    client::MessageStream stream(place->host, place->port);
+    const auto hello = stream.open(place->host, place->port, kAskOthers);
+    if (hello && hello->fleet().standing() == kAlone) continue;
+    if (hello || hello.error().kind != client::ClientErrorKind::refused) return;
+  }
+  member_.go_on_alone(asked);
+}
+
 std::string FleetHost::new_id() {
   return fmt::format("{}-{}-{}", host_, run_, ids_.fetch_add(1) + 1);
 }
@@ -59,14 +91,49 @@ void FleetHost::order(const wire::Set& set, const std::string& origin, const Ans
     const std::lock_guard lock(mutex_);
     pending_[id] = {later, fleet::host_now() + kAnswer};
   }
-  append(id, bytes_of(known_as(origin), set));
+  member_.order(id, bytes_of(known_as(origin), set));
 }
 
 void FleetHost::leave(const std::string& origin) {
   app::FleetOrder order;
   order.set_origin(known_as(origin));
   order.set_left(true);
-  append(new_id(), order.SerializeAsString());
+  leave_until_known(order.SerializeAsString());
+}
+
+void FleetHost::begin_anew() {
+  app::FleetOrder order;
+  order.set_host_left(host_);
+  leave_until_known(order.SerializeAsString());
+}
+
+void FleetHost::leave_until_known(const std::string& bytes) {
+  const std::string id = new_id();
+  {
+    const std::lock_guard lock(mutex_);
+    if (leaving_.size() >= kMostLeaving) return;
+    leaving_[id] = {bytes, fleet::HostTime::max()};
+  }
+  member_.order(id, bytes);
+}
+
+void FleetHost::leave_again() {
+  const auto now = fleet::host_now();
+  std::vector<std::pair<std::string, std::string>> due;
+  {
+    const std::lock_guard lock(mutex_);
+    for (auto& [id, leaving] : leaving_) {
+      if (now < leaving.again) continue;
+      leaving.again = fleet::HostTime::max();
+      due.emplace_back(id, leaving.bytes);
+    }
+  }
+  for (const auto& [id, bytes] : due) member_.order(id, bytes);
+}
+
+std::optional<std::string> FleetHost::refusal() const {
+  const std::string text = member_.view().refusal;
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 void FleetHost::ground(const wire::ExerciseOrder& order) {
@@ -81,7 +148,7 @@ void FleetHost::ground(const wire::ExerciseOrder& order) {
   wire::Set set;
   set.set_instructor(true);
   *set.mutable_exercise() = order;
-  append(new_id(), bytes_of(ShoreThread::kBy, set));
+  member_.order(new_id(), bytes_of(ShoreThread::kBy, set));
 }
 
 std::string FleetHost::shown(const std::string& known_as) const {
@@ -96,7 +163,8 @@ wire::Fleet FleetHost::told() const {
   fleet.set_exercise(exercise_);
   fleet.set_host(host_);
   fleet.set_leader(view.leader);
-  fleet.set_standing(view.standing);
+  // As of this moment: others rely on it.
+  fleet.set_standing(member_.alone() ? kAlone : view.standing);
   fleet.set_refusal(view.refusal);
   fleet.set_problem(view.problem);
   for (const fleet::HostSeen& seen : view.hosts) {
@@ -140,11 +208,21 @@ void FleetHost::give(const fleet::OrderSeen& seen) {
   } else if (order.left()) {
     radars_.desk().leave(order.origin());
   }
-  if (seen.by == host_) answer(seen.id, std::move(reply));
+  if (seen.by != host_) return;
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_.erase(seen.id);
+  }
+  answer(seen.id, std::move(reply));
 }
 
 void FleetHost::refused(const std::string& id, const std::string& text) {
-  answer(id, refusal(wire::Reply::REFUSED, text));
+  {
+    const std::lock_guard lock(mutex_);
+    const auto leaving = leaving_.find(id);
+    if (leaving != leaving_.end()) leaving->second.again = fleet::host_now() + kLeaveAgain;
+  }
+  answer(id, server::refusal(wire::Reply::REFUSED, text));
 }
 
 void FleetHost::answer(const std::string& id, wire::Reply reply) {
@@ -203,6 +281,7 @@ void FleetHost::hold(const std::vector<fleet::HostTime>& until) {
                  radars_.timeline().latest()->own_ships[ship].name, holds ? "run by" : "left by");
   }
   answer_late();
+  leave_again();
   look_for_lost_hosts();
 }
 
@@ -223,7 +302,7 @@ void FleetHost::look_for_lost_hosts() {
   for (const std::string& host : lost_hosts_) {
     app::FleetOrder order;
     order.set_host_left(host);
-    append(new_id(), order.SerializeAsString());
+    leave_until_known(order.SerializeAsString());
   }
   lost_hosts_.clear();
 }

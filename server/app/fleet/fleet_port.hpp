@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "protocol/wire/radar.pb.h"
@@ -25,6 +26,8 @@ class FleetPort {
   virtual std::string known_as(const std::string& origin) const = 0;
   virtual std::string shown(const std::string& known_as) const = 0;
 
+  // Why no order would be taken now.
+  virtual std::optional<std::string> refusal() const = 0;
   virtual wire::Fleet told() const = 0;
   virtual std::uint64_t version() const = 0;
 };

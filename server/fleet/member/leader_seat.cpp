@@ -14,9 +14,10 @@ constexpr auto kSeatStep = std::chrono::milliseconds(Holding::kLease) / 4;
 
 }  // namespace
 
-LeaderSeat::LeaderSeat(const MemberPlan& plan, StoreMark& mark, Due due, Said said)
+LeaderSeat::LeaderSeat(const MemberPlan& plan, StoreMark& mark, May may, Due due, Said said)
     : plan_(plan),
       mark_(mark),
+      may_(std::move(may)),
       due_(std::move(due)),
       said_(std::move(said)),
       keys_(plan.store()),
@@ -40,7 +41,11 @@ void LeaderSeat::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     if (keys_->now() >= step_at) {
       step_at = keys_->now() + kSeatStep;
-      said_(holding_.step(keys_->now() + kStoreCall).error);
+      if (may_()) {
+        said_(holding_.step(keys_->now() + kStoreCall).error);
+      } else {
+        holding_.release(keys_->now() + kStoreCall);
+      }
     }
     if (const auto wish = due_()) {
       const auto granted = store.grant(*wish, keys_->now() + kStoreCall);

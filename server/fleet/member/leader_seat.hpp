@@ -15,9 +15,11 @@ class LeaderSeat {
  public:
   using Due = std::function<std::optional<GrantWish>()>;
   using Said = std::function<void(std::optional<StoreError>)>;
-  // All must outlive it.  `due`: the grant to make now; `said`: what the store's last call came to.
-  // Both are called from its thread.
-  LeaderSeat(const MemberPlan& plan, StoreMark& mark, Due due, Said said);
+  using May = std::function<bool()>;
+  // All must outlive it.  `may`: whether this host could grant time: if not, it leaves the seat to
+  // others; `due`: the grant to make now; `said`: what the store's last call came to.  All are
+  // called from its thread.
+  LeaderSeat(const MemberPlan& plan, StoreMark& mark, May may, Due due, Said said);
   ~LeaderSeat() { stop(); }
 
   void start();
@@ -31,6 +33,7 @@ class LeaderSeat {
 
   const MemberPlan& plan_;
   StoreMark& mark_;
+  May may_;
   Due due_;
   Said said_;
   std::unique_ptr<KeyStore> keys_;

@@ -54,7 +54,7 @@ void LogReader::stop() {
 
 bool LogReader::tell(StoreError error, bool at_once) {
   const bool passes = may_pass(error.trouble) || error.trouble == Trouble::compacted ||
-                      error.trouble == Trouble::full;
+                      error.trouble == Trouble::full || error.trouble == Trouble::refused;
   const HostTime now = host_now();
   if (passes) troubled_.reset();
   if (!passes && !troubled_) troubled_ = now;
@@ -110,7 +110,11 @@ StoreResult<Revision> LogReader::hear_all(KeyStore& keys, OrderStore& store) {
   Heard heard;
   heard.anew = true;
   for (const OrderSeen& order : text->orders) heard.events.emplace_back(order);
-  for (const HolderSeen& holder : text->holders) heard.events.emplace_back(holder);
+  holders_.clear();
+  for (const HolderSeen& holder : text->holders) {
+    if (!holder.host.empty()) holders_.insert(holder.name);
+    heard.events.emplace_back(holder);
+  }
   if (text->grant) heard.events.emplace_back(*text->grant);
   std::stable_sort(
       heard.events.begin(), heard.events.end(),
@@ -121,7 +125,7 @@ StoreResult<Revision> LogReader::hear_all(KeyStore& keys, OrderStore& store) {
 
 // Until all is to be heard anew.  False: it has ended.
 bool LogReader::watch(KeyStore& keys, Revision from, const std::stop_token& stop) {
-  OrderWatch watch(keys, mark_, plan_.exercise, from);
+  OrderWatch watch(keys, mark_, plan_.exercise, from, holders_);
   while (!stop.stop_requested() && !anew_.load()) {
     auto events = watch.next(keys.now() + kStoreCall / 2);
     if (!events) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,7 +41,8 @@ class LogReader {
   StoreResult<Revision> hear_all(KeyStore& keys, OrderStore& store);
   bool watch(KeyStore& keys, Revision from, const std::stop_token& stop);
   StoreResult<std::string> agree(KeyStore& keys, const LogKeys& names);
-  // False: it has ended.  What may pass never ends it, what an operator must mend after kMend.
+  // False: it has ended.  A store that holds what it should not ends it after kMend; all that may
+  // pass, or be mended, does not.
   bool tell(StoreError error, bool at_once = false);
 
   const MemberPlan& plan_;
@@ -48,6 +50,7 @@ class LogReader {
   std::function<void(Heard)> hear_;
   std::atomic<bool> anew_{false};
   std::optional<HostTime> troubled_;  // since when by no trouble that may pass; its thread's
+  std::set<std::string> holders_;     // names that were held when all was heard; its thread's
   bool differs_ = false;              // the charter; its thread's
   std::jthread thread_;
 };

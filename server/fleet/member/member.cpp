@@ -15,16 +15,12 @@ namespace {
 constexpr std::chrono::milliseconds kMemberLook{5};
 // Ticks that are made at once before radars and clients see them, while a host catches up.
 constexpr Tick kBehind = 20;
+constexpr Tick kAtOnce = 200;  // between looks whether it is to stop
 // The grant that a host finds when it comes may be old: its time is believed when some have come.
 constexpr std::chrono::milliseconds kSettle{700};
 constexpr std::chrono::seconds kTellAgain{30};
 constexpr int kGrantsToLead = 5;
 constexpr std::chrono::seconds kNobodyLeads{6};
-
-std::string word_of(ExerciseLog::Standing standing) {
-  return standing == ExerciseLog::Standing::must_come_back ? "must come back"
-                                                           : std::string(name_of(standing));
-}
 
 }  // namespace
 
@@ -47,6 +43,10 @@ Member::Member(MemberPlan plan, Exercise& exercise)
           [this](const std::string& id, const std::string& text) { exercise_.refused(id, text); }),
       leader_(
           plan_, mark_,
+          [this] {
+            const std::lock_guard lock(mutex_);
+            return !awaits_log_ && !ended_ && !behind_;
+          },
           [this]() -> std::optional<GrantWish> {
             const std::lock_guard lock(mutex_);
             return awaits_log_ || ended_ ? std::nullopt : log_->grant_due(host_now());
@@ -56,7 +56,8 @@ Member::Member(MemberPlan plan, Exercise& exercise)
             log_->store_said(error);
             view_.problem = error ? error->text : std::string();
           }),
-      seats_(plan_, mark_, [this] { return known(); }) {
+      seats_(
+          plan_, mark_, [this] { return known(); }, [this](std::size_t) { return let_go(); }) {
   view_.standing = "joining";
 }
 
@@ -70,6 +71,7 @@ void Member::start() {
 }
 
 void Member::stop() {
+  stops_.store(true);
   thread_.request_stop();
   if (thread_.joinable()) thread_.join();
   exercise_.hold(std::vector<HostTime>(plan_.ships));
@@ -100,27 +102,45 @@ bool Member::leads() const {
   return leader_host_ == plan_.host && leader_.held(host_now()).has_value();
 }
 
+bool Member::alone() const {
+  const std::lock_guard lock(mutex_);
+  return runs_ && !ended_ && !seats_.is_present(host_now());
+}
+
+void Member::go_on_alone(HostTime asked) {
+  const std::lock_guard lock(mutex_);
+  alone_until_ = asked + ShipSeats::kAloneAnswer;
+}
+
+std::vector<HostTime> Member::held_until(HostTime now) const {
+  const std::lock_guard lock(mutex_);
+  return made_until(now);
+}
+
+// mutex_ held.
+std::vector<HostTime> Member::made_until(HostTime now) const {
+  std::vector<HostTime> until = seats_.until();
+  const std::vector<bool> claimed = seats_.claimed();
+  if (seats_.is_present(now) || now >= alone_until_) return until;
+  for (std::size_t ship = 0; ship < until.size(); ++ship) {
+    if (claimed[ship]) until[ship] = std::max(until[ship], alone_until_);
+  }
+  return until;
+}
+
+// Until the present way of holding has reached the radars.
+bool Member::let_go() {
+  const std::uint64_t before = holds_.load();
+  const HostTime until = host_now() + kStoreCall;
+  // A stopped member holds nothing any more.
+  while (!stops_.load() && holds_.load() < before + 2 && host_now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return stops_.load() || holds_.load() >= before + 2;
+}
+
 MemberView Member::view() const {
   const std::lock_guard lock(mutex_);
   return view_;
-}
-
-ShipSeats::Known Member::known() const {
-  const std::lock_guard lock(mutex_);
-  ShipSeats::Known known;
-  known.takes = runs_ && !ended_ && view_.standing != "must come back";
-  known.holders = holders_;
-  known.present = present_;
-  HostNote note;
-  note.set_native(plan_.native);
-  note.set_web(plan_.web);
-  note.set_standing(view_.standing);
-  if (digest_tick_ != 0) {
-    note.set_tick(digest_tick_);
-    note.set_digest(digest_.data(), digest_.size());
-  }
-  known.note = note.SerializeAsString();
-  return known;
 }
 
 void Member::run(const std::stop_token& stop) {
@@ -193,9 +213,15 @@ void Member::end(const std::string& why) {
 void Member::hear_note(const NoteSeen& seen, HostTime now) {
   HostNote note;
   if (!note.ParseFromString(seen.note)) return;
+  if (!notes_.contains(seen.host) && notes_.size() >= WorldHashes::kMostHosts) {
+    const auto gone = std::find_if(notes_.begin(), notes_.end(), [this](const auto& each) {
+      return !present_.contains(each.first);
+    });
+    if (gone == notes_.end()) return;
+    notes_.erase(gone);
+  }
   HostSeen& host = notes_[seen.host];
   host = {seen.host, note.native(), note.web(), note.standing(), now, {}, 0, {}};
-  while (notes_.size() > WorldHashes::kMostHosts) notes_.erase(notes_.begin());
   WorldDigest digest;
   if (seen.host == plan_.host || note.tick() == 0 || note.digest().size() != digest.size()) return;
   std::copy(note.digest().begin(), note.digest().end(), digest.begin());
@@ -214,6 +240,12 @@ void Member::compare(const std::string& host, Tick tick, const WorldDigest& dige
   const auto& hosts = difference->hosts;
   const bool mine = std::find(hosts.begin(), hosts.end(), plan_.host) != hosts.end();
   if (!mine || !difference->is_certain) return;
+  if (++differed_ > 1) {
+    end("its world differs from that of the others again, after the whole log: is its program, "
+        "its processor or a library another one? (" +
+        difference->text + ")");
+    return;
+  }
   spdlog::error("fleet: this host differs; it comes back by the whole log");
   come_back(Exercise::Back::beginning);
 }
@@ -270,11 +302,20 @@ void Member::step() {
     look_around(step.standing, now);
     runs = !awaits_log_ && !ended_;
   }
-  if (!runs) return exercise_.hold(std::vector<HostTime>(plan_.ships));
+  if (!runs) {
+    exercise_.hold(std::vector<HostTime>(plan_.ships));
+    holds_.fetch_add(1);
+    return;
+  }
   const bool behind = step.run_to > made_ + kBehind;
+  if (behind) {
+    const std::lock_guard lock(mutex_);
+    behind_ = true;
+  }
   const bool follows = step.standing == ExerciseLog::Standing::following;
   for (const ExerciseLog::Due& due : step.orders) {
     run_to(due.tick - 1, follows && !behind);
+    if (made_ + 1 != due.tick) return;  // it stops, or comes back
     exercise_.give(due.order);
   }
   run_to(step.run_to, follows && !behind);
@@ -283,54 +324,12 @@ void Member::step() {
     exercise_.keep();
     kept_ = {made_, log_->known()};
   }
-  exercise_.hold(seats_.until());
+  exercise_.hold(held_until(now));
+  holds_.fetch_add(1);
   const std::lock_guard lock(mutex_);
+  behind_ = behind;
   const bool knows_time = leader_.held(now).has_value() || now >= settled_;
   runs_ = runs_ || (log_->granted().has_value() && !awaits_log_ && !behind && knows_time);
-}
-
-// mutex_ held.  What has changed of the view.
-void Member::look_around(ExerciseLog::Standing standing, HostTime now) {
-  MemberView next = view_;
-  next.standing = awaits_log_ || !log_->granted() ? "joining" : word_of(standing);
-  next.leader = leader_host_;
-  next.refusal.clear();
-  if (ended_) {
-    next.standing = "ended";
-    next.refusal = *ended_;
-  } else if (const auto place = log_->place_of_order(now);
-             const auto* refusal = std::get_if<ExerciseLog::Refusal>(&place)) {
-    if (!refusal->soon) next.refusal = refusal->text;
-  }
-  next.hosts.clear();
-  for (const std::string& name : present_) {
-    const auto note = notes_.find(name);
-    HostSeen host = note == notes_.end() ? HostSeen{} : note->second;
-    host.name = name;
-    if (name == plan_.host) {
-      host.native = plan_.native;
-      host.web = plan_.web;
-      host.standing = next.standing;
-      host.heard = now;
-      host.tick = digest_tick_;
-      host.digest = digest_;
-    }
-    for (std::size_t ship = 0; ship < holders_.size(); ++ship) {
-      if (holders_[ship] == name) host.ships.push_back(ship);
-    }
-    next.hosts.push_back(std::move(host));
-  }
-  const auto told = [](const MemberView& view) {
-    // A refusal says for how long.
-    std::string text = view.standing + (view.refusal.empty() ? '+' : '-') + view.leader;
-    for (const HostSeen& host : view.hosts) {
-      text += '\n' + host.name + '\n' + host.native + '\n' + host.web + '\n' + host.standing;
-      for (const std::size_t ship : host.ships) text += ' ' + std::to_string(ship);
-    }
-    return text;
-  };
-  if (told(next) != told(view_)) ++next.version;
-  view_ = std::move(next);
 }
 
 }  // namespace skerry::fleet

@@ -1,6 +1,7 @@
 // Member: one host of a fleet that runs an exercise together.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <mutex>
@@ -61,12 +62,19 @@ class Member {
   // `id`: a name that no other order ever has.
   void order(std::string id, std::string order);
   bool leads() const;
+  // Whether the store does not know of this host any more: it was cut off for longer than its
+  // leases last.  Nobody takes ships then, here.
+  bool alone() const;
+  // All other hosts are without the store as well, so none can have taken this one's ships: it goes
+  // on with them until then.  `asked`: before they were asked.
+  void go_on_alone(HostTime asked);
   MemberView view() const;
 
  private:
   void run(const std::stop_token& stop);
   void step();
   bool may_be_seated() const;
+  bool let_go();
   void hear(LogReader::Heard heard, HostTime now);
   void hear(const LogEvent& event, HostTime now);
   void hear_note(const NoteSeen& note, HostTime now);
@@ -75,6 +83,8 @@ class Member {
   void come_back(Exercise::Back to);
   void compare(const std::string& host, Tick tick, const WorldDigest& digest);
   void look_around(ExerciseLog::Standing standing, HostTime now);
+  std::vector<HostTime> held_until(HostTime now) const;
+  std::vector<HostTime> made_until(HostTime now) const;
   ShipSeats::Known known() const;
 
   const MemberPlan plan_;
@@ -92,6 +102,9 @@ class Member {
   bool runs_ = false;       // its world is that of now
   bool awaits_log_ = true;  // the whole log is to come
   HostTime settled_{};      // when it has come, and grants since
+  HostTime alone_until_{};  // ships go on
+  bool behind_ = false;     // it makes ticks of long ago
+  int differed_ = 0;        // times that it came back because its world was another
   int grants_heard_ = 0;    // since it has come
   Tick digest_tick_ = 0;
   WorldDigest digest_{};
@@ -103,6 +116,9 @@ class Member {
   ExerciseLog::Snapshot from_;
   Tick made_ = 0;
   std::optional<HostTime> told_;  // that worlds differ
+
+  std::atomic<std::uint64_t> holds_{0};  // calls of Exercise::hold()
+  std::atomic<bool> stops_{false};
 
   LogReader reader_;
   OrderDesk desk_;

@@ -27,13 +27,16 @@ std::optional<std::string> present_host(const std::string& name) {
   return name.substr(kPresence.size());
 }
 
-ShipSeats::ShipSeats(const MemberPlan& plan, StoreMark& mark, std::function<Known()> look)
+ShipSeats::ShipSeats(const MemberPlan& plan, StoreMark& mark, std::function<Known()> look,
+                     std::function<bool(std::size_t)> let_go)
     : plan_(plan),
       mark_(mark),
       look_(std::move(look)),
+      let_go_(std::move(let_go)),
       keys_(plan.store()),
       presence_(*keys_, mark, {plan.exercise, presence_name(plan.host), plan.host}),
-      until_(plan.ships) {}
+      until_(plan.ships),
+      claimed_(plan.ships) {}
 
 void ShipSeats::start() {
   thread_ = std::jthread([this](const std::stop_token& stop) {
@@ -52,27 +55,44 @@ std::vector<HostTime> ShipSeats::until() const {
   return until_;
 }
 
+std::vector<bool> ShipSeats::claimed() const {
+  const std::lock_guard lock(mutex_);
+  return claimed_;
+}
+
+void ShipSeats::look_at_presence(HostTime now) {
+  const bool is_there = is_present(now);
+  if (is_there && !was_present_ && takes_from_ != HostTime{}) takes_from_ = now + kBackFirst;
+  if (is_there && takes_from_ == HostTime{}) takes_from_ = now;
+  was_present_ = is_there;
+}
+
 void ShipSeats::set_until(std::size_t ship, HostTime until) {
   const std::lock_guard lock(mutex_);
   until_[ship] = until;
+  claimed_[ship] = true;
 }
 
 void ShipSeats::keep(std::size_t ship) {
   Holding& holding = *ships_.at(ship);
   const Holding::Status status = holding.step(keys_->now() + kStoreCall);
   set_until(ship, holding.held_until());
-  if (status.standing == Holding::Standing::other_holds) {
-    holding.release(keys_->now() + kStoreCall);
-    ships_.erase(ship);
-  }
+  if (status.standing == Holding::Standing::other_holds) give_up(ship);
 }
 
-// No spoke is made any more before another may take it.
-void ShipSeats::give_up(std::size_t ship) {
-  set_until(ship, HostTime{});
-  ships_.at(ship)->release(keys_->now() + kStoreCall);
+// No spoke is made any more before another may take it.  Where that is not sure it is not given
+// back: it runs out by itself, after the radars have stopped by their own clock.
+void ShipSeats::give_up(std::size_t ship, HostTime deadline) {
+  {
+    const std::lock_guard lock(mutex_);
+    until_[ship] = HostTime{};
+    claimed_[ship] = false;
+  }
+  if (let_go_(ship)) ships_.at(ship)->release(deadline);
   ships_.erase(ship);
 }
+
+void ShipSeats::give_up(std::size_t ship) { give_up(ship, keys_->now() + kStoreCall); }
 
 void ShipSeats::share(const Known& known) {
   std::vector<std::string> holders = known.holders;
@@ -97,10 +117,11 @@ void ShipSeats::run(const std::stop_token& stop) {
       for (const auto& [ship, holding] : ships_) held.push_back(ship);
       for (const std::size_t ship : held) keep(ship);
     }
+    look_at_presence(keys_->now());
     const Known known = look_();
     if (!known.takes) {
       while (!ships_.empty()) give_up(ships_.begin()->first);
-    } else if (now >= share_at && presence_.held(keys_->now()) &&
+    } else if (now >= share_at && now >= takes_from_ && presence_.held(keys_->now()) &&
                known.present.contains(plan_.host)) {
       const std::size_t before = ships_.size();
       share(known);
@@ -114,8 +135,9 @@ void ShipSeats::run(const std::stop_token& stop) {
     }
     keys_->wait_until(keys_->now() + kShareLook);
   }
-  while (!ships_.empty()) give_up(ships_.begin()->first);
-  presence_.release(keys_->now() + kStoreCall);
+  const HostTime deadline = keys_->now() + kStoreCall;  // of all
+  while (!ships_.empty()) give_up(ships_.begin()->first, deadline);
+  presence_.release(deadline);
 }
 
 }  // namespace skerry::fleet

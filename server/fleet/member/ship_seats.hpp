@@ -22,6 +22,12 @@ std::optional<std::string> present_host(const std::string& name);
 // Each is a holding of its own: two requests for each in half a second.
 class ShipSeats {
  public:
+  // A host whose presence had lapsed takes no ship of others for so long after it is back: others
+  // may have gone on with theirs while they were told that it is without the store (Member::alone),
+  // and find out that it is not within kAloneAnswer.
+  static constexpr std::chrono::seconds kBackFirst{2};
+  static constexpr std::chrono::seconds kAloneAnswer{1};
+
   // What this host knows of the fleet, and what it tells of itself.
   struct Known {
     bool takes = false;                // this host may run ships: it follows the log
@@ -30,7 +36,9 @@ class ShipSeats {
     std::string note;                  // HostNote
   };
   // All must outlive it.  `look` is called from its thread, some ten times a second.
-  ShipSeats(const MemberPlan& plan, StoreMark& mark, std::function<Known()> look);
+  // `let_go`: no spoke of that ship is made here when it has returned true.
+  ShipSeats(const MemberPlan& plan, StoreMark& mark, std::function<Known()> look,
+            std::function<bool(std::size_t)> let_go);
   ~ShipSeats() { stop(); }
 
   void start();
@@ -38,22 +46,32 @@ class ShipSeats {
   void stop();
   // Until when each ship is this host's; a time that has passed: it is not.  Thread: any.
   std::vector<HostTime> until() const;
+  // Which ships it would go on holding if the store answered.  Thread: any.
+  std::vector<bool> claimed() const;
+  // Whether the store holds this host present, as far as it knows.  Thread: any.
+  bool is_present(HostTime now) const { return presence_.held(now).has_value(); }
 
  private:
   void run(const std::stop_token& stop);
   void share(const Known& known);
   void keep(std::size_t ship);
+  void give_up(std::size_t ship, HostTime deadline);
   void give_up(std::size_t ship);
   void set_until(std::size_t ship, HostTime until);
+  void look_at_presence(HostTime now);
 
   const MemberPlan& plan_;
   StoreMark& mark_;
   std::function<Known()> look_;
+  std::function<bool(std::size_t)> let_go_;
   std::unique_ptr<KeyStore> keys_;
   Holding presence_;
   std::map<std::size_t, std::unique_ptr<Holding>> ships_;  // its thread's
   mutable std::mutex mutex_;
-  std::vector<HostTime> until_;  // guarded by mutex_
+  std::vector<HostTime> until_;  // guarded by mutex_, as is the next
+  std::vector<bool> claimed_;
+  bool was_present_ = false;  // its thread's, as is the next
+  HostTime takes_from_{};     // ships
   std::jthread thread_;
 };
 

@@ -93,7 +93,11 @@ std::optional<WebAnswer> refusal_of(const HttpRequest& request, const NetConfig&
   if (only_reads(request) && !websocket::is_upgrade(request)) return std::nullopt;
   if (websocket::is_upgrade(request) && request.count(http::field::origin) == 1) {
     const auto origin = header_of(request, http::field::origin);
-    if (std::find(sisters.begin(), sisters.end(), *origin) != sisters.end()) return std::nullopt;
+    // Browsers write names in lower case.
+    const bool is_sister = std::any_of(sisters.begin(), sisters.end(), [&](const auto& sister) {
+      return beast::iequals(sister, beast::string_view(origin->data(), origin->size()));
+    });
+    if (is_sister) return std::nullopt;
   }
   return cross_site_refusal(request, *host);
 }

@@ -139,12 +139,12 @@ def instruct(skerry, watch, places, pause):
 
 def strike(random_, fleet, number):
     """One blow, and how it is healed; what was done."""
-    kinds = ["kill host", "kill host", "stop host", "kill member", "stop member", "kill both"]
+    kinds = ["kill host", "kill host", "stop host", "kill member", "stop member", "kill both", "kill store"]
     if fleet.network.apart:
         kinds += ["cut host", "cut host", "cut member", "cut both"]
     kind = random_.choice(kinds)
     host, member = random_.choice(fleet.hosts), random_.choice(fleet.etcd)
-    struck = {"host": [host], "member": [member], "both": [host, member]}[kind.split()[1]]
+    struck = {"host": [host], "member": [member], "both": [host, member], "store": fleet.etcd}[kind.split()[1]]
     for each in struck:
         if kind.startswith("stop"):
             each.signal(signal.SIGSTOP)

@@ -44,7 +44,7 @@ TEST_F(SharedControls, OfTheSharedViewEverythingIs) {
   wire::Set set = of_view(0);
   set.set_gain(70);
   set.set_token("secret");
-  const auto shared = desk_.shared_part(set);
+  const auto shared = desk_.parts_of(set).shared;
   ASSERT_TRUE(shared);
   EXPECT_EQ(shared->gain(), 70);
   EXPECT_EQ(shared->token(), "") << "no token is written to a log";
@@ -55,7 +55,8 @@ TEST_F(SharedControls, OfAnOwnViewOnlyWhatIsMoreThanTheView) {
   wire::Set set = of_view(view);
   set.set_gain(70);
   set.set_range_nm(3);
-  EXPECT_FALSE(desk_.shared_part(set));
+  EXPECT_FALSE(desk_.parts_of(set).shared);
+  EXPECT_TRUE(desk_.parts_of(set).own);
   for (const auto& change : std::vector<void (*)(wire::Set&)>{
            [](wire::Set& s) { s.set_transmit(false); }, [](wire::Set& s) { s.set_transmit(true); },
            [](wire::Set& s) { s.set_rotation_rpm(30); },
@@ -68,7 +69,12 @@ TEST_F(SharedControls, OfAnOwnViewOnlyWhatIsMoreThanTheView) {
            [](wire::Set& s) { s.add_unlock("gain"); }}) {
     wire::Set more = set;
     change(more);
-    EXPECT_TRUE(desk_.shared_part(more)) << more.ShortDebugString();
+    const ControlDesk::Parts parts = desk_.parts_of(more);
+    ASSERT_TRUE(parts.shared && parts.own) << more.ShortDebugString();
+    EXPECT_EQ(parts.shared->view(), 0u) << "there is no such view on other hosts";
+    EXPECT_FALSE(parts.shared->has_gain());
+    EXPECT_FALSE(parts.shared->has_range_nm());
+    EXPECT_EQ(parts.own->SerializeAsString(), set.SerializeAsString());
   }
 }
 
@@ -76,12 +82,18 @@ TEST_F(SharedControls, OfAViewThatFollowsTheSharedOneItIsThatOnes) {
   const auto view = unit_.views().open(0, true, [](VideoChannel&) {})->number;
   wire::Set set = of_view(view);
   set.set_gain(70);
-  const auto shared = desk_.shared_part(set);
-  ASSERT_TRUE(shared);
-  EXPECT_EQ(shared->view(), 0u);
+  set.set_instrumented_range_m(8000);
+  const ControlDesk::Parts parts = desk_.parts_of(set);
+  ASSERT_TRUE(parts.shared && parts.own);
+  EXPECT_EQ(parts.shared->view(), 0u);
+  EXPECT_EQ(parts.shared->gain(), 70);
+  EXPECT_FALSE(parts.shared->has_instrumented_range_m());
+  EXPECT_EQ(parts.own->view(), view);
+  EXPECT_FALSE(parts.own->has_gain());
+  EXPECT_EQ(parts.own->instrumented_range_m(), 8000);
   wire::Set own = of_view(view);
   own.set_instrumented_range_m(8000);
-  EXPECT_FALSE(desk_.shared_part(own));
+  EXPECT_FALSE(desk_.parts_of(own).shared);
 }
 
 TEST_F(SharedControls, WhatWouldBeRefusedIsToldWithoutAChange) {

@@ -226,6 +226,21 @@ TEST(ExerciseLog, SaysThatTheLogContradictsItself) {
   EXPECT_EQ(text(host.log.hear(OrderSeen{1, 5, 1, "o0", "host-a", ""}, kBegin)), "");
 }
 
+TEST(ExerciseClock, DoesNotGoBackForTheFirstLateGrantsOfANewLeader) {
+  ExerciseClock clock;
+  clock.hear(seconds(10), kBegin);
+  clock.forget();
+  const auto grant = [&](int i, milliseconds late) {
+    const Duration sent = seconds(11) + milliseconds(100 * i);
+    const HostTime now = kBegin + seconds(1) + milliseconds(100 * i) + late;
+    clock.hear(sent, now);
+    return *clock.at(now) - (now - kBegin) - seconds(10);
+  };
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(grant(i, milliseconds(400)), Duration{}) << i;
+  EXPECT_EQ(grant(4, milliseconds(3)), -milliseconds(3)) << "it is 3 ms behind the former";
+  EXPECT_EQ(grant(5, -milliseconds(2)), milliseconds(2)) << "ahead it goes at once";
+}
+
 TEST(ExerciseClock, BelievesTheFastestOfTheLastGrants) {
   ExerciseClock clock;
   EXPECT_FALSE(clock.at(kBegin));

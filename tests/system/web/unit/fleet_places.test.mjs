@@ -36,6 +36,31 @@ test('it goes to the host that has the radar which it watches, and back', () => 
   assert.equal(places.mustMove, false, 'a host that has not yet said where its pages are');
 });
 
+test('its own server may be known to the fleet by another name than the page has it by', () => {
+  const places = new FleetPlaces('http://localhost:7480/');
+  places.take(fleetOf(host('a', 7480, 0), host('b', 7481, 1)));
+  places.watch(0);
+  assert.equal(places.mustMove, false);
+  places.watch(1);
+  places.move();
+  places.take({ host: 'b', hosts: [host('a', 7480, 0, 1), host('b', 7481)] });
+  places.move();
+  assert.equal(places.at.ws, 'ws://localhost:7480/ws');
+});
+
+test('to a host that came after the page was loaded the page itself goes', () => {
+  const places = new FleetPlaces(PAGE);
+  places.take(fleetOf(host('a', 7480, 0), host('b', 7481)));
+  places.watch(1);
+  assert.equal(places.isHomeless, true);
+  places.take(fleetOf(host('a', 7480, 0), host('b', 7481), host('c', 7482, 1)));
+  assert.equal(places.isHomeless, false);
+  assert.equal(places.mustMove, true);
+  assert.equal(places.pageToGoTo(new URL(PAGE)), 'http://192.0.2.7:7482/conning?radar=1');
+  places.take(fleetOf(host('a', 7480, 0), host('b', 7481, 1)));
+  assert.equal(places.pageToGoTo(new URL(PAGE)), null);
+});
+
 test('after a loss it asks all that it knows of by turns', () => {
   const places = new FleetPlaces(PAGE);
   places.take(fleetOf(host('a', 7480), host('b', 7481), host('c', 7482)));

@@ -1,0 +1,83 @@
+// Member: what it knows of the fleet, and what it tells.
+#include <algorithm>
+#include <utility>
+
+#include "server/fleet/log_messages.pb.h"
+#include "server/fleet/member/member.hpp"
+
+namespace skerry::fleet {
+namespace {
+
+std::string word_of(ExerciseLog::Standing standing) {
+  return standing == ExerciseLog::Standing::must_come_back ? "must come back"
+                                                           : std::string(name_of(standing));
+}
+
+}  // namespace
+
+ShipSeats::Known Member::known() const {
+  const std::lock_guard lock(mutex_);
+  ShipSeats::Known known;
+  known.takes = runs_ && !ended_ && view_.standing != "must come back";
+  known.holders = holders_;
+  known.present = present_;
+  HostNote note;
+  note.set_native(plan_.native);
+  note.set_web(plan_.web);
+  note.set_standing(view_.standing);
+  if (digest_tick_ != 0) {
+    note.set_tick(digest_tick_);
+    note.set_digest(digest_.data(), digest_.size());
+  }
+  known.note = note.SerializeAsString();
+  return known;
+}
+
+// mutex_ held.  What has changed of the view.
+void Member::look_around(ExerciseLog::Standing standing, HostTime now) {
+  MemberView next = view_;
+  next.standing = awaits_log_ || !log_->granted() ? "joining" : word_of(standing);
+  next.leader = leader_host_;
+  next.refusal.clear();
+  if (ended_) {
+    next.standing = "ended";
+    next.refusal = *ended_;
+  } else if (const auto place = log_->place_of_order(now);
+             const auto* refusal = std::get_if<ExerciseLog::Refusal>(&place)) {
+    if (!refusal->soon) next.refusal = refusal->text;
+  }
+  next.hosts.clear();
+  const std::vector<HostTime> mine = made_until(now);
+  for (const std::string& name : present_) {
+    const auto note = notes_.find(name);
+    HostSeen host = note == notes_.end() ? HostSeen{} : note->second;
+    host.name = name;
+    if (name == plan_.host) {
+      host.native = plan_.native;
+      host.web = plan_.web;
+      host.standing = next.standing;
+      host.heard = now;
+      host.tick = digest_tick_;
+      host.digest = digest_;
+    }
+    for (std::size_t ship = 0; ship < holders_.size(); ++ship) {
+      // Who is cut off hears nobody take them.
+      const bool is_made = name != plan_.host || mine[ship] > now;
+      if (holders_[ship] == name && is_made) host.ships.push_back(ship);
+    }
+    next.hosts.push_back(std::move(host));
+  }
+  const auto told = [](const MemberView& view) {
+    // A refusal says for how long.
+    std::string text = view.standing + (view.refusal.empty() ? '+' : '-') + view.leader;
+    for (const HostSeen& host : view.hosts) {
+      text += '\n' + host.name + '\n' + host.native + '\n' + host.web + '\n' + host.standing;
+      for (const std::size_t ship : host.ships) text += ' ' + std::to_string(ship);
+    }
+    return text;
+  };
+  if (told(next) != told(view_)) ++next.version;
+  view_ = std::move(next);
+}
+
+}  // namespace skerry::fleet
