@@ -44,10 +44,10 @@ std::function<std::unique_ptr<fleet::KeyStore>()> open_fleet_store(
   const std::filesystem::path file = library();
   void* const handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
-    throw std::runtime_error(
-        fmt::format("--fleet: {} cannot be loaded ({}); it is built where libgrpc++-dev and "
-                    "protobuf-compiler-grpc are installed",
-                    file.string(), ::dlerror()));
+    throw std::runtime_error(fmt::format(
+        "--fleet: {} cannot be loaded ({}); server/run --fleet ... installs what it needs and "
+        "builds it",
+        file.string(), ::dlerror()));
   }
   const auto open = reinterpret_cast<fleet::OpenEtcd>(::dlsym(handle, fleet::kOpenEtcd));
   if (open == nullptr) {
