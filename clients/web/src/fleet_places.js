@@ -9,6 +9,15 @@ function placeOf(page) {
   return { ws: ws.href, probe: new URL('icon.svg', page).href };
 }
 
+// What a host told of itself may be anything.
+function isPage(web) {
+  try {
+    return /^https?:$/.test(new URL(web).protocol);
+  } catch {
+    return false;
+  }
+}
+
 export class FleetPlaces {
   constructor(page) {
     this.own = placeOf(page);
@@ -34,7 +43,7 @@ export class FleetPlaces {
   // null: it has not yet said where.
   #placeOf({ name, web }) {
     if (name === this.ownName) return this.own;
-    if (web === '') return null;
+    if (!isPage(web)) return null;
     const place = { ...placeOf(web), page: web };
     return place.ws === this.own.ws ? this.own : place;
   }

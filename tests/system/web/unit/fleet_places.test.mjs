@@ -61,6 +61,16 @@ test('to a host that came after the page was loaded the page itself goes', () =>
   assert.equal(places.pageToGoTo(new URL(PAGE)), null);
 });
 
+test('what a host tells of itself and is no page is no place', () => {
+  const places = new FleetPlaces(PAGE);
+  for (const web of ['', 'b:7481', 'javascript:alert(1)', 'http://', '\u0000', 'file:///etc/passwd', 'data:text/html,x']) {
+    places.take({ host: 'a', hosts: [host('a', 7480), { name: 'b', web, radars: [1] }] });
+    places.watch(1);
+    assert.equal(places.mustMove, false, web);
+    assert.deepEqual(places.others, [], web);
+  }
+});
+
 test('after a loss it asks all that it knows of by turns', () => {
   const places = new FleetPlaces(PAGE);
   places.take(fleetOf(host('a', 7480), host('b', 7481), host('c', 7482)));
