@@ -165,7 +165,7 @@ def strike(random_, fleet, number):
     return kind
 
 
-def await_all(skerry, fleet, ships, timeout=60):
+def await_all(skerry, fleet, ships, timeout=120):
     """Until every host follows and every ship is somebody's."""
     until = time.monotonic() + timeout
     why = ""

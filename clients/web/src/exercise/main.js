@@ -9,6 +9,7 @@ import { Notices } from '../notices.js';
 import { showLink } from '../readouts.js';
 import { $, write } from '../widgets.js';
 import { AuditPanel } from './audit_panel.js';
+import { HostsPanel } from './hosts_panel.js';
 import { Chart } from './chart.js';
 import { ChartInput } from './chart_input.js';
 import { ClassPanel } from './class_panel.js';
@@ -103,6 +104,7 @@ const faults = new FaultsPanel(table.faults ?? [], exercise, orders);
 const clock = new ExercisePanel(exercise, orders, notify);
 const classes = new ClassPanel(exercise, orderClass, notify);
 const log = new AuditPanel();
+const hosts = new HostsPanel();
 const toolbar = new Toolbar({ chart, tools, exercise, changed });
 new ChartInput(chart, exercise, tools, orders, (place) => {
   write(
@@ -157,7 +159,9 @@ const TAKERS = {
     log.forget();
     subscribe();
     classes.greet(hello.hasClasses);
+    hosts.take(hello.fleet ?? null, hello.radars);
   },
+  fleet: (fleet) => hosts.take(fleet, hello.radars),
   exercise: (state) => {
     heardMs = performance.now();
     exercise.take(state, replay.takeExercise(state));
