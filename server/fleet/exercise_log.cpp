@@ -16,7 +16,7 @@ std::string_view name_of(ExerciseLog::Standing standing) {
     case ExerciseLog::Standing::free:
       return "free";
     case ExerciseLog::Standing::must_come_back:
-      return "must come back by snapshot";
+      return "must come back";
   }
   return "unknown";
 }
@@ -167,7 +167,7 @@ std::variant<ExerciseLog::Place, ExerciseLog::Refusal> ExerciseLog::place_of_ord
   const std::string store =
       store_error_ ? fmt::format("; its store: {}", store_error_->text) : std::string();
   if (conflict_)
-    return Refusal{fmt::format("this host takes no orders: it must come back by snapshot, as order "
+    return Refusal{fmt::format("this host takes no orders: it must come back, as order "
                                "{} holds from tick {}, which it ran without it",
                                conflict_->order.id, conflict_->tick),
                    false};

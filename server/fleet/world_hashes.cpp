@@ -39,7 +39,7 @@ std::optional<WorldHashes::Difference> WorldHashes::at(Tick tick) const {
       difference.is_certain
           ? fmt::format(
                 "at tick {} the world of {} differs from that of {} other hosts: it must "
-                "come back by snapshot",
+                "come back",
                 tick, fmt::join(difference.hosts, ", "), most)
           : fmt::format(
                 "at tick {} the worlds of {} differ, and none has more hosts than the "

@@ -13,7 +13,9 @@ namespace {
 
 using google::protobuf::FieldDescriptor;
 
-// Unlike the controls of a fresh radar in all of them.
+// Unlike the controls of a fresh radar in all of them.  A control that is added to RadarControls
+// must be added here, or hosts of a fleet do not share it where it is set to what a fresh radar
+// has.
 const echo::RadarControls kOther{.transmit = false,
                                  .pulse = echo::PulseChoice::short_pulse,
                                  .tune_auto = false,
@@ -39,7 +41,8 @@ bool is_of_ship_or_world(const FieldDescriptor& field) {
                            wire::Set::kUnlockFieldNumber});
 }
 
-// A Set that says one control alone is of a radar if that is other than the one or the other.
+// `one` has a single control.  It is a radar's if it changes a fresh radar's controls or kOther's,
+// which differ in each: a value can equal only one of the two.  A view's control changes neither.
 bool changes_a_radar(const wire::Set& one) {
   const auto changes = [&](const echo::RadarControls& before) {
     echo::RadarControls after = before;
@@ -55,7 +58,8 @@ std::vector<const FieldDescriptor*> fields_of(const google::protobuf::Message& m
   return fields;
 }
 
-// Takes the controls of views out of one, and all others out of the other.
+// Both begin as `set`.  Leaves in `shared` what is of radars, own ships and the world, in `own`
+// what is of a view.
 void split(const wire::Set& set, wire::Set& shared, wire::Set& own) {
   for (const FieldDescriptor* field : fields_of(set)) {
     if (is_address(*field) || field->number() == wire::Set::kControlsFieldNumber) continue;

@@ -10,7 +10,8 @@
 
 namespace skerry::fleet {
 
-// Thread: the member's, but for refused().
+// Thread: the member's ("fleet"), but for refused(), and for a last hold() by who stops the member.
+// keep() and come_back() are called under the member's mutex: they must not call the member.
 class Exercise {
  public:
   virtual ~Exercise() = default;
@@ -29,7 +30,7 @@ class Exercise {
   // Of the world as of the last tick made.
   virtual WorldDigest digest() const = 0;
   // Until when this host makes the spokes of each own ship's radars; a time that has passed: it
-  // does not.
+  // does not.  Called after each look, 5 ms apart or more.
   virtual void hold(const std::vector<HostTime>& until) = 0;
 };
 

@@ -28,6 +28,7 @@ class LogReader {
   LogReader(const MemberPlan& plan, StoreMark& mark, std::function<void(Heard)> hear);
   ~LogReader() { stop(); }
 
+  // A trouble that cannot pass for so long ends the reader.
   static constexpr std::chrono::seconds kMend{10};
 
   void start();
@@ -41,8 +42,8 @@ class LogReader {
   StoreResult<Revision> hear_all(KeyStore& keys, OrderStore& store);
   bool watch(KeyStore& keys, Revision from, const std::stop_token& stop);
   StoreResult<std::string> agree(KeyStore& keys, const LogKeys& names);
-  // False: it has ended.  A store that holds what it should not ends it after kMend; all that may
-  // pass, or be mended, does not.
+  // False: it has ended.  Went back, or `at_once`: at once.  Unreachable, slow, no majority, full,
+  // refused, compacted: never.  All else: after kMend without a good answer.
   bool tell(StoreError error, bool at_once = false);
 
   const MemberPlan& plan_;

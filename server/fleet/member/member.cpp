@@ -13,10 +13,12 @@ namespace skerry::fleet {
 namespace {
 
 constexpr std::chrono::milliseconds kMemberLook{5};
-// Ticks that are made at once before radars and clients see them, while a host catches up.
+// A host that is more ticks behind than this catches up: it compares no worlds, does not stand to
+// lead, and its radars do not start.
 constexpr Tick kBehind = 20;
 constexpr Tick kAtOnce = 200;  // between looks whether it is to stop
-// The grant that a host finds when it comes may be old: its time is believed when some have come.
+// The grant that a host finds when it comes may be old: its time is believed kSettle after the log
+// was read.
 constexpr std::chrono::milliseconds kSettle{700};
 constexpr std::chrono::seconds kTellAgain{30};
 constexpr int kGrantsToLead = 5;
@@ -128,7 +130,8 @@ std::vector<HostTime> Member::made_until(HostTime now) const {
   return until;
 }
 
-// Until the present way of holding has reached the radars.
+// Thread: fleet-ships.  Waits for two more calls of hold(), the second of which surely knows what
+// was given up; false: not within 0.5 s.
 bool Member::let_go() {
   const std::uint64_t before = holds_.load();
   const HostTime until = host_now() + kStoreCall;
@@ -264,10 +267,13 @@ void Member::come_back(Exercise::Back to) {
   reader_.read_anew();
 }
 
-// Tick by tick, so that what is to be compared is seen.
+// If compared, stops at each kDigestTicks-th tick to compare the world.  It may come back there, or
+// be told to stop: made_ is then below tick.
 void Member::run_to(Tick tick, bool compared) {
   while (made_ < tick) {
-    const Tick next = compared ? std::min(tick, (made_ / kDigestTicks + 1) * kDigestTicks) : tick;
+    if (stops_.load()) return;
+    const Tick next =
+        std::min(tick, compared ? (made_ / kDigestTicks + 1) * kDigestTicks : made_ + kAtOnce);
     exercise_.run_to(next);
     made_ = next;
     if (!compared || made_ % kDigestTicks != 0) continue;
@@ -315,7 +321,7 @@ void Member::step() {
   const bool follows = step.standing == ExerciseLog::Standing::following;
   for (const ExerciseLog::Due& due : step.orders) {
     run_to(due.tick - 1, follows && !behind);
-    if (made_ + 1 != due.tick) return;  // it stops, or comes back
+    if (made_ + 1 != due.tick) return;  // it stops, or came back: the log is heard anew
     exercise_.give(due.order);
   }
   run_to(step.run_to, follows && !behind);

@@ -42,10 +42,11 @@ struct MemberView {
 // thread of its own ("fleet") beside those of its parts.
 class Member {
  public:
-  // An order holds some 0.3 s after it was appended; the world is compared each second.
+  // An order holds some 0.3 s after it was appended; the world is compared each so many ticks of
+  // 100 ms.
   static constexpr Tick kDigestTicks = 10;
 
-  // Both must outlive it.  Error: std::invalid_argument, a name is none.
+  // `exercise` must outlive it.  Error: std::invalid_argument, a name is none.
   Member(MemberPlan plan, Exercise& exercise);
   ~Member() { stop(); }
 
@@ -53,7 +54,8 @@ class Member {
   // Gives up what it holds; orders that wait are refused.
   void stop();
 
-  // The exercise's time now; nothing: not known yet, or its first ticks are still being made.
+  // The exercise's time now; nothing: not known yet, or ticks of the past
+  // are still being made (it has just come, or comes back).  Thread: any, as of all below.
   std::optional<Duration> time() const;
   // Why this host will never be a member; nothing: it is, or tries to be.
   std::optional<std::string> ended() const;
@@ -62,11 +64,11 @@ class Member {
   // `id`: a name that no other order ever has.
   void order(std::string id, std::string order);
   bool leads() const;
-  // Whether the store does not know of this host any more: it was cut off for longer than its
-  // leases last.  Nobody takes ships then, here.
+  // Whether this host's presence has run out by its own clock: 1.8 s after it last asked the store
+  // and was answered.  It takes no ships then.
   bool alone() const;
   // All other hosts are without the store as well, so none can have taken this one's ships: it goes
-  // on with them until then.  `asked`: before they were asked.
+  // on with them until `asked` + ShipSeats::kAloneAnswer.  `asked`: before the first was asked.
   void go_on_alone(HostTime asked);
   MemberView view() const;
 
@@ -101,8 +103,8 @@ class Member {
   std::optional<std::string> ended_;
   bool runs_ = false;       // its world is that of now
   bool awaits_log_ = true;  // the whole log is to come
-  HostTime settled_{};      // when it has come, and grants since
-  HostTime alone_until_{};  // ships go on
+  HostTime settled_{};      // kSettle after the whole log has come: its time is believed
+  HostTime alone_until_{};  // go_on_alone(): until then ships are kept without the store
   bool behind_ = false;     // it makes ticks of long ago
   int differed_ = 0;        // times that it came back because its world was another
   int grants_heard_ = 0;    // since it has come

@@ -11,7 +11,8 @@
 
 namespace skerry::fleet {
 
-// At most so long a thread of the member waits for an answer of the store.
+// At most so long a thread of the member waits for one call of the store; for an append 1 s, for
+// the whole log 10 s.  stop() waits as long.
 inline constexpr std::chrono::milliseconds kStoreCall{500};
 
 struct MemberPlan {

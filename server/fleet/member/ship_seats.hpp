@@ -35,8 +35,8 @@ class ShipSeats {
     std::set<std::string> present;     // hosts
     std::string note;                  // HostNote
   };
-  // All must outlive it.  `look` is called from its thread, some ten times a second.
-  // `let_go`: no spoke of that ship is made here when it has returned true.
+  // All must outlive it.  `look` is called from its thread, at most 20 times a second, less while
+  // it waits for the store. `let_go`: no spoke of that ship is made here when it has returned true.
   ShipSeats(const MemberPlan& plan, StoreMark& mark, std::function<Known()> look,
             std::function<bool(std::size_t)> let_go);
   ~ShipSeats() { stop(); }

@@ -2,6 +2,7 @@
 """Runs one exercise on several hosts over an etcd of three members, kills and stops them, and checks what consoles see.
 
 Usage: fleet_exercise.py SKERRYD PYTHON [--hosts N] [--ships N] [--seconds N] [--blows N] [--seed N] [--most-gap SECONDS] [--apart]
+                         [--order-pause SECONDS] [--keep]
   PYTHON   the folder of the package skerry (build/release/python)
   --blows  SIGKILL and SIGSTOP of hosts and of members of the etcd, one after the other, each healed before the next
   --apart  each in a network namespace of its own, as root; then blows cut the network too
@@ -10,7 +11,9 @@ Example: fleet_exercise.py build/release/bin/skerryd build/release/python --blow
 All on loopback, with ports that nobody had, or in a network of the script's own. A console for each ship follows her from host to host by what hosts say of
 the fleet; an observer at each host sees all radars there; an instructor gives orders at hosts by turns. Exit code 1
 if an order that was acknowledged is missing or any is there twice, hosts have their orders in other sequence, hosts'
-worlds differ, a ship's radar turns on two hosts at once, or a console sees no spoke for more than --most-gap (5 s).
+worlds differ or are never compared, a spoke comes from two hosts, an order that was refused holds, a host ends with
+another code than 0 or does not follow within 120 s of a blow, or a console sees no spoke for more than --most-gap
+(5 s). 77: no etcd, or --apart without root.
 """
 import argparse
 import collections

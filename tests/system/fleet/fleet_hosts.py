@@ -32,7 +32,6 @@ class Process:
 
     def __init__(self, name, command, log):
         self.name, self.command, self.log, self.process = name, command, log, None
-        self.stopped = False
 
     def start(self):
         with open(self.log, "ab") as log:
@@ -64,7 +63,7 @@ class Network:
     """Addresses of a fleet's processes: on loopback, or each in a network namespace of its own on a bridge, which can be cut."""
 
     def __init__(self, apart):
-        self.apart, self.nodes, self.down = apart, {}, set()
+        self.apart, self.nodes = apart, {}
         if apart:
             self._run("ip", "link", "set", "lo", "up")
             self._run("ip", "link", "add", "fleet0", "type", "bridge")
