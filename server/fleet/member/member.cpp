@@ -31,6 +31,7 @@ Member::Member(MemberPlan plan, Exercise& exercise)
       exercise_(exercise),
       log_(std::in_place, plan_.host, ExerciseLog::Settings{}, ExerciseLog::Snapshot{}),
       holders_(plan_.ships),
+      made_until_(plan_.ships),
       reader_(plan_, mark_,
               [this](LogReader::Heard heard) {
                 const std::lock_guard lock(mutex_);
@@ -114,20 +115,24 @@ void Member::go_on_alone(HostTime asked) {
   alone_until_ = asked + ShipSeats::kAloneAnswer;
 }
 
-std::vector<HostTime> Member::held_until(HostTime now) const {
-  const std::lock_guard lock(mutex_);
-  return made_until(now);
-}
-
-// mutex_ held.
-std::vector<HostTime> Member::made_until(HostTime now) const {
-  std::vector<HostTime> until = seats_.until();
+// Without the store a ship is kept only if that follows at once: for as long as others would need
+// to take her, lose the store themselves, and say that they are without it (1.5 s).
+std::vector<HostTime> Member::held_until(HostTime now) {
+  const std::vector<HostTime> held = seats_.until();
   const std::vector<bool> claimed = seats_.claimed();
-  if (seats_.is_present(now) || now >= alone_until_) return until;
-  for (std::size_t ship = 0; ship < until.size(); ++ship) {
-    if (claimed[ship]) until[ship] = std::max(until[ship], alone_until_);
+  const std::lock_guard lock(mutex_);
+  const bool goes_on = !seats_.is_present(now) && now < alone_until_;
+  for (std::size_t ship = 0; ship < held.size(); ++ship) {
+    HostTime& made = made_until_[ship];
+    if (held[ship] > now) {
+      made = held[ship];
+    } else if (goes_on && claimed[ship] && now < made + ShipSeats::kAloneAnswer) {
+      made = alone_until_;
+    } else if (!claimed[ship]) {
+      made = HostTime{};
+    }
   }
-  return until;
+  return made_until_;
 }
 
 // Thread: fleet-ships.  Waits for two more calls of hold(), the second of which surely knows what
@@ -195,10 +200,12 @@ void Member::hear(const LogEvent& event, HostTime now) {
     if (const auto ship = ship_of(holder->name); ship && *ship < holders_.size())
       holders_[*ship] = holder->host;
     if (const auto host = present_host(holder->name)) {
-      if (holder->host.empty())
+      if (holder->host.empty()) {
         present_.erase(*host);
-      else
+        if (const auto note = notes_.find(*host); note != notes_.end()) note->second.takes = false;
+      } else {
         present_.insert(*host);
+      }
     }
     if (holder->name == kLeader) leader_host_ = holder->host;
   }
@@ -224,7 +231,7 @@ void Member::hear_note(const NoteSeen& seen, HostTime now) {
     notes_.erase(gone);
   }
   HostSeen& host = notes_[seen.host];
-  host = {seen.host, note.native(), note.web(), note.standing(), now, {}, 0, {}};
+  host = {seen.host, note.native(), note.web(), note.standing(), now, {}, 0, {}, note.takes()};
   WorldDigest digest;
   if (seen.host == plan_.host || note.tick() == 0 || note.digest().size() != digest.size()) return;
   std::copy(note.digest().begin(), note.digest().end(), digest.begin());

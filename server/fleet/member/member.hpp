@@ -28,6 +28,7 @@ struct HostSeen {
   std::vector<std::size_t> ships;     // that it holds
   Tick tick = 0;                      // of the digest; 0: none
   WorldDigest digest{};
+  bool takes = false;  // ships, as it told
 };
 
 struct MemberView {
@@ -85,8 +86,7 @@ class Member {
   void come_back(Exercise::Back to);
   void compare(const std::string& host, Tick tick, const WorldDigest& digest);
   void look_around(ExerciseLog::Standing standing, HostTime now);
-  std::vector<HostTime> held_until(HostTime now) const;
-  std::vector<HostTime> made_until(HostTime now) const;
+  std::vector<HostTime> held_until(HostTime now);
   ShipSeats::Known known() const;
 
   const MemberPlan plan_;
@@ -101,13 +101,14 @@ class Member {
   std::set<std::string> present_;
   std::vector<std::string> holders_;  // of each ship
   std::optional<std::string> ended_;
-  bool runs_ = false;       // its world is that of now
-  bool awaits_log_ = true;  // the whole log is to come
-  HostTime settled_{};      // kSettle after the whole log has come: its time is believed
-  HostTime alone_until_{};  // go_on_alone(): until then ships are kept without the store
-  bool behind_ = false;     // it makes ticks of long ago
-  int differed_ = 0;        // times that it came back because its world was another
-  int grants_heard_ = 0;    // since it has come
+  bool runs_ = false;                 // its world is that of now
+  bool awaits_log_ = true;            // the whole log is to come
+  HostTime settled_{};                // kSettle after the whole log has come: its time is believed
+  std::vector<HostTime> made_until_;  // of each ship, as it was told the radars last
+  HostTime alone_until_{};            // go_on_alone(): until then ships are kept without the store
+  bool behind_ = false;               // it makes ticks of long ago
+  int differed_ = 0;                  // times that it came back because its world was another
+  int grants_heard_ = 0;              // since it has come
   Tick digest_tick_ = 0;
   WorldDigest digest_{};
   std::vector<LogReader::Heard> queue_;

@@ -20,11 +20,17 @@ ShipSeats::Known Member::known() const {
   ShipSeats::Known known;
   known.takes = runs_ && !ended_ && view_.standing != "must come back";
   known.holders = holders_;
-  known.present = present_;
+  // Ships are shared by those who take them: one that has just come, or comes back, does not yet.
+  known.present = {plan_.host};
+  for (const std::string& name : present_) {
+    const auto told = notes_.find(name);
+    if (told != notes_.end() && told->second.takes) known.present.insert(name);
+  }
   HostNote note;
   note.set_native(plan_.native);
   note.set_web(plan_.web);
   note.set_standing(view_.standing);
+  note.set_takes(known.takes && seats_.may_take());
   if (digest_tick_ != 0) {
     note.set_tick(digest_tick_);
     note.set_digest(digest_.data(), digest_.size());
@@ -47,7 +53,6 @@ void Member::look_around(ExerciseLog::Standing standing, HostTime now) {
     if (!refusal->soon) next.refusal = refusal->text;
   }
   next.hosts.clear();
-  const std::vector<HostTime> mine = made_until(now);
   for (const std::string& name : present_) {
     const auto note = notes_.find(name);
     HostSeen host = note == notes_.end() ? HostSeen{} : note->second;
@@ -62,7 +67,7 @@ void Member::look_around(ExerciseLog::Standing standing, HostTime now) {
     }
     for (std::size_t ship = 0; ship < holders_.size(); ++ship) {
       // Who is cut off hears nobody take them.
-      const bool is_made = name != plan_.host || mine[ship] > now;
+      const bool is_made = name != plan_.host || made_until_[ship] > now;
       if (holders_[ship] == name && is_made) host.ships.push_back(ship);
     }
     next.hosts.push_back(std::move(host));

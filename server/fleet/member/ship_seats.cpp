@@ -65,6 +65,7 @@ void ShipSeats::look_at_presence(HostTime now) {
   if (is_there && !was_present_ && takes_from_ != HostTime{}) takes_from_ = now + kBackFirst;
   if (is_there && takes_from_ == HostTime{}) takes_from_ = now;
   was_present_ = is_there;
+  may_take_.store(is_there && now >= takes_from_);
 }
 
 void ShipSeats::set_until(std::size_t ship, HostTime until) {
@@ -108,6 +109,7 @@ void ShipSeats::share(const Known& known) {
 
 void ShipSeats::run(const std::stop_token& stop) {
   HostTime step_at = keys_->now(), note_at = step_at, share_at = step_at;
+  bool took = false;
   while (!stop.stop_requested()) {
     const HostTime now = keys_->now();
     if (now >= step_at) {
@@ -121,13 +123,13 @@ void ShipSeats::run(const std::stop_token& stop) {
     const Known known = look_();
     if (!known.takes) {
       while (!ships_.empty()) give_up(ships_.begin()->first);
-    } else if (now >= share_at && now >= takes_from_ && presence_.held(keys_->now()) &&
-               known.present.contains(plan_.host)) {
+    } else if (now >= share_at && may_take()) {
       const std::size_t before = ships_.size();
       share(known);
       if (ships_.size() < before) share_at = keys_->now() + kGiveUp;
     }
-    if (now >= note_at && !known.note.empty()) {
+    const bool is_news = std::exchange(took, may_take()) != may_take();
+    if ((is_news || now >= note_at) && !known.note.empty()) {
       note_at = now + kNote;
       Transaction t;
       t.puts = {{LogKeys(plan_.exercise).note(plan_.host), known.note, 0}};

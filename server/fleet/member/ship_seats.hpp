@@ -1,6 +1,7 @@
 // ShipSeats: the thread that holds this host's presence and the own ships it runs.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -48,6 +49,8 @@ class ShipSeats {
   std::vector<HostTime> until() const;
   // Which ships it would go on holding if the store answered.  Thread: any.
   std::vector<bool> claimed() const;
+  // Whether it would take ships, for its part.  Thread: any.
+  bool may_take() const { return may_take_.load(); }
   // Whether the store holds this host present, as far as it knows.  Thread: any.
   bool is_present(HostTime now) const { return presence_.held(now).has_value(); }
 
@@ -72,6 +75,7 @@ class ShipSeats {
   std::vector<bool> claimed_;
   bool was_present_ = false;  // its thread's, as is the next
   HostTime takes_from_{};     // ships
+  std::atomic<bool> may_take_{false};
   std::jthread thread_;
 };
 
