@@ -18,6 +18,13 @@ std::string radars_of(const wire::FleetHost& host) {
   return host.radars().empty() ? "-" : fmt::format("{}", fmt::join(host.radars(), " "));
 }
 
+// Hosts tell of their worlds at moments of their own.
+std::string world_of(const wire::FleetHost& host) {
+  if (host.tick() == 0) return "-";
+  return fmt::format("{} {:>8.0f} s", printable(host.digest(), 16),
+                     0.1 * static_cast<double>(host.tick()));
+}
+
 // Hosts tell of the same second at times of their own: only those of one tick are compared.
 std::string worlds(const wire::Fleet& fleet) {
   std::map<std::uint64_t, std::map<std::string, std::string>> ticks;
@@ -34,23 +41,23 @@ std::string worlds(const wire::Fleet& fleet) {
 }
 
 std::string table_of(const wire::Fleet& fleet, const std::string& place) {
-  std::string out = fmt::format("exercise {}, seen from {} at {}: {}\nleader: {}\n",
-                                printable(fleet.exercise()), printable(fleet.host()), place,
-                                printable(fleet.standing()),
-                                fleet.leader().empty() ? "nobody" : printable(fleet.leader()));
+  std::string out =
+      fmt::format("exercise {}, seen from {} at {}: {}\nleader: {}\n", printable(fleet.exercise()),
+                  printable(fleet.host()), place, printable(fleet.standing()),
+                  fleet.leader().empty() ? "nobody" : printable(fleet.leader()));
   if (!fleet.refusal().empty())
     out += fmt::format("takes no orders: {}\n", printable(fleet.refusal(), 400));
   if (!fleet.problem().empty()) out += fmt::format("store: {}\n", printable(fleet.problem(), 400));
-  out += fmt::format("\n{:<20} {:<26} {:<34} {:<14} {:>8} {:<18} {}\n", "HOST", "NATIVE PROTOCOL",
+  out += fmt::format("\n{:<20} {:<26} {:<34} {:<14} {:>8} {:<26} {}\n", "HOST", "NATIVE PROTOCOL",
                      "PAGES", "STANDING", "HEARD", "WORLD", "RADARS");
   for (const wire::FleetHost& host : fleet.hosts()) {
     const bool told = !host.native().empty();
     out += fmt::format(
-        "{:<20} {:<26} {:<34} {:<14} {:>8} {:<18} {}\n", printable(host.name(), 20),
+        "{:<20} {:<26} {:<34} {:<14} {:>8} {:<26} {}\n", printable(host.name(), 20),
         told ? printable(host.native(), 60) : "-", told ? printable(host.web(), 60) : "-",
         host.standing().empty() ? "-" : printable(host.standing(), 14),
         host.name() == fleet.host() ? "here" : fmt::format("{:.1f} s", host.heard_s()),
-        host.digest().empty() ? "-" : printable(host.digest(), 18), radars_of(host));
+        world_of(host), radars_of(host));
   }
   return out + worlds(fleet);
 }
