@@ -303,6 +303,11 @@ def main():
             if not times or max(longest, default=0) > arguments.most_gap:
                 wrong.append(f"the console of radar {radar} saw nothing for {max(longest, default=float('inf')):.1f} s")
         codes = fleet.end()
+        # Hosts compare their worlds each second.
+        for log in sorted(pathlib.Path(folder).glob("h*.log")):
+            torn = [line for line in log.read_text(errors="replace").splitlines() if "[error] fleet:" in line]
+            if torn:
+                wrong.append(f"{log.name}: {torn[0]}")
         if any(codes):
             wrong.append(f"hosts ended with {codes}")
         print(f"blows: {dict(blows)}; orders: {len(watch.acknowledged)} acknowledged, {len(watch.refused)} refused, "
