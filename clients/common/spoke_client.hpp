@@ -40,7 +40,7 @@ class SpokeClient {
   ~SpokeClient();
 
   const wire::Hello& hello() const;  // its fleet is that which was told last
-  const std::string& name() const;  // "host:port", for messages
+  const std::string& name() const;   // "host:port", for messages
 
   // Says who the client is: what it asks for from now on without a token of its own is asked with
   // this one.  Servers older than this request close the connection at it.

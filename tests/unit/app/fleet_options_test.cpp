@@ -31,9 +31,9 @@ std::string fleet_refusal(const std::vector<const char*>& arguments) {
 
 TEST(FleetOptions, OfTheCommandLineAndTheFile) {
   EXPECT_THAT(read_fleet({}).fleet.store, IsEmpty());
-  const FleetOptions line =
-      read_fleet({"--fleet", "a:1,[::1]:2", "--fleet-exercise", "kattegat-7", "--fleet-host", "bridge-1"})
-          .fleet;
+  const FleetOptions line = read_fleet({"--fleet", "a:1,[::1]:2", "--fleet-exercise", "kattegat-7",
+                                        "--fleet-host", "bridge-1"})
+                                .fleet;
   EXPECT_THAT(line.store, ElementsAre("a:1", "[::1]:2"));
   EXPECT_EQ(line.exercise, "kattegat-7");
   EXPECT_EQ(line.host, "bridge-1");
