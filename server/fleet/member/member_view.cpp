@@ -13,6 +13,17 @@ std::string word_of(ExerciseLog::Standing standing) {
                                                            : std::string(name_of(standing));
 }
 
+// But for when hosts were heard, their worlds, and for how long orders are refused.
+bool is_told_alike(const MemberView& a, const MemberView& b) {
+  const auto same_host = [](const HostSeen& one, const HostSeen& other) {
+    return one.name == other.name && one.native == other.native && one.web == other.web &&
+           one.standing == other.standing && one.ships == other.ships;
+  };
+  return a.standing == b.standing && a.refusal.empty() == b.refusal.empty() &&
+         a.leader == b.leader &&
+         std::equal(a.hosts.begin(), a.hosts.end(), b.hosts.begin(), b.hosts.end(), same_host);
+}
+
 }  // namespace
 
 ShipSeats::Known Member::known() const {
@@ -72,16 +83,7 @@ void Member::look_around(ExerciseLog::Standing standing, HostTime now) {
     }
     next.hosts.push_back(std::move(host));
   }
-  const auto told = [](const MemberView& view) {
-    // A refusal says for how long.
-    std::string text = view.standing + (view.refusal.empty() ? '+' : '-') + view.leader;
-    for (const HostSeen& host : view.hosts) {
-      text += '\n' + host.name + '\n' + host.native + '\n' + host.web + '\n' + host.standing;
-      for (const std::size_t ship : host.ships) text += ' ' + std::to_string(ship);
-    }
-    return text;
-  };
-  if (told(next) != told(view_)) ++next.version;
+  if (!is_told_alike(next, view_)) ++next.version;
   view_ = std::move(next);
 }
 
