@@ -24,7 +24,7 @@ std::string machine_name() {
 
 bool is_any(const std::string& bind) { return bind == "0.0.0.0" || bind == "::"; }
 
-void refuse(bool given, const char* what, const char* why) {
+void refuse_beside_fleet(bool given, const char* what, const char* why) {
   if (given)
     throw std::runtime_error(fmt::format("{} and --fleet exclude each other: {}", what, why));
 }
@@ -87,10 +87,12 @@ FleetOptions fleet_options(const app::ServerConfig& config, const NetConfig& net
     }
     options.store.push_back(member);
   }
-  refuse(config.playback().has_file(), "--play", "a recording is no exercise to take part in");
-  refuse(config.has_relay(), "--relay", "a relay runs nothing; let it relay a host of the fleet");
-  refuse(!config.inputs().empty(), "--input",
-         "what comes from outside would move ships on one host alone");
+  refuse_beside_fleet(config.playback().has_file(), "--play",
+                      "a recording is no exercise to take part in");
+  refuse_beside_fleet(config.has_relay(), "--relay",
+                      "a relay runs nothing; let it relay a host of the fleet");
+  refuse_beside_fleet(!config.inputs().empty(), "--input",
+                      "what comes from outside would move ships on one host alone");
   if (fleet.has_exercise()) options.exercise = fleet.exercise();
   options.host = fleet.has_host() ? fleet.host() : machine_name();
   options.address = fleet.has_address() ? fleet.address()

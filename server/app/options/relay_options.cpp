@@ -37,7 +37,7 @@ std::string token_in(const std::string& file) {
   return token;
 }
 
-void refuse(bool given, const char* what, const char* why) {
+void refuse_beside_relay(bool given, const char* what, const char* why) {
   if (given)
     throw std::runtime_error(fmt::format("{} and --relay exclude each other: {}", what, why));
 }
@@ -83,18 +83,21 @@ RelayOptions relay_options(const app::ServerConfig& config, const NetConfig& net
   if (!config.has_relay()) return options;
   const auto place = upstream_place(config.relay().server());
   if (!place) throw std::runtime_error("--relay: " + place.error());
-  refuse(config.has_scenario(), "--scenario", "radars of its own, or another server's");
-  refuse(config.playback().has_file(), "--play", "a recording, or another server's radars");
-  refuse(!config.charts().empty() || config.has_elevation(), "--chart or --elevation",
-         "the chart is the other server's");
-  refuse(!config.inputs().empty(), "--input",
-         "own ships and radars are the other server's; give the input to that one");
+  refuse_beside_relay(config.has_scenario(), "--scenario",
+                      "radars of its own, or another server's");
+  refuse_beside_relay(config.playback().has_file(), "--play",
+                      "a recording, or another server's radars");
+  refuse_beside_relay(!config.charts().empty() || config.has_elevation(), "--chart or --elevation",
+                      "the chart is the other server's");
+  refuse_beside_relay(!config.inputs().empty(), "--input",
+                      "own ships and radars are the other server's; give the input to that one");
   const bool has_sweeps =
       !config.sweeps().empty() ||
       std::any_of(config.outputs().begin(), config.outputs().end(),
                   [](const auto& output) { return output.kind() == app::Output::sweeps; });
-  refuse(has_sweeps, "--sweeps", "interface boards are not relayed; have them of the other server");
-  refuse(config.workers() > 0, "--workers", "a relay makes no video");
+  refuse_beside_relay(has_sweeps, "--sweeps",
+                      "interface boards are not relayed; have them of the other server");
+  refuse_beside_relay(config.workers() > 0, "--workers", "a relay makes no video");
   options.place = *place;
   options.thin = thin_of(config.relay().thin());
   if (is_own_port(options.place, net)) {
